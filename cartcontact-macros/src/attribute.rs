@@ -1,0 +1,151 @@
+//! The tokens in `#[gap_profile(...)]` -> [`Attribute`]: the gap and its options, as written.
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::Path;
+use syn::parse::Parser;
+
+use crate::diagnostics::{Diagnostics, Extent};
+use crate::parse;
+use crate::syntax::Expression;
+
+#[derive(Default)]
+pub(crate) struct Attribute {
+    pub(crate) gap: Option<Expression>,
+    pub(crate) max_radius: Option<Expression>,
+    pub(crate) crate_path: Option<TokenStream>,
+}
+
+/// Reads the gap and the options behind it, which stand between commas.
+pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attribute {
+    let mut attribute = Attribute::default();
+    let mut names: Vec<Ident> = Vec::new();
+    for entry in entries(tokens, diagnostics) {
+        match entry.option() {
+            Some((name, _, _)) if names.contains(&name) => {
+                diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
+            }
+            Some((name, equals, value)) => {
+                attribute.set(&name, equals, value, diagnostics);
+                names.push(name);
+            }
+            None if attribute.gap.is_some() => diagnostics.report(
+                entry.extent(),
+                "a profile has one gap; options such as `max_radius = 6.0` follow it after a comma",
+            ),
+            None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
+        }
+    }
+    if attribute.gap.is_none() {
+        let message = "the gap is missing; write it first, as in `#[gap_profile(0.025 * r^2)]`";
+        diagnostics.report(Span::call_site(), message);
+    }
+    attribute
+}
+
+impl Attribute {
+    fn set(&mut self, name: &Ident, equals: Span, value: TokenStream, diagnostics: &mut Diagnostics) {
+        if name == "max_radius" {
+            self.max_radius = Some(parse::expression(value, equals, diagnostics));
+        } else if name == "crate" {
+            let place = Extent::of(value.clone().into_iter().map(|token| token.span()), equals);
+            match Path::parse_mod_style.parse2(value) {
+                Ok(path) => self.crate_path = Some(path.into_token_stream()),
+                Err(_) => diagnostics
+                    .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`"),
+            }
+        } else {
+            diagnostics.report(
+                name.span(),
+                format!("`{name}` is not an option; there are `max_radius` and `crate`"),
+            );
+        }
+    }
+}
+
+/// What stands between two commas.
+struct Entry {
+    tokens: Vec<TokenTree>,
+    /// The comma before it.
+    place: Span,
+}
+
+impl Entry {
+    /// `name = value`; `==` is left to the expression, which says what is wrong with it.
+    fn option(&self) -> Option<(Ident, Span, TokenStream)> {
+        let [TokenTree::Ident(name), TokenTree::Punct(equals), value @ ..] = self.tokens.as_slice() else {
+            return None;
+        };
+        let comparison = matches!(value.first(), Some(TokenTree::Punct(next)) if next.as_char() == '=');
+        let assigns = equals.as_char() == '=' && !comparison;
+        assigns.then(|| (name.clone(), equals.span(), value.iter().cloned().collect()))
+    }
+
+    fn stream(&self) -> TokenStream {
+        self.tokens.iter().cloned().collect()
+    }
+
+    fn extent(&self) -> Extent {
+        Extent::of(self.tokens.iter().map(TokenTree::span), self.place)
+    }
+}
+
+fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    let mut current = Entry { tokens: Vec::new(), place: Span::call_site() };
+    for token in tokens {
+        match token {
+            TokenTree::Punct(comma) if comma.as_char() == ',' => {
+                if current.tokens.is_empty() {
+                    diagnostics.report(comma.span(), "nothing stands before this comma; remove it");
+                }
+                let next = Entry { tokens: Vec::new(), place: comma.span() };
+                entries.push(core::mem::replace(&mut current, next));
+            }
+            token => current.tokens.push(token),
+        }
+    }
+    entries.push(current);
+    entries.retain(|entry| !entry.tokens.is_empty());
+    entries
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+
+    fn messages(text: &str) -> Vec<String> {
+        let mut diagnostics = Diagnostics::default();
+        parse(text.parse().unwrap(), &mut diagnostics);
+        diagnostics.messages()
+    }
+
+    #[test]
+    fn options_follow_the_gap() {
+        let mut diagnostics = Diagnostics::default();
+        let attribute =
+            parse("r^2, max_radius = 6.0, crate = some::path,".parse().unwrap(), &mut diagnostics);
+        assert!(diagnostics.is_empty());
+        assert!(attribute.gap.is_some() && attribute.max_radius.is_some());
+        assert_eq!(attribute.crate_path.unwrap().to_string(), "some :: path");
+    }
+
+    #[test]
+    fn every_fault_is_reported() {
+        let reported = messages("r^2, r^4, max_radius = 1, max_radius = 2, depth = 3,, crate = \"here\"");
+        for rule in ["one gap", "given twice", "not an option", "before this comma", "without quotes"] {
+            assert!(reported.iter().any(|message| message.contains(rule)), "{rule}");
+        }
+        assert_eq!(reported.len(), 5);
+    }
+
+    #[test]
+    fn the_gap_must_be_there() {
+        assert_eq!(messages("").len(), 1);
+        assert!(messages("max_radius = 2").iter().any(|message| message.contains("the gap is missing")));
+        assert!(
+            messages("r^2, max_radius = ").iter().any(|message| message.contains("something is missing"))
+        );
+    }
+}

@@ -1,0 +1,59 @@
+//! [`Gap`] -> the closed forms that follow from it: Eqs. (10), (14) and (28), exactly.
+//!
+//! Each is a sum of powers whose coefficients are those of the gap times rational numbers, see
+//! I. Argatov, Mech. Res. Commun. 38 (2011), doi 10.1016/j.mechrescom.2010.11.006.
+
+use num_traits::One;
+
+use crate::gap::{Gap, Term};
+use crate::number::{Rational, integer};
+
+/// Σ weight · C · x^exponent, where C is the coefficient of the gap's term with that index.
+pub(crate) struct PowerSum {
+    pub(crate) summands: Vec<Summand>,
+}
+
+pub(crate) struct Summand {
+    pub(crate) term: usize,
+    pub(crate) weight: Rational,
+    pub(crate) exponent: Rational,
+}
+
+pub(crate) struct ClosedForms {
+    /// Φ(r) = Σ C rⁿ
+    pub(crate) gap: PowerSum,
+    /// δ₀(a) = Σ 2 C aⁿ/(n+2), Eq. (10)
+    pub(crate) approach: PowerSum,
+    /// δ₀′(a) = Σ 2 C n aⁿ⁻¹/(n+2)
+    pub(crate) approach_slope: PowerSum,
+    /// J(a) = Σ C n aⁿ⁺⁴/((n+2)(n+4)), Eq. (14)
+    pub(crate) load_integral: PowerSum,
+    /// L(x) = Σ C xⁿ⁺²/(n+2)², the log kernel of Eq. (28)
+    pub(crate) log_kernel: PowerSum,
+}
+
+impl ClosedForms {
+    pub(crate) fn of(gap: &Gap) -> Self {
+        let two = integer(2);
+        let plus = |n: &Rational, k: i32| n + integer(k);
+        Self {
+            gap: PowerSum::of(gap, 0, |_| Rational::one()),
+            approach: PowerSum::of(gap, 0, |n| &two / plus(n, 2)),
+            approach_slope: PowerSum::of(gap, -1, |n| &two * n / plus(n, 2)),
+            load_integral: PowerSum::of(gap, 4, |n| n / (plus(n, 2) * plus(n, 4))),
+            log_kernel: PowerSum::of(gap, 2, |n| (plus(n, 2) * plus(n, 2)).recip()),
+        }
+    }
+}
+
+impl PowerSum {
+    /// The sum with the exponents n + `shift` and the weights that `weight` gives for n.
+    fn of(gap: &Gap, shift: i32, weight: impl Fn(&Rational) -> Rational) -> Self {
+        let summands = gap.terms.iter().enumerate().map(|(term, Term { exponent, .. })| Summand {
+            term,
+            weight: weight(exponent),
+            exponent: exponent + integer(shift),
+        });
+        Self { summands: summands.collect() }
+    }
+}

@@ -1,0 +1,307 @@
+//! Exact coefficients: numbers, fields, and what can be made of them.
+//!
+//! The normal form is a sum of products `number * atom^e * atom^e * ...` with distinct lists of powers, where an atom
+//! is a field or a whole coefficient that is not taken apart, such as `(1 + radius)` under a fraction line. Atoms are
+//! compared by structure, so that equal ones merge and cancel.
+//!
+//! Products and powers of sums are *not* multiplied out: `(b - a) * (b + a)` is computed as written, since
+//! `b*b - a*a` loses digits where `a` and `b` are close, as the radii of congruent joint surfaces are.
+
+mod write;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_bigint::BigInt;
+use num_traits::{One, Signed, Zero};
+use proc_macro2::Ident;
+
+use crate::number::{self, Rational};
+
+/// The largest power of a field: beyond it an `f64` is zero or infinite for nearly every value.
+const MAXIMUM_POWER: u32 = 1024;
+
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Coefficient {
+    /// Sorted by their powers; no number is zero, no two lists of powers are equal.
+    products: Vec<Product>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Product {
+    /// No exponent is zero.
+    powers: Powers,
+    number: Rational,
+}
+
+type Powers = BTreeMap<Atom, Rational>;
+
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Atom {
+    Field(Ident),
+    /// Has several products, the first with a positive number and the last with the number 1 or -1, or is the base
+    /// of a power that is no integer.
+    Whole(Coefficient),
+}
+
+impl Coefficient {
+    pub(crate) fn constant(number: Rational) -> Self {
+        Product { powers: Powers::new(), number }.into()
+    }
+
+    pub(crate) fn field(ident: Ident) -> Self {
+        Product { powers: Powers::from([(Atom::Field(ident), Rational::one())]), number: Rational::one() }
+            .into()
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.products.is_empty()
+    }
+
+    /// The number that this is, if it depends on no field.
+    pub(crate) fn as_constant(&self) -> Option<Rational> {
+        match self.products.as_slice() {
+            [] => Some(Rational::zero()),
+            [only] if only.powers.is_empty() => Some(only.number.clone()),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn fields(&self) -> BTreeSet<&Ident> {
+        let atoms = self.products.iter().flat_map(|product| product.powers.keys());
+        atoms
+            .flat_map(|atom| match atom {
+                Atom::Field(ident) => BTreeSet::from([ident]),
+                Atom::Whole(inner) => inner.fields(),
+            })
+            .collect()
+    }
+
+    /// Whether every number in it is near a finite `f64` other than 0.
+    pub(crate) fn is_representable(&self) -> bool {
+        self.products.iter().all(|product| {
+            let wholes = product.powers.keys().all(|atom| match atom {
+                Atom::Field(_) => true,
+                Atom::Whole(inner) => inner.is_representable(),
+            });
+            wholes && number::nearest(&product.number).is_some()
+        })
+    }
+
+    pub(crate) fn add(&self, other: &Self) -> Self {
+        let (left, right) = (self.clone().into_product(), other.clone().into_product());
+        if let (Some(left), Some(right)) = (left, right)
+            && left.powers == right.powers
+        {
+            return Product { number: left.number + right.number, powers: left.powers }.into();
+        }
+        let mut numbers: BTreeMap<Powers, Rational> = BTreeMap::new();
+        for product in self.opened().chain(other.opened()) {
+            *numbers.entry(product.powers).or_insert_with(Rational::zero) += product.number;
+        }
+        let products = numbers.into_iter().map(|(powers, number)| Product { powers, number });
+        Coefficient { products: products.filter(|product| !product.number.is_zero()).collect() }
+    }
+
+    pub(crate) fn negated(&self) -> Self {
+        self.scaled(&-Rational::one())
+    }
+
+    pub(crate) fn multiply(&self, other: &Self) -> Self {
+        match (self.as_constant(), other.as_constant()) {
+            (Some(number), _) => other.scaled(&number),
+            (_, Some(number)) => self.scaled(&number),
+            _ => match (self.clone().into_product(), other.clone().into_product()) {
+                (Some(left), Some(right)) => left.multiply(right).into(),
+                _ => Coefficient { products: Vec::new() },
+            },
+        }
+    }
+
+    /// `self` to a power; the rule that is broken if there is none.
+    pub(crate) fn power(&self, exponent: &Rational) -> Result<Self, &'static str> {
+        if exponent.is_zero() {
+            return Ok(Coefficient::constant(Rational::one()));
+        }
+        let Some(product) = self.clone().into_product() else {
+            return if exponent.is_positive() { Ok(self.clone()) } else { Err("a divisor must not be zero") };
+        };
+        if exponent.is_integer() {
+            return product.integer_power(exponent.numer()).map(Into::into);
+        }
+        if product.powers.is_empty() {
+            return root_of_number(&product.number, exponent).map(Coefficient::constant);
+        }
+        let powers = match product.single_atom().filter(|_| product.number.is_one()) {
+            Some(atom) => Powers::from([(atom, exponent.clone())]),
+            // The root of a square is not the base where that is negative, so the powers stay apart.
+            None => Powers::from([(Atom::Whole(self.clone()), exponent.clone())]),
+        };
+        Product { powers, number: Rational::one() }.limited().map(Into::into)
+    }
+
+    pub(crate) fn scaled(&self, number: &Rational) -> Self {
+        if number.is_zero() {
+            return Coefficient { products: Vec::new() };
+        }
+        match self.products.as_slice() {
+            [_] | [] => self.times_each(number),
+            _ if number.abs().is_one() => self.times_each(number),
+            _ => match self.clone().into_product() {
+                Some(product) => Product { number: product.number * number, ..product }.into(),
+                None => self.clone(),
+            },
+        }
+    }
+
+    fn times_each(&self, number: &Rational) -> Self {
+        let products = self.products.iter().cloned();
+        Coefficient {
+            products: products
+                .map(|product| Product { number: product.number * number, ..product })
+                .collect(),
+        }
+    }
+
+    /// As one product, a sum becoming an atom; nothing for zero.
+    fn into_product(mut self) -> Option<Product> {
+        if self.products.len() <= 1 {
+            return self.products.pop();
+        }
+        let number = self.products.first()?.number.signum() * self.products.last()?.number.abs();
+        let atom = Atom::Whole(self.times_each(&number.recip()));
+        Some(Product { powers: Powers::from([(atom, Rational::one())]), number })
+    }
+
+    /// The products to add up: a sum that carries nothing but a number is taken apart.
+    fn opened(&self) -> impl Iterator<Item = Product> {
+        match self.products.as_slice() {
+            [only] => match only.single_atom() {
+                Some(Atom::Whole(inner)) => inner.times_each(&only.number).products,
+                _ => self.products.clone(),
+            },
+            _ => self.products.clone(),
+        }
+        .into_iter()
+    }
+}
+
+impl Product {
+    fn multiply(mut self, other: Product) -> Product {
+        for (atom, exponent) in other.powers {
+            *self.powers.entry(atom).or_insert_with(Rational::zero) += exponent;
+        }
+        self.powers.retain(|_, exponent| !exponent.is_zero());
+        Product { number: self.number * other.number, ..self }
+    }
+
+    fn integer_power(self, exponent: &BigInt) -> Result<Product, &'static str> {
+        let number = number::power(&self.number, exponent)
+            .ok_or("this power is too large or too small to compute with")?;
+        let factor = number::integer(exponent.clone());
+        let powers = self.powers.into_iter().map(|(atom, own)| (atom, own * &factor));
+        Product { powers: powers.collect(), number }.limited()
+    }
+
+    fn limited(self) -> Result<Product, &'static str> {
+        let limit = number::integer(MAXIMUM_POWER);
+        match self.powers.values().all(|exponent| exponent.abs() <= limit) {
+            true => Ok(self),
+            false => Err("a field may be raised to powers up to 1024"),
+        }
+    }
+
+    /// The atom, if there is one and it is raised to no power.
+    fn single_atom(&self) -> Option<Atom> {
+        let mut powers = self.powers.iter();
+        let (atom, exponent) = powers.next()?;
+        (powers.next().is_none() && exponent.is_one()).then(|| atom.clone())
+    }
+}
+
+impl From<Product> for Coefficient {
+    fn from(product: Product) -> Self {
+        if product.number.is_zero() {
+            return Coefficient { products: Vec::new() };
+        }
+        match product.single_atom() {
+            Some(Atom::Whole(inner)) if product.number.abs().is_one() || inner.products.len() == 1 => {
+                inner.times_each(&product.number)
+            }
+            _ => Coefficient { products: vec![product] },
+        }
+    }
+}
+
+fn root_of_number(number: &Rational, exponent: &Rational) -> Result<Rational, &'static str> {
+    let root = number::root(number, exponent.denom())
+        .ok_or("this root is not a fraction, and numbers are kept exact; write it as a decimal")?;
+    number::power(&root, exponent.numer()).ok_or("this power is too large or too small to compute with")
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use quote::format_ident;
+
+    use super::*;
+
+    fn number(value: i64) -> Coefficient {
+        Coefficient::constant(number::integer(value))
+    }
+
+    fn field(name: &str) -> Coefficient {
+        Coefficient::field(format_ident!("{name}"))
+    }
+
+    fn fraction(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(numerator.into(), denominator.into())
+    }
+
+    fn inverse(of: &Coefficient) -> Coefficient {
+        of.power(&fraction(-1, 1)).unwrap()
+    }
+
+    #[test]
+    fn like_products_merge_and_cancel() {
+        let (a, b) = (field("a"), field("b"));
+        let sum = a.add(&b);
+        assert_eq!(sum, b.add(&a));
+        assert!(sum.add(&b.negated()).add(&a.negated()).is_zero());
+        let half = number(2).power(&fraction(-1, 1)).unwrap();
+        let halves = sum.multiply(&half).add(&a.multiply(&half).negated());
+        assert_eq!(halves, b.multiply(&half));
+        assert_eq!(a.multiply(&b).multiply(&inverse(&a)), b);
+    }
+
+    #[test]
+    fn sums_cancel_as_wholes() {
+        let sum = number(1).add(&field("a"));
+        let double = number(2).add(&field("a").multiply(&number(2)));
+        assert_eq!(double.multiply(&inverse(&sum)), number(2));
+        let cube = sum.power(&fraction(3, 1)).unwrap();
+        assert_eq!(cube.multiply(&inverse(&sum)).multiply(&inverse(&sum)), sum);
+        assert!(cube.add(&cube.negated()).is_zero());
+    }
+
+    #[test]
+    fn roots_are_exact_or_symbolic() {
+        let half = fraction(1, 2);
+        assert_eq!(number(4).power(&half).unwrap(), number(2));
+        assert!(number(2).power(&half).is_err() && number(-4).power(&half).is_err());
+        let root = field("a").power(&half).unwrap();
+        assert_eq!(root.multiply(&root), field("a"));
+        let doubled = field("a").multiply(&number(2));
+        let root = doubled.power(&half).unwrap();
+        assert_eq!(root.multiply(&root), doubled);
+        let square = field("a").power(&fraction(2, 1)).unwrap();
+        assert_ne!(square.power(&half).unwrap(), field("a"));
+    }
+
+    #[test]
+    fn limits_and_zero_divisors_are_errors() {
+        assert!(number(0).power(&fraction(-1, 1)).is_err());
+        assert!(number(2).power(&fraction(999_999_999, 1)).is_err());
+        assert!(field("a").power(&fraction(1025, 1)).is_err());
+        assert_eq!(number(-1).power(&fraction(1_000_001, 1)).unwrap(), number(-1));
+    }
+}

@@ -1,0 +1,213 @@
+//! Coefficients as Rust code, and for people.
+
+use core::fmt::{Display, Formatter, Result};
+
+use num_traits::{One, Signed, ToPrimitive};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::{Atom, Coefficient, Product};
+use crate::number::{self, Rational};
+
+impl Coefficient {
+    /// An expression over variables named like the fields, of a type that is `Copy` and has the arithmetic operators.
+    ///
+    /// Numbers become `constant(0.125f64)`, powers that are no integers `power(x, constant(0.5f64))`; a product has
+    /// one division at most.
+    pub(crate) fn expression(&self, constant: &TokenStream, power: &TokenStream) -> TokenStream {
+        let writer = Writer { constant, power };
+        writer.sum(self)
+    }
+}
+
+struct Writer<'a> {
+    constant: &'a TokenStream,
+    power: &'a TokenStream,
+}
+
+impl Writer<'_> {
+    fn sum(&self, coefficient: &Coefficient) -> TokenStream {
+        let mut products = coefficient.products.iter();
+        let Some(first) = products.next() else { return self.number(&number::integer(0)) };
+        let start = self.product(first);
+        let start = if first.number.is_negative() { quote!(-#start) } else { start };
+        products.fold(start, |sum, product| {
+            let next = self.product(product);
+            if product.number.is_negative() { quote!(#sum - #next) } else { quote!(#sum + #next) }
+        })
+    }
+
+    /// Its absolute value as far as the sign of its number goes.
+    fn product(&self, product: &Product) -> TokenStream {
+        let (below, above): (Vec<_>, Vec<_>) =
+            product.powers.iter().partition(|(_, exponent)| exponent.is_integer() && exponent.is_negative());
+        let mut numerator: Vec<TokenStream> =
+            above.into_iter().map(|(atom, exponent)| self.raised(atom, exponent)).collect();
+        if numerator.is_empty() || !product.number.abs().is_one() {
+            numerator.insert(0, self.number(&product.number.abs()));
+        }
+        let denominator: Vec<TokenStream> =
+            below.into_iter().map(|(atom, exponent)| self.raised(atom, &exponent.abs())).collect();
+        let above = multiplied(&numerator);
+        match denominator.as_slice() {
+            [] => above,
+            [only] => quote!(#above / #only),
+            several => {
+                let below = multiplied(several);
+                quote!(#above / (#below))
+            }
+        }
+    }
+
+    fn raised(&self, atom: &Atom, exponent: &Rational) -> TokenStream {
+        let base = match atom {
+            Atom::Field(ident) => ident.to_token_stream(),
+            Atom::Whole(inner) => {
+                let inner = self.sum(inner);
+                quote!((#inner))
+            }
+        };
+        match (exponent.is_integer(), exponent.to_u32()) {
+            (true, Some(1)) => base,
+            (true, Some(exponent)) => {
+                let variable = Ident::new("base", Span::mixed_site());
+                let repeated = repeated(&variable, exponent);
+                quote!(({ let #variable = #base; #repeated }))
+            }
+            _ => {
+                let (power, exponent) = (self.power, self.number(exponent));
+                quote!(#power(#base, #exponent))
+            }
+        }
+    }
+
+    fn number(&self, value: &Rational) -> TokenStream {
+        let (constant, literal) = (self.constant, number::literal(value));
+        quote!(#constant(#literal))
+    }
+}
+
+fn multiplied(factors: &[impl ToTokens]) -> TokenStream {
+    let mut product = TokenStream::new();
+    for (index, factor) in factors.iter().enumerate() {
+        product.extend(if index == 0 { quote!(#factor) } else { quote!(* #factor) });
+    }
+    product
+}
+
+/// `base` to an integer power > 0, by squaring: log2 of the exponent many multiplications, twice that at most.
+fn repeated(base: &Ident, exponent: u32) -> TokenStream {
+    if exponent <= 3 {
+        let copies: Vec<&Ident> = (0..exponent).map(|_| base).collect();
+        return multiplied(&copies);
+    }
+    let square = Ident::new("square", Span::mixed_site());
+    let half = repeated(base, exponent / 2);
+    let even = quote!(({ let #square = #half; #square * #square }));
+    if exponent % 2 == 0 { even } else { quote!(#even * #base) }
+}
+
+impl Display for Coefficient {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
+        if self.is_zero() {
+            return formatter.write_str("0");
+        }
+        for (index, product) in self.products.iter().enumerate() {
+            formatter.write_str(match (index, product.number.is_negative()) {
+                (0, true) => "-",
+                (0, false) => "",
+                (_, true) => " - ",
+                (_, false) => " + ",
+            })?;
+            product.fmt(formatter)?;
+        }
+        Ok(())
+    }
+}
+
+/// Its absolute value as far as the sign of its number goes.
+impl Display for Product {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
+        let (below, above): (Vec<_>, Vec<_>) =
+            self.powers.iter().partition(|(_, exponent)| exponent.is_negative());
+        let mut numerator: Vec<String> =
+            above.into_iter().map(|(atom, exponent)| raised(atom, exponent)).collect();
+        let mut denominator: Vec<String> =
+            below.into_iter().map(|(atom, exponent)| raised(atom, &exponent.abs())).collect();
+        let number = self.number.abs();
+        let short = number.numer().bits() <= 20 && number.denom().bits() <= 10;
+        let (above, below) = match short && !self.powers.is_empty() {
+            true => (number.numer().to_string(), number.denom().to_string()),
+            false => (number::decimal(&number), "1".to_owned()),
+        };
+        if above != "1" || numerator.is_empty() {
+            numerator.insert(0, above);
+        }
+        if below != "1" {
+            denominator.insert(0, below);
+        }
+        formatter.write_str(&numerator.join("·"))?;
+        match denominator.as_slice() {
+            [] => Ok(()),
+            [only] => write!(formatter, "/{only}"),
+            several => write!(formatter, "/({})", several.join("·")),
+        }
+    }
+}
+
+fn raised(atom: &Atom, exponent: &Rational) -> String {
+    let base = match atom {
+        Atom::Field(ident) => ident.to_string(),
+        Atom::Whole(inner) => format!("({inner})"),
+    };
+    if exponent.is_one() {
+        return base;
+    }
+    let exponent = number::decimal(exponent);
+    if exponent.contains('/') { format!("{base}^({exponent})") } else { format!("{base}^{exponent}") }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use quote::format_ident;
+
+    use super::*;
+
+    fn fraction(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(numerator.into(), denominator.into())
+    }
+
+    fn power(of: &Coefficient, numerator: i64, denominator: i64) -> Coefficient {
+        of.power(&fraction(numerator, denominator)).unwrap()
+    }
+
+    fn number(numerator: i64, denominator: i64) -> Coefficient {
+        Coefficient::constant(fraction(numerator, denominator))
+    }
+
+    fn code(of: &Coefficient) -> String {
+        of.expression(&quote!(c), &quote!(p)).to_string()
+    }
+
+    #[test]
+    fn people_read_fractions() {
+        let radius = Coefficient::field(format_ident!("radius"));
+        assert_eq!(power(&radius, -1, 1).multiply(&number(1, 2)).to_string(), "1/(2·radius)");
+        assert_eq!(power(&radius, 3, 1).multiply(&number(1, 8)).to_string(), "radius^3/8");
+        assert_eq!(radius.multiply(&number(7, 64_000)).to_string(), "1.09375e-4·radius");
+        assert_eq!(power(&radius, 1, 3).to_string(), "radius^(1/3)");
+        let sum = radius.negated().add(&number(1, 1));
+        assert_eq!(power(&sum, -2, 1).to_string(), "1/(1 - radius)^2");
+        assert_eq!(number(1, 40).to_string(), "0.025");
+    }
+
+    #[test]
+    fn code_uses_the_fields_and_the_given_paths() {
+        let radius = Coefficient::field(format_ident!("radius"));
+        assert_eq!(code(&power(&radius, -1, 1).multiply(&number(-1, 2))), "- c (0.5f64) / radius");
+        assert_eq!(code(&power(&radius, -1, 2)), "p (radius , c (- 0.5f64))");
+        let sum = radius.add(&number(-1, 4));
+        assert_eq!(code(&sum.multiply(&radius)), "- radius * (c (0.25f64) - radius)");
+    }
+}

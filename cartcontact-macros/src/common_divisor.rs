@@ -1,0 +1,206 @@
+//! The greatest common divisor of two integer polynomials, and the square-free part.
+//!
+//! Euclid's algorithm over the integers grows coefficients of tens of thousands of digits. Modulo a prime p nothing
+//! grows, and the divisor modulo p is the true one reduced, unless p is one of the finitely many primes that divide a
+//! leading coefficient or a certain resultant; those make its degree too large, never too small.
+//!
+//! So: take primes one after the other, keep the lowest degree seen, scale each result to the leading coefficient
+//! `gcd(lead(f), lead(g))`, and join them by the Chinese remainder theorem. Once their product exceeds twice every
+//! coefficient of the true divisor the joined result stops changing and is that divisor, up to a constant. A result
+//! that divides both polynomials is a common divisor of at least the greatest degree, hence the greatest; so the
+//! test division proves the answer, and the loop ends because only finitely many primes mislead it. Degree 0 modulo
+//! one prime settles the common case, that there is no common divisor.
+//!
+//! W. S. Brown, On Euclid's algorithm and the computation of polynomial greatest common divisors, J. ACM 18 (1971)
+//! 478-504, doi 10.1145/321662.321664.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive, Zero};
+
+use crate::integer_polynomial::IntegerPolynomial;
+
+/// Below it every product of two residues fits into a `u64`.
+const FIRST_PRIME_ABOVE: u64 = 1 << 31;
+
+/// The polynomial with the same roots, each of them simple.
+pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
+    let repeated = common_divisor(polynomial, &polynomial.derivative());
+    polynomial.exact_quotient(&repeated).unwrap_or_else(|| polynomial.clone())
+}
+
+/// The greatest common divisor of two primitive polynomials that are not zero, up to its sign.
+pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial) -> IntegerPolynomial {
+    let (left, right) = (left.primitive(), right.primitive());
+    let leading = left.leading().gcd(&right.leading());
+    let mut prime = FIRST_PRIME_ABOVE;
+    let mut joined = Joined::nothing();
+    loop {
+        prime = prime_after(prime);
+        if reduce(&left.leading(), prime) == 0 || reduce(&right.leading(), prime) == 0 {
+            continue;
+        }
+        let residues = scaled(divisor_modulo(&left, &right, prime), reduce(&leading, prime), prime);
+        if residues.len() <= 1 {
+            return IntegerPolynomial::new(vec![BigInt::one()]);
+        }
+        if !joined.join(&residues, prime) {
+            continue;
+        }
+        let candidate = IntegerPolynomial::new(joined.coefficients.clone()).primitive();
+        if [&left, &right].iter().all(|whole| whole.exact_quotient(&candidate).is_some()) {
+            return candidate;
+        }
+    }
+}
+
+/// What the primes so far agree on, coefficients in (-modulus/2, modulus/2].
+struct Joined {
+    coefficients: Vec<BigInt>,
+    modulus: BigInt,
+}
+
+impl Joined {
+    fn nothing() -> Self {
+        Joined { coefficients: Vec::new(), modulus: BigInt::one() }
+    }
+
+    /// Takes in one more prime; whether that left the result as it was.
+    fn join(&mut self, residues: &[u64], prime: u64) -> bool {
+        if self.modulus.is_one() || residues.len() < self.coefficients.len() {
+            *self = Joined { coefficients: vec![BigInt::zero(); residues.len()], modulus: BigInt::one() };
+        } else if residues.len() > self.coefficients.len() {
+            return false;
+        }
+        let inverse = power_modulo(reduce(&self.modulus, prime), prime - 2, prime);
+        let next_modulus = &self.modulus * prime;
+        let mut unchanged = true;
+        for (coefficient, &residue) in self.coefficients.iter_mut().zip(residues) {
+            let missing = (residue + prime - reduce(coefficient, prime)) % prime;
+            let step = missing * inverse % prime;
+            let centred = if step > prime / 2 { BigInt::from(step) - prime } else { BigInt::from(step) };
+            unchanged &= centred.is_zero();
+            *coefficient += centred * &self.modulus;
+        }
+        self.modulus = next_modulus;
+        unchanged
+    }
+}
+
+/// Euclid's algorithm modulo a prime; the result has the leading coefficient 1.
+fn divisor_modulo(left: &IntegerPolynomial, right: &IntegerPolynomial, prime: u64) -> Vec<u64> {
+    let residues = |polynomial: &IntegerPolynomial| -> Vec<u64> {
+        polynomial.coefficients().iter().map(|coefficient| reduce(coefficient, prime)).collect()
+    };
+    let (mut dividend, mut divisor) = (residues(left), monic(residues(right), prime));
+    while !divisor.is_empty() {
+        let remainder = monic(remainder(dividend, &divisor, prime), prime);
+        dividend = core::mem::replace(&mut divisor, remainder);
+    }
+    dividend
+}
+
+fn remainder(mut dividend: Vec<u64>, divisor: &[u64], prime: u64) -> Vec<u64> {
+    while dividend.len() >= divisor.len() {
+        let Some(leading) = dividend.pop() else { break };
+        let factor = prime - leading;
+        for (target, coefficient) in dividend.iter_mut().rev().zip(divisor.iter().rev().skip(1)) {
+            *target = (*target + factor * coefficient) % prime;
+        }
+    }
+    dividend
+}
+
+fn monic(mut polynomial: Vec<u64>, prime: u64) -> Vec<u64> {
+    while polynomial.last() == Some(&0) {
+        polynomial.pop();
+    }
+    let leading = polynomial.last().copied().unwrap_or(1);
+    scaled(polynomial, power_modulo(leading, prime - 2, prime), prime)
+}
+
+fn scaled(mut polynomial: Vec<u64>, factor: u64, prime: u64) -> Vec<u64> {
+    for coefficient in &mut polynomial {
+        *coefficient = *coefficient * factor % prime;
+    }
+    polynomial
+}
+
+fn reduce(value: &BigInt, prime: u64) -> u64 {
+    value.mod_floor(&BigInt::from(prime)).to_u64().unwrap_or(0)
+}
+
+fn power_modulo(base: u64, mut exponent: u64, prime: u64) -> u64 {
+    let (mut power, mut result) = (base % prime, 1);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = result * power % prime;
+        }
+        power = power * power % prime;
+        exponent >>= 1;
+    }
+    result
+}
+
+fn prime_after(start: u64) -> u64 {
+    let mut candidate = (start + 1) | 1;
+    while !is_prime(candidate) {
+        candidate += 2;
+    }
+    candidate
+}
+
+/// The test of Miller and Rabin; these four bases leave no exception below 3 215 031 751 (OEIS A014233).
+fn is_prime(odd: u64) -> bool {
+    let shift = (odd - 1).trailing_zeros();
+    [2, 3, 5, 7].into_iter().all(|base| {
+        let mut power = power_modulo(base, (odd - 1) >> shift, odd);
+        let mut witness = power != 1 && power != odd - 1;
+        for _ in 1..shift {
+            power = power * power % odd;
+            witness &= power != odd - 1;
+        }
+        !witness
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn product(roots: &[(i64, u32)]) -> IntegerPolynomial {
+        let mut coefficients = vec![BigInt::one()];
+        for &(root, multiplicity) in roots {
+            for _ in 0..multiplicity {
+                let mut next = vec![BigInt::zero(); coefficients.len() + 1];
+                for (power, coefficient) in coefficients.iter().enumerate() {
+                    next[power] -= coefficient * root;
+                    next[power + 1] += coefficient;
+                }
+                coefficients = next;
+            }
+        }
+        IntegerPolynomial::new(coefficients)
+    }
+
+    #[test]
+    fn finds_what_two_products_share() {
+        let left = product(&[(3, 2), (-5, 1), (123_456_789_012, 3)]);
+        let right = product(&[(3, 1), (7, 4), (123_456_789_012, 2)]);
+        assert_eq!(common_divisor(&left, &right), product(&[(3, 1), (123_456_789_012, 2)]));
+        assert_eq!(common_divisor(&left, &product(&[(1, 9)])).degree(), 0);
+    }
+
+    #[test]
+    fn repeated_roots_become_simple() {
+        assert_eq!(square_free(&product(&[(2, 5), (-1, 1), (9, 2)])), product(&[(2, 1), (-1, 1), (9, 1)]));
+        assert_eq!(square_free(&product(&[(2, 1), (5, 1)])), product(&[(2, 1), (5, 1)]));
+    }
+
+    #[test]
+    fn primes_are_found_by_the_test() {
+        let by_division = |n: u64| (2..).take_while(|d| d * d <= n).all(|d| n % d != 0);
+        assert!((9..4001).step_by(2).all(|n| is_prime(n) == by_division(n)));
+        assert_eq!(prime_after(1 << 31), 2_147_483_659);
+    }
+}

@@ -1,0 +1,111 @@
+//! The coefficients of the gap in generated code: literals where they are constants, otherwise computed once per
+//! call from the fields.
+
+use num_traits::One;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use super::{Names, bounded_generics};
+use crate::coefficient::Coefficient;
+use crate::geometry::Geometry;
+use crate::item::{FieldKind, Item};
+use crate::number::{self, Rational};
+
+pub(super) struct Coefficients<'a> {
+    item: &'a Item,
+    geometry: &'a Geometry,
+    names: &'a Names<'a>,
+}
+
+impl<'a> Coefficients<'a> {
+    pub(super) fn new(item: &'a Item, geometry: &'a Geometry, names: &'a Names<'a>) -> Self {
+        Self { item, geometry, names }
+    }
+
+    /// `weight` times the coefficient of the term with the index `term`.
+    pub(super) fn times(&self, term: usize, weight: &Rational) -> TokenStream {
+        let constant = self.names.constant();
+        let Some(own) = self.geometry.gap.terms.get(term) else { return TokenStream::new() };
+        if let Some(value) = own.coefficient.as_constant() {
+            let literal = number::literal(&(value * weight));
+            return quote!(#constant(#literal));
+        }
+        let variable = variable(term);
+        if weight.is_one() {
+            return quote!(#variable);
+        }
+        let literal = number::literal(weight);
+        quote!(#variable * #constant(#literal))
+    }
+
+    /// All terms of the gap as pairs (coefficient, exponent).
+    pub(super) fn terms(&self) -> Vec<TokenStream> {
+        let constant = self.names.constant();
+        let pair = |(index, term): (usize, &crate::gap::Term)| {
+            let (coefficient, exponent) =
+                (self.times(index, &Rational::one()), number::literal(&term.exponent));
+            quote!((#coefficient, #constant(#exponent)))
+        };
+        self.geometry.gap.terms.iter().enumerate().map(pair).collect()
+    }
+
+    /// Binds the coefficients that are not constants; empty if all are.
+    pub(super) fn preamble(&self) -> TokenStream {
+        let variables: Vec<Ident> = self.symbolic().map(|(index, _)| variable(index)).collect();
+        let (scalar, count) = (&self.names.scalar, variables.len());
+        if count == 0 {
+            return TokenStream::new();
+        }
+        quote!(let [#(#variables),*]: [#scalar; #count] = coefficients(self);)
+    }
+
+    /// The function that computes the coefficients that are not constants; empty if all are.
+    pub(super) fn function(&self) -> TokenStream {
+        let values: Vec<TokenStream> =
+            self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect();
+        if values.is_empty() {
+            return TokenStream::new();
+        }
+        let (scalar, ident, count) = (&self.names.scalar, &self.item.ident, values.len());
+        let (_, type_generics, _) = self.item.generics.split_for_impl();
+        let generics = bounded_generics(self.item, self.names);
+        let (impl_generics, _, where_clause) = generics.split_for_impl();
+        let profile = Ident::new("profile", Span::mixed_site());
+        let fields = self.fields(&quote!(#profile));
+        quote! {
+            #[inline]
+            fn coefficients #impl_generics (#profile: &#ident #type_generics) -> [#scalar; #count] #where_clause {
+                #fields
+                [#(#values),*]
+            }
+        }
+    }
+
+    /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.
+    pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
+        coefficient.expression(&self.names.constant(), &self.names.generated("real_power"))
+    }
+
+    /// Binds the used fields of `profile`, an expression, as scalars.
+    pub(super) fn fields(&self, profile: &TokenStream) -> TokenStream {
+        let constant = self.names.constant();
+        let bindings = self.item.fields.iter().filter(|field| field.used).map(|field| {
+            let ident = &field.ident;
+            match field.kind {
+                FieldKind::TypeParameter(_) => quote!(let #ident = #profile.#ident;),
+                FieldKind::F64 => quote!(let #ident = #constant(#profile.#ident);),
+                FieldKind::F32 => quote!(let #ident = #constant(<f64 as ::core::convert::From<f32>>::from(#profile.#ident));),
+            }
+        });
+        quote!(#(#bindings)*)
+    }
+
+    fn symbolic(&self) -> impl Iterator<Item = (usize, &Coefficient)> {
+        let terms = self.geometry.gap.terms.iter().map(|term| &term.coefficient).enumerate();
+        terms.filter(|(_, coefficient)| coefficient.as_constant().is_none())
+    }
+}
+
+fn variable(term: usize) -> Ident {
+    format_ident!("c{term}", span = Span::mixed_site())
+}

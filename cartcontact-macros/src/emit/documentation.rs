@@ -1,0 +1,153 @@
+//! What was derived from a profile, as documentation of the annotated item.
+
+use num_traits::{One, Signed};
+
+use crate::admissible::Proof;
+use crate::closed_forms::{ClosedForms, PowerSum};
+use crate::coefficient::Coefficient;
+use crate::gap::Gap;
+use crate::geometry::{Geometry, Range};
+use crate::number::{Rational, decimal, integer};
+
+/// The lines of the documentation, to stand behind the item's own.
+pub(super) fn lines(geometry: &Geometry) -> Vec<String> {
+    let gap = &geometry.gap;
+    let forms = ClosedForms::of(gap);
+    let sum = |sum: &PowerSum, variable: &str| written(sum, gap, variable);
+    let text = format!(
+        "
+# Derived from the gap profile
+
+Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+
+```text
+gap, mm               Φ(r)   = {}
+approach, mm          δ₀(a)  = {}    (10)
+slope of the approach δ₀′(a) = {}
+load integral, mm⁵    J(a)   = {}    (14)
+log kernel, mm³       L(x)   = {}    (28)
+pressure kernel, mm³  G(a,r) = {}    (28)
+contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
+```
+
+{}",
+        sum(&forms.gap, "r"),
+        sum(&forms.approach, "a"),
+        sum(&forms.approach_slope, "a"),
+        sum(&forms.load_integral, "a"),
+        sum(&forms.log_kernel, "x"),
+        kernel(gap),
+        admissibility(geometry),
+    );
+    // A space, as in a comment written by hand.
+    text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") }).collect()
+}
+
+/// The sum with its numbers, such as `0.0125 a² + 7.29167e-5 a⁴`.
+fn written(sum: &PowerSum, gap: &Gap, variable: &str) -> String {
+    let summands = sum.summands.iter().filter_map(|summand| {
+        let scaled = gap.terms.get(summand.term)?.coefficient.scaled(&summand.weight);
+        Some((scaled, power(variable, &summand.exponent)))
+    });
+    joined(summands)
+}
+
+/// The products of coefficients and powers with their signs between them.
+fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
+    let mut text = String::new();
+    for (coefficient, power) in products {
+        let (negative, size) = match coefficient.as_constant() {
+            Some(number) => (number.is_negative(), decimal(&number.abs())),
+            None => (false, parenthesised(&coefficient.to_string())),
+        };
+        text += match (text.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        };
+        let implied = size == "1" && !power.is_empty();
+        text += if implied { "" } else { &size };
+        text += if implied || power.is_empty() { "" } else { " " };
+        text += &power;
+    }
+    text
+}
+
+fn parenthesised(coefficient: &str) -> String {
+    if coefficient.contains(" + ") || coefficient.contains(" - ") {
+        format!("({coefficient})")
+    } else {
+        coefficient.to_owned()
+    }
+}
+
+/// The pressure kernel; for even exponents with its double zero as a factor.
+fn kernel(gap: &Gap) -> String {
+    let is_even = gap.terms.iter().all(|term| (&term.exponent / integer(2)).is_integer());
+    let weight = |n: &Rational, factor: i32| (integer(factor) * (n + integer(2)) * (n + integer(2))).recip();
+    if is_even && gap.terms.last().is_some_and(|term| term.exponent <= integer(8)) {
+        let products = gap.terms.iter().map(|term| {
+            (term.coefficient.scaled(&weight(&term.exponent, 1)), tent(&(&term.exponent / integer(2))))
+        });
+        return format!("(a² − r²)² [{}]", joined(products));
+    }
+    let products = gap.terms.iter().map(|term| {
+        let raised = power("a", &(&term.exponent + integer(2)));
+        (
+            term.coefficient.scaled(&weight(&term.exponent, 2)),
+            format!("{raised} K({}, r/a)", decimal(&term.exponent)),
+        )
+    });
+    format!("{}, K(n,q) = n − (n+2) q² + 2 qⁿ⁺²", joined(products))
+}
+
+/// Σ_{j<k} (k − j) r^(2j) a^(2(k−1−j)).
+fn tent(k: &Rational) -> String {
+    let count = num_traits::ToPrimitive::to_i32(k).unwrap_or(1);
+    if count == 1 {
+        return String::new();
+    }
+    let products = (0..count).map(|j| {
+        let powers = [("r", 2 * j), ("a", 2 * (count - 1 - j))];
+        let factors = powers.map(
+            |(name, exponent)| if exponent == 0 { String::new() } else { power(name, &integer(exponent)) },
+        );
+        (Coefficient::constant(integer(count - j)), factors.join(" ").trim().to_owned())
+    });
+    format!("({})", joined(products))
+}
+
+fn power(variable: &str, exponent: &Rational) -> String {
+    if exponent.is_one() {
+        return variable.to_owned();
+    }
+    if num_traits::Zero::is_zero(exponent) {
+        return String::new();
+    }
+    if !exponent.is_integer() {
+        return format!("{variable}^{}", decimal(exponent));
+    }
+    let digits = exponent.to_string();
+    let raised = digits.chars().map(|digit| match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => digit.to_digit(10).and_then(|value| char::from_u32(0x2070 + value)).unwrap_or(digit),
+    });
+    variable.chars().chain(raised).collect()
+}
+
+fn admissibility(geometry: &Geometry) -> String {
+    match (&geometry.proof, &geometry.range) {
+        (Proof::AllRadii { by }, Range::Limited(end)) => {
+            format!("Admissible for every contact radius ({by}); used up to {} mm.", decimal(end))
+        }
+        (Proof::AllRadii { by }, _) => format!("Admissible for every contact radius: {by}."),
+        (Proof::OnRange, Range::Limited(end)) => {
+            format!("Proved admissible for contact radii up to {} mm.", decimal(end))
+        }
+        _ => "Admissibility depends on the fields and is checked when a `Contact` is made.".to_owned(),
+    }
+}

@@ -1,0 +1,136 @@
+//! The contact radius from the load integral, and what else the solver asks of J.
+
+use num_traits::{One, Signed};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::Names;
+use super::coefficients::Coefficients;
+use super::power_sum::{Whole, pairs};
+use crate::closed_forms::ClosedForms;
+use crate::gap::{Gap, Term};
+use crate::number::{integer, literal};
+
+/// The longest dense polynomial; beyond, powers are formed term by term.
+const LONGEST_POLYNOMIAL: u32 = 80;
+
+pub(super) fn methods(
+    gap: &Gap,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let Names { krate, scalar } = names;
+    let preamble = coefficients.preamble();
+    let radius = match gap.terms.as_slice() {
+        [only] if (&only.exponent * integer(4)).is_integer() => {
+            let (invert, term) =
+                (names.generated("invert_one_term"), positive_term(0, only, coefficients, names));
+            quote!(#invert(load_integral, #term, limit))
+        }
+        _ => newton(gap, forms, coefficients, names),
+    };
+    let drop = drop_of_load_integral(forms, coefficients, names);
+    quote! {
+        #[inline]
+        fn radius(&self, load_integral: #scalar) -> ::core::result::Result<#scalar, #krate::RadiusError> {
+            #preamble
+            let limit = #krate::GapProfile::<#scalar>::max_radius(self);
+            #radius
+        }
+
+        #[inline]
+        fn load_integral_drop(&self, a: #scalar, depth: #scalar) -> #scalar { #preamble #drop }
+    }
+}
+
+fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let invert = names.generated("invert");
+    let zero = names.constant();
+    let zero = quote!(#zero(0.0f64));
+    let all = || gap.terms.iter().enumerate();
+    let evaluate = value_and_log_slope(forms, coefficients, names);
+    let (positive, has_negative) = if gap.is_constant() {
+        let is_positive =
+            |term: &Term| term.coefficient.as_constant().is_some_and(|value| value.is_positive());
+        let positive = all()
+            .filter(|(_, term)| is_positive(term))
+            .map(|(index, term)| positive_term(index, term, coefficients, names));
+        let negative = all().any(|(_, term)| !is_positive(term));
+        (quote!(::core::iter::IntoIterator::into_iter([#(#positive),*])), quote!(#negative))
+    } else {
+        let (terms, of) = (coefficients.terms(), names.generated("positive_terms"));
+        let signs = all().map(|(index, _)| coefficients.times(index, &crate::number::Rational::one()));
+        (quote!(#of([#(#terms),*])), quote!(#(#signs < #zero)||*))
+    };
+    quote!(#invert(load_integral, limit, #positive, #has_negative, |a| { #evaluate }))
+}
+
+/// The term of J that belongs to a term of the gap.
+fn positive_term(
+    index: usize,
+    term: &Term,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let (constant, of) = (names.constant(), names.generated("PositiveTerm"));
+    let (coefficient, exponent) =
+        (coefficients.times(index, &crate::number::Rational::one()), literal(&term.exponent));
+    quote!(#of::of(#coefficient, #constant(#exponent)))
+}
+
+/// J(a) and a J′(a), in the cheapest form: Newton's method divides their error by the degree of J.
+fn value_and_log_slope(
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let sum = &forms.load_integral;
+    let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= LONGEST_POLYNOMIAL) else {
+        let (function, pairs) = (names.generated("power_sum_and_log_slope"), pairs(sum, coefficients, names));
+        return quote!(#function(a, [#(#pairs),*]));
+    };
+    let constant = names.constant();
+    let (lowest, stride) = (whole.lowest(), whole.stride());
+    let (function, dense) =
+        (names.generated("value_and_slope"), whole.dense(lowest, sum, coefficients, names));
+    // J = x^k a^odd Q(x) with x = a² or a, hence a J′ = x^k a^odd (lowest Q + stride x Q′).
+    let x = if stride == 2 { quote!(a * a) } else { quote!(a) };
+    let factors = (0..lowest / stride).map(|_| Ident::new("x", Span::call_site()));
+    let odd = (lowest % stride == 1).then(|| quote!(*a));
+    let [lowest, stride] = [lowest, stride].map(|number| literal(&integer(number)));
+    let scale = quote!(#(* #factors)* #odd);
+    quote! {
+        let x = #x;
+        let (value, slope) = #function(x, [#(#dense),*]);
+        let log_slope = #constant(#lowest) * value + #constant(#stride) * x * slope;
+        (value #scale, log_slope #scale)
+    }
+}
+
+/// J(a) − J(a − depth), with the depth as a factor.
+fn drop_of_load_integral(
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let sum = &forms.load_integral;
+    match Whole::of(sum).filter(|whole| {
+        whole.highest() <= LONGEST_POLYNOMIAL && (whole.stride() == 1 || whole.lowest() % 2 == 0)
+    }) {
+        Some(whole) => {
+            let (function, dense) =
+                (names.generated("divided_difference"), whole.dense(0, sum, coefficients, names));
+            let quotient = if whole.stride() == 2 {
+                quote!((a + s) * #function(a * a, s * s, [#(#dense),*]))
+            } else {
+                quote!(#function(a, s, [#(#dense),*]))
+            };
+            quote!(let s = a - depth; depth * (#quotient))
+        }
+        None => {
+            let (function, pairs) = (names.generated("power_sum_drop"), pairs(sum, coefficients, names));
+            quote!(#function(a, depth, [#(#pairs),*]))
+        }
+    }
+}

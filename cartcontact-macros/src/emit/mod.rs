@@ -1,0 +1,219 @@
+//! [`Geometry`] -> Rust code: an implementation of `GapProfile` specialised for it, with documentation.
+
+mod coefficients;
+mod documentation;
+mod inversion;
+mod power_sum;
+mod pressure_kernel;
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+use crate::closed_forms::ClosedForms;
+use crate::geometry::{Geometry, Range};
+use crate::item::{FieldKind, Item};
+use coefficients::Coefficients;
+
+/// What every part of the generated code refers to.
+struct Names<'a> {
+    /// The path of the run-time crate.
+    krate: &'a TokenStream,
+    /// The scalar type.
+    scalar: Ident,
+}
+
+impl Names<'_> {
+    /// The function that turns an `f64` literal into a scalar.
+    fn constant(&self) -> TokenStream {
+        let (krate, scalar) = (self.krate, &self.scalar);
+        quote!(<#scalar as #krate::Scalar>::constant)
+    }
+
+    /// A function that only generated code calls.
+    fn generated(&self, function: &str) -> TokenStream {
+        let (krate, function) = (self.krate, Ident::new(function, Span::call_site()));
+        quote!(#krate::generated::#function)
+    }
+}
+
+/// The annotated item with what was derived as documentation, and its implementation of `GapProfile`.
+pub(crate) fn solver(
+    input: &TokenStream,
+    item: &Item,
+    geometry: &Geometry,
+    krate: &TokenStream,
+) -> TokenStream {
+    let names = Names { krate, scalar: scalar_of(item) };
+    let forms = ClosedForms::of(&geometry.gap);
+    let coefficients = Coefficients::new(item, geometry, &names);
+    let scalar = &names.scalar;
+
+    let sums = [
+        ("gap", "r", &forms.gap),
+        ("approach", "a", &forms.approach),
+        ("approach_slope", "a", &forms.approach_slope),
+        ("load_integral", "a", &forms.load_integral),
+        ("log_kernel", "x", &forms.log_kernel),
+    ];
+    let evaluators = sums.into_iter().map(|(name, variable, sum)| {
+        let (name, variable) = (format_ident!("{name}"), format_ident!("{variable}"));
+        let preamble = coefficients.preamble();
+        let body = power_sum::value(sum, &variable, &coefficients, &names);
+        quote! {
+            #[inline]
+            fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
+        }
+    });
+    let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
+    let inversion = inversion::methods(&geometry.gap, &forms, &coefficients, &names);
+    let range = range(geometry, &coefficients, &names);
+    let is_smooth = geometry.gap.terms.iter().all(|term| term.exponent.is_integer());
+    let shared = coefficients.function();
+    let header = implementation(item, &names);
+    let documented = documented(input, geometry);
+    quote! {
+        #documented
+        const _: () = {
+            #shared
+            #[automatically_derived]
+            #header {
+                #(#evaluators)*
+                #pressure_kernel
+                #inversion
+                #range
+                #[inline]
+                fn is_smooth_at_centre(&self) -> bool { #is_smooth }
+            }
+        };
+    }
+}
+
+/// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes
+/// no further errors.
+pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) -> TokenStream {
+    let names = Names { krate, scalar: scalar_of(item) };
+    let scalar = &names.scalar;
+    let header = implementation(item, &names);
+    let evaluators = ["gap", "approach", "approach_slope", "load_integral", "log_kernel"].map(|name| {
+        let name = format_ident!("{name}");
+        quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
+    });
+    quote! {
+        #input
+        #[automatically_derived]
+        #header {
+            #(#evaluators)*
+            fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
+            fn radius(&self, _: #scalar) -> ::core::result::Result<#scalar, #krate::RadiusError> { loop {} }
+            fn max_radius(&self) -> #scalar { loop {} }
+        }
+    }
+}
+
+/// The annotated item with documentation of what was derived behind its own.
+fn documented(item: &TokenStream, geometry: &Geometry) -> TokenStream {
+    let lines = documentation::lines(geometry);
+    let mut tokens = item.clone().into_iter().peekable();
+    let mut attributes = TokenStream::new();
+    while let Some(TokenTree::Punct(hash)) =
+        tokens.next_if(|token| matches!(token, TokenTree::Punct(p) if p.as_char() == '#'))
+    {
+        attributes.extend([TokenTree::Punct(hash)]);
+        attributes.extend(tokens.next());
+    }
+    let rest: TokenStream = tokens.collect();
+    quote!(#attributes #(#[doc = #lines])* #rest)
+}
+
+/// The type parameter that the used fields have, or one of the implementation's own.
+fn scalar_of(item: &Item) -> Ident {
+    let own = item.fields.iter().filter(|field| field.used).find_map(|field| match &field.kind {
+        FieldKind::TypeParameter(parameter) => Some(parameter.clone()),
+        _ => None,
+    });
+    own.unwrap_or_else(|| {
+        let taken = |name: &str| {
+            item.generics.params.iter().any(|parameter| match parameter {
+                syn::GenericParam::Type(parameter) => parameter.ident == name,
+                syn::GenericParam::Const(parameter) => parameter.ident == name,
+                syn::GenericParam::Lifetime(_) => false,
+            })
+        };
+        let free = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
+        let name = free.skip_while(|name| taken(name)).next().unwrap_or_default();
+        Ident::new(&name, Span::call_site())
+    })
+}
+
+/// `impl<..> GapProfile<T> for Item<..> where ..`.
+fn implementation(item: &Item, names: &Names<'_>) -> TokenStream {
+    let Names { krate, scalar } = names;
+    let (ident, (_, type_generics, _)) = (&item.ident, item.generics.split_for_impl());
+    let generics = bounded_generics(item, names);
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
+    quote!(impl #impl_generics #krate::GapProfile<#scalar> for #ident #type_generics #where_clause)
+}
+
+/// The item's generics with the scalar type among them, bounded.
+fn bounded_generics(item: &Item, names: &Names<'_>) -> syn::Generics {
+    let Names { krate, scalar } = names;
+    let mut generics = item.generics.clone();
+    let declared = generics.type_params().any(|parameter| parameter.ident == *scalar);
+    if !declared {
+        generics.params.push(syn::parse_quote!(#scalar));
+    }
+    generics.make_where_clause().predicates.push(syn::parse_quote!(#scalar: #krate::Scalar));
+    generics
+}
+
+/// `max_radius`, and `check` where the values of fields decide.
+fn range(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let Names { krate, scalar } = names;
+    let constant = names.constant();
+    if geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_)) {
+        let end = match &geometry.range {
+            Range::Limited(end) => {
+                let end = crate::number::literal(end);
+                quote!(#constant(#end))
+            }
+            _ => quote!(<#scalar as #krate::Scalar>::infinity()),
+        };
+        return quote! {
+            #[inline]
+            fn max_radius(&self) -> #scalar { #end }
+        };
+    }
+    let requested = match &geometry.range {
+        Range::Unbounded => quote!(::core::option::Option::None),
+        Range::Limited(end) => {
+            let end = crate::number::literal(end);
+            quote!(::core::option::Option::Some(#constant(#end)))
+        }
+        Range::Symbolic(end) => {
+            let end = coefficients.expression(end);
+            let fields = coefficients.fields(&quote!(self));
+            quote!(::core::option::Option::Some({ #fields #end }))
+        }
+    };
+    let (preamble, terms) = (coefficients.preamble(), coefficients.terms());
+    let checked_range = names.generated("checked_range");
+    let into_iter = quote!(::core::iter::IntoIterator::into_iter);
+    // A geometry that `check` refuses has no admissible radius.
+    quote! {
+        fn max_radius(&self) -> #scalar {
+            #preamble
+            match #checked_range(#into_iter([#(#terms),*]), #requested) {
+                ::core::result::Result::Ok(end) => end,
+                ::core::result::Result::Err(_) => #constant(0.0f64),
+            }
+        }
+
+        fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
+            #preamble
+            match #checked_range(#into_iter([#(#terms),*]), #requested) {
+                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
+                ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+            }
+        }
+    }
+}

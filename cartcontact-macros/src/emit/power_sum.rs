@@ -1,0 +1,137 @@
+//! Sums of powers as code, each in the cheapest form that keeps its error below 4 ε.
+//!
+//! | exponents | form |
+//! |---|---|
+//! | whole, up to 8; or of both parities without gaps, up to 16 | Horner's rule, written out |
+//! | all even or all odd without gaps, up to 24 | Horner's rule in r², corrected for the rounding of r² |
+//! | all others | every power in twice the working precision |
+//!
+//! Horner's rule in x rounds twice per step, at random; in r² it also repeats the rounding of r², in every step
+//! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
+//! multiplication, with the same effect.
+
+use num_traits::{Signed, ToPrimitive};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::Names;
+use super::coefficients::Coefficients;
+use crate::closed_forms::PowerSum;
+
+/// The whole exponents of a sum of powers.
+pub(super) struct Whole {
+    pub(super) exponents: Vec<u32>,
+}
+
+impl Whole {
+    /// None if an exponent is fractional or negative.
+    pub(super) fn of(sum: &PowerSum) -> Option<Self> {
+        let exponent = |summand: &crate::closed_forms::Summand| {
+            summand.exponent.is_integer().then(|| summand.exponent.to_u32()).flatten()
+        };
+        Some(Self { exponents: sum.summands.iter().map(exponent).collect::<Option<_>>()? })
+    }
+
+    pub(super) fn lowest(&self) -> u32 {
+        self.exponents.first().copied().unwrap_or(0)
+    }
+
+    pub(super) fn highest(&self) -> u32 {
+        self.exponents.last().copied().unwrap_or(0)
+    }
+
+    /// 2 if all exponents are even or all are odd, so that the sum is one in r²; otherwise 1.
+    pub(super) fn stride(&self) -> u32 {
+        if self.exponents.iter().all(|exponent| exponent % 2 == self.lowest() % 2) { 2 } else { 1 }
+    }
+
+    fn largest_gap(&self) -> u32 {
+        self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
+    }
+
+    /// The coefficients of all powers from `from` in steps of the stride, zero where there is no summand.
+    pub(super) fn dense(
+        &self,
+        from: u32,
+        sum: &PowerSum,
+        coefficients: &Coefficients<'_>,
+        names: &Names<'_>,
+    ) -> Vec<TokenStream> {
+        let constant = names.constant();
+        let step = usize::try_from(self.stride()).unwrap_or(1);
+        (from..=self.highest())
+            .step_by(step)
+            .map(|power| match self.exponents.iter().position(|&exponent| exponent == power) {
+                Some(index) => {
+                    let summand = &sum.summands[index];
+                    coefficients.times(summand.term, &summand.weight)
+                }
+                None => quote!(#constant(0.0f64)),
+            })
+            .collect()
+    }
+}
+
+/// The value of the sum at `x`.
+pub(super) fn value(
+    sum: &PowerSum,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let Some(whole) = Whole::of(sum) else { return precise(sum, x, coefficients, names) };
+    let (highest, stride) = (whole.highest(), whole.stride());
+    if highest <= 8 || (stride == 1 && whole.largest_gap() <= 2 && highest <= 16) {
+        return horner(sum, &whole, x, coefficients);
+    }
+    if stride == 2 && whole.largest_gap() <= 4 && highest <= 24 {
+        let odd = whole.lowest() % 2;
+        let (even_sum, dense) = (names.generated("even_sum"), whole.dense(odd, sum, coefficients, names));
+        let even = quote!(#even_sum(#x, [#(#dense),*]));
+        return if odd == 1 { quote!(#even * #x) } else { even };
+    }
+    precise(sum, x, coefficients, names)
+}
+
+/// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
+fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+    let stride = whole.stride();
+    let variable = if stride == 2 && whole.highest() > 1 { quote!(s) } else { quote!(#x) };
+    let mut nested = TokenStream::new();
+    let mut above: Option<u32> = None;
+    for (summand, &exponent) in sum.summands.iter().zip(&whole.exponents).rev() {
+        let own = coefficients.times(summand.term, &summand.weight);
+        nested = match above {
+            None => own,
+            Some(above) => {
+                let factors = (0..(above - exponent) / stride).map(|_| &variable);
+                quote!(#own + (#nested) #(* #factors)*)
+            }
+        };
+        above = Some(exponent);
+    }
+    let lowest = whole.lowest();
+    let factors = (0..lowest / stride).map(|_| &variable);
+    let odd = (lowest % stride == 1).then(|| quote!(* #x));
+    let square = (stride == 2 && whole.highest() > 1).then(|| quote!(let s = #x * #x;));
+    quote!(#square (#nested) #(* #factors)* #odd)
+}
+
+fn precise(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let (power_sum, pairs) = (names.generated("power_sum"), pairs(sum, coefficients, names));
+    quote!(#power_sum(#x, [#(#pairs),*]))
+}
+
+/// The sum as pairs (coefficient, exponent).
+pub(super) fn pairs(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Vec<TokenStream> {
+    let constant = names.constant();
+    sum.summands
+        .iter()
+        .map(|summand| {
+            let coefficient = coefficients.times(summand.term, &summand.weight);
+            let exponent = crate::number::literal(&summand.exponent.abs());
+            let sign = summand.exponent.is_negative().then(|| quote!(-));
+            quote!((#coefficient, #sign #constant(#exponent)))
+        })
+        .collect()
+}

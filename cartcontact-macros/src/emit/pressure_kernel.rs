@@ -1,0 +1,77 @@
+//! The pressure kernel G(a, r) as code.
+//!
+//! For even exponents up to 8 it is written out. With n = 2 k, A = a², R = r²,
+//!
+//! ```text
+//! G = (A − R)² Σ C/(n+2)² S_k,    S_k = Σ_{j<k} (k − j) R^j A^(k−1−j)
+//! S_1 = 1,  T_0 = 1,    T_k = A T_{k−1} + R^k,    S_{k+1} = A S_k + T_k
+//! ```
+//!
+//! which are sums of positive terms, without a division. Higher and other exponents go through the run-time
+//! crate's kernel, whose accuracy does not depend on the exponent.
+
+use num_traits::ToPrimitive;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::Names;
+use super::coefficients::Coefficients;
+use crate::gap::Gap;
+use crate::number::integer;
+
+const HIGHEST_WRITTEN_OUT: u32 = 8;
+
+pub(super) fn method(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let scalar = &names.scalar;
+    let preamble = coefficients.preamble();
+    let body = match half_exponents(gap) {
+        Some(halves) => written_out(gap, &halves, coefficients, names),
+        None => {
+            let (kernel, terms) = (names.generated("pressure_kernel"), coefficients.terms());
+            quote!(#kernel(a, r, [#(#terms),*]))
+        }
+    };
+    quote! {
+        #[inline]
+        fn pressure_kernel(&self, a: #scalar, r: #scalar) -> #scalar { #preamble #body }
+    }
+}
+
+/// n/2 for every term, if all n are even and low.
+fn half_exponents(gap: &Gap) -> Option<Vec<u32>> {
+    let half = |term: &crate::gap::Term| {
+        let half = &term.exponent / integer(2);
+        half.is_integer().then(|| half.to_u32()).flatten().filter(|half| 2 * half <= HIGHEST_WRITTEN_OUT)
+    };
+    gap.terms.iter().map(half).collect()
+}
+
+fn written_out(gap: &Gap, halves: &[u32], coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let constant = names.constant();
+    let highest = halves.last().copied().unwrap_or(1);
+    let recurrences = (2..=highest).map(|k| {
+        let (t, s) = (format_ident!("t{}", k - 1), format_ident!("s{k}"));
+        if k == 2 {
+            return quote!(let #t = a_squared + r_squared; let #s = a_squared + #t;);
+        }
+        let (previous_t, previous_s) = (format_ident!("t{}", k - 2), format_ident!("s{}", k - 1));
+        let power = (1..k).map(|_| quote!(r_squared));
+        quote!(let #t = a_squared * #previous_t + #(#power)**; let #s = a_squared * #previous_s + #t;)
+    });
+    let terms = gap.terms.iter().enumerate().zip(halves).map(|((index, term), &k)| {
+        let shifted = &term.exponent + integer(2);
+        let weight = coefficients.times(index, &(&shifted * &shifted).recip());
+        let s = format_ident!("s{k}");
+        if k == 1 { weight } else { quote!(#weight * #s) }
+    });
+    let squares = (highest > 1).then(|| quote!(let (a_squared, r_squared) = (a * a, r * r);));
+    quote! {
+        if r >= a {
+            return #constant(0.0f64);
+        }
+        #squares
+        #(#recurrences)*
+        let inset = (a - r) * (a + r);
+        inset * (#(#terms)+*) * inset
+    }
+}

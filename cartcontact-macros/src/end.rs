@@ -1,0 +1,93 @@
+//! The end of the admissible range: an algebraic number, compared exactly and written in decimals.
+
+use core::cmp::Ordering;
+
+use num_traits::Signed;
+
+use crate::first_root::FirstRoot;
+use crate::number::{self, Rational};
+
+/// The radius a with a^g = root, g = numerator/denominator.
+pub(crate) struct End {
+    root: FirstRoot,
+    numerator: u32,
+    denominator: u32,
+}
+
+/// Enough that seven digits hardly ever need the root more narrowly.
+const BITS: i64 = 48;
+/// Outside, numbers of seven digits have no `f64` next to them.
+const DECIMAL_EXPONENTS: core::ops::RangeInclusive<i64> = -300..=307;
+
+impl End {
+    pub(crate) fn new(root: FirstRoot, numerator: u32, denominator: u32) -> Self {
+        End { root, numerator, denominator }
+    }
+
+    /// This radius against another.
+    pub(crate) fn compare(&mut self, radius: &Rational) -> Ordering {
+        self.root.compare_to_power(radius, self.numerator, self.denominator)
+    }
+
+    /// The end for a message, and the largest decimal of seven digits whose nearest `f64` lies below it.
+    ///
+    /// The radius lies in (mantissa, mantissa + 1] units of the seventh digit: six digits are rounded from there.
+    pub(crate) fn decimals(&mut self) -> (String, Option<String>) {
+        self.root.narrow(BITS);
+        let exponent = self.decimal_exponent();
+        let unit = |exponent: i64| number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
+        if !DECIMAL_EXPONENTS.contains(&exponent) {
+            return (
+                format!("1e{exponent}"),
+                (exponent > 0).then(|| format!("1e{}", DECIMAL_EXPONENTS.end())),
+            );
+        }
+        let (fine, coarse) = (unit(exponent - 6), unit(exponent - 5));
+        let mut mantissa = self.mantissa(&fine);
+        let shown = number::decimal(&(number::integer((mantissa + 5) / 10) * coarse));
+        while !self.exceeds_nearest(&(number::integer(mantissa) * &fine)) {
+            mantissa -= 1;
+        }
+        (shown, Some(number::decimal(&(number::integer(mantissa) * fine))))
+    }
+
+    fn exceeds_nearest(&mut self, radius: &Rational) -> bool {
+        let nearest = number::nearest(radius).and_then(Rational::from_float);
+        nearest.is_none_or(|nearest| !nearest.is_positive() || self.compare(&nearest) == Ordering::Greater)
+    }
+
+    /// The largest with mantissa * unit < radius, by bisection of the numbers of seven digits.
+    fn mantissa(&mut self, unit: &Rational) -> u32 {
+        let (mut below, mut above) = (1_000_000, 10_000_000);
+        while above - below > 1 {
+            let middle = (below + above) / 2;
+            match self.compare(&(number::integer(middle) * unit)) {
+                Ordering::Greater => below = middle,
+                _ => above = middle,
+            }
+        }
+        below
+    }
+
+    /// The e with 10^e < radius <= 10^(e+1): estimated from the bits of the root, then corrected exactly.
+    fn decimal_exponent(&mut self) -> i64 {
+        let binary =
+            self.root.binary_exponent() * i64::from(self.denominator) / i64::from(self.numerator.max(1));
+        let mut exponent = (binary * 30_103).div_euclid(100_000);
+        if !(-1000..=1000).contains(&exponent) {
+            return exponent;
+        }
+        while !self.exceeds_power_of_ten(exponent) {
+            exponent -= 1;
+        }
+        while self.exceeds_power_of_ten(exponent + 1) {
+            exponent += 1;
+        }
+        exponent
+    }
+
+    fn exceeds_power_of_ten(&mut self, exponent: i64) -> bool {
+        let power = number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
+        self.compare(&power) == Ordering::Greater
+    }
+}

@@ -1,0 +1,219 @@
+//! Dense polynomials with integer coefficients: the exact operations that isolating a root takes.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+use crate::number::{self, Rational};
+
+/// Coefficients in ascending order of powers; the last is not zero. Zero itself has none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct IntegerPolynomial {
+    coefficients: Vec<BigInt>,
+}
+
+impl IntegerPolynomial {
+    pub(crate) fn new(mut coefficients: Vec<BigInt>) -> Self {
+        let leading = coefficients.iter().rposition(|coefficient| !coefficient.is_zero());
+        coefficients.truncate(leading.map_or(0, |leading| leading + 1));
+        IntegerPolynomial { coefficients }
+    }
+
+    pub(crate) fn coefficients(&self) -> &[BigInt] {
+        &self.coefficients
+    }
+
+    pub(crate) fn degree(&self) -> usize {
+        self.coefficients.len().saturating_sub(1)
+    }
+
+    pub(crate) fn leading(&self) -> BigInt {
+        self.coefficients.last().cloned().unwrap_or_default()
+    }
+
+    /// The value at 0.
+    pub(crate) fn constant(&self) -> BigInt {
+        self.coefficients.first().cloned().unwrap_or_default()
+    }
+
+    /// The slope at 0.
+    pub(crate) fn linear(&self) -> BigInt {
+        self.coefficients.get(1).cloned().unwrap_or_default()
+    }
+
+    pub(crate) fn derivative(&self) -> Self {
+        let terms = self.coefficients.iter().enumerate().skip(1);
+        IntegerPolynomial::new(terms.map(|(power, coefficient)| coefficient * power).collect())
+    }
+
+    /// Divided by the greatest common divisor of its coefficients.
+    pub(crate) fn primitive(&self) -> Self {
+        let mut content = BigInt::zero();
+        for coefficient in self.coefficients.iter().rev() {
+            content = content.gcd(coefficient);
+            if content.is_one() {
+                return self.clone();
+            }
+        }
+        IntegerPolynomial::new(self.coefficients.iter().map(|coefficient| coefficient / &content).collect())
+    }
+
+    /// The sign at a rational point, by Horner's scheme on numerator and denominator.
+    pub(crate) fn sign_at(&self, point: &Rational) -> Ordering {
+        let mut scale = BigInt::one();
+        let mut value = BigInt::zero();
+        for coefficient in self.coefficients.iter().rev() {
+            value = value * point.numer() + coefficient * &scale;
+            scale *= point.denom();
+        }
+        value.cmp(&BigInt::zero())
+    }
+
+    /// How often the sign changes along the coefficients, zeros aside. Descartes: there are as many positive roots,
+    /// counted with multiplicity, or fewer by an even number.
+    pub(crate) fn sign_changes(&self) -> usize {
+        let signs: Vec<bool> = self
+            .coefficients
+            .iter()
+            .filter(|coefficient| !coefficient.is_zero())
+            .map(Signed::is_negative)
+            .collect();
+        signs.windows(2).filter(|pair| pair.first() != pair.last()).count()
+    }
+
+    /// Descartes' bound for the open interval (0, 1), which x = 1/(1 + y) maps to all y > 0.
+    pub(crate) fn sign_changes_between_zero_and_one(&self) -> usize {
+        let reversed = IntegerPolynomial { coefficients: self.coefficients.iter().rev().cloned().collect() };
+        reversed.shifted(&BigInt::one()).sign_changes()
+    }
+
+    /// p(x + offset), by repeated synthetic division.
+    pub(crate) fn shifted(mut self, offset: &BigInt) -> Self {
+        if offset.is_zero() {
+            return self;
+        }
+        let unit = offset.is_one();
+        for first in 0..self.degree() {
+            let mut carry = BigInt::zero();
+            for coefficient in self.coefficients.iter_mut().skip(first).rev() {
+                if unit {
+                    *coefficient += &carry;
+                } else {
+                    *coefficient += &carry * offset;
+                }
+                carry.clone_from(coefficient);
+            }
+        }
+        self
+    }
+
+    /// p(2^exponent x), times the power of two that makes the coefficients integers without a common factor 2.
+    pub(crate) fn stretched(mut self, exponent: i64) -> Self {
+        let degree = self.degree();
+        for (power, coefficient) in self.coefficients.iter_mut().enumerate() {
+            let steps = if exponent < 0 { degree - power } else { power };
+            *coefficient <<= exponent.unsigned_abs() * steps as u64;
+        }
+        let common = self.coefficients.iter().filter_map(BigInt::trailing_zeros).min().unwrap_or(0);
+        for coefficient in &mut self.coefficients {
+            *coefficient >>= common;
+        }
+        self
+    }
+
+    /// A power of two above every positive root, as its exponent, for a positive leading coefficient.
+    ///
+    /// With B = 2 max (|c_i|/c_n)^(1/(n-i)) over the negative c_i, x >= B gives |c_i| x^i <= c_n x^n 2^(i-n), and the
+    /// sum of these stays below c_n x^n (Kioustelidis 1986).
+    pub(crate) fn root_bound(&self) -> i64 {
+        let negative = self.leading().is_negative();
+        let leading = self.leading().bits() as i64;
+        let terms = self.coefficients.iter().enumerate();
+        let opposed =
+            terms.filter(|(_, coefficient)| !coefficient.is_zero() && coefficient.is_negative() != negative);
+        let bounds = opposed.map(|(power, coefficient)| {
+            let ratio = coefficient.bits() as i64 - leading + 1;
+            Integer::div_ceil(&ratio, &((self.degree() - power) as i64))
+        });
+        bounds.max().map_or(0, |bound| bound + 1)
+    }
+
+    /// The quotient, if the division leaves no remainder and the quotient has integer coefficients.
+    pub(crate) fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
+        let leading = divisor.coefficients.last()?;
+        let mut remainder = self.coefficients.clone();
+        let mut quotient = Vec::new();
+        while remainder.len() >= divisor.coefficients.len() {
+            let (next, rest) = remainder.pop()?.div_rem(leading);
+            if !rest.is_zero() {
+                return None;
+            }
+            let lower = divisor.coefficients.iter().rev().skip(1);
+            for (target, coefficient) in remainder.iter_mut().rev().zip(lower) {
+                *target -= &next * coefficient;
+            }
+            quotient.push(next);
+        }
+        quotient.reverse();
+        remainder.iter().all(Zero::is_zero).then(|| IntegerPolynomial::new(quotient))
+    }
+}
+
+/// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.
+pub(crate) fn from_terms<'a>(
+    terms: impl Iterator<Item = (usize, &'a Rational)> + Clone,
+) -> IntegerPolynomial {
+    let denominator =
+        terms.clone().fold(BigInt::one(), |common, (_, coefficient)| common.lcm(coefficient.denom()));
+    let degree = terms.clone().map(|(power, _)| power).max().unwrap_or(0);
+    let mut coefficients = vec![BigInt::zero(); degree + 1];
+    for (power, coefficient) in terms {
+        if let Some(slot) = coefficients.get_mut(power) {
+            *slot += (coefficient * number::integer(denominator.clone())).to_integer();
+        }
+    }
+    IntegerPolynomial::new(coefficients).primitive()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::new(coefficients.iter().map(|&coefficient| coefficient.into()).collect())
+    }
+
+    #[test]
+    fn shifts_and_stretches() {
+        let square = polynomial(&[0, 0, 1]);
+        assert_eq!(square.clone().shifted(&3.into()), polynomial(&[9, 6, 1]));
+        assert_eq!(square.clone().shifted(&1.into()), polynomial(&[1, 2, 1]));
+        assert_eq!(polynomial(&[1, 1, 1]).stretched(2), polynomial(&[1, 4, 16]));
+        assert_eq!(polynomial(&[1, 1, 1]).stretched(-1), polynomial(&[4, 2, 1]));
+    }
+
+    #[test]
+    fn descartes_counts_the_roots_between_zero_and_one() {
+        let roots = polynomial(&[3, -8, 4]);
+        assert_eq!(roots.sign_changes(), 2);
+        assert_eq!(roots.sign_changes_between_zero_and_one(), 1);
+        assert_eq!(polynomial(&[-1, 1]).sign_changes_between_zero_and_one(), 0);
+    }
+
+    #[test]
+    fn division_is_exact_or_refused() {
+        let product = polynomial(&[-6, 1, 1]);
+        assert_eq!(product.exact_quotient(&polynomial(&[-2, 1])), Some(polynomial(&[3, 1])));
+        assert_eq!(product.exact_quotient(&polynomial(&[-1, 1])), None);
+        assert_eq!(product.exact_quotient(&polynomial(&[2])), None);
+    }
+
+    #[test]
+    fn the_root_bound_holds() {
+        assert!(polynomial(&[-1000, 0, 1]).root_bound() >= 5);
+        assert!(polynomial(&[1000, -1]).root_bound() >= 10);
+        assert!((1 << polynomial(&[-7, 3, -40, 1]).root_bound()) > 39);
+    }
+}

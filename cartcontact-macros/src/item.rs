@@ -1,0 +1,251 @@
+//! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
+
+use proc_macro2::{Ident, TokenStream};
+use syn::{Data, DeriveInput, Fields, Generics, Type};
+
+use crate::diagnostics::{Diagnostics, Extent};
+
+/// The struct that a profile is attached to.
+pub(crate) struct Item {
+    pub(crate) ident: Ident,
+    pub(crate) generics: Generics,
+    /// The fields that can be symbols, in their order.
+    pub(crate) fields: Vec<Field>,
+    /// The other fields: naming one in a profile is a fault of its type.
+    others: Vec<(Ident, Type)>,
+}
+
+/// A field that can be a symbol.
+pub(crate) struct Field {
+    pub(crate) ident: Ident,
+    pub(crate) ty: Type,
+    pub(crate) kind: FieldKind,
+    /// Whether the gap or its range depends on it.
+    pub(crate) used: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum FieldKind {
+    F64,
+    F32,
+    TypeParameter(Ident),
+}
+
+/// What a name in an expression stands for, other than `r`.
+pub(crate) enum Meaning<'a> {
+    Symbol(&'a Ident),
+    WrongType(&'a Type),
+    Unknown { remedy: String },
+}
+
+/// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and
+/// generics is returned nonetheless, for its stub.
+pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
+    let Ok(declaration) = syn::parse2::<DeriveInput>(input.clone()) else {
+        let place = Extent::of(input.into_iter().map(|token| token.span()), proc_macro2::Span::call_site());
+        diagnostics
+            .report(place, "a gap profile belongs on a struct; write `#[gap_profile(...)] struct Name;`");
+        return None;
+    };
+    let DeriveInput { ident, generics, data, .. } = declaration;
+    let mut item = Item { ident, generics, fields: Vec::new(), others: Vec::new() };
+    match data {
+        Data::Struct(data) => match data.fields {
+            Fields::Unit => {}
+            Fields::Named(named) => {
+                for field in named.named {
+                    item.declare(field, diagnostics);
+                }
+            }
+            Fields::Unnamed(fields) => diagnostics.report(
+                Extent::of([fields.paren_token.span.join()], item.ident.span()),
+                "the fields of a gap profile need names, which its expression can use; write `{ radius: f64 }`",
+            ),
+        },
+        Data::Enum(data) => diagnostics
+            .report(data.enum_token.span, "a gap profile belongs on a struct, not an enum; use one struct for each geometry"),
+        Data::Union(data) => {
+            diagnostics.report(data.union_token.span, "a gap profile belongs on a struct, not a union");
+        }
+    }
+    Some(item)
+}
+
+impl Item {
+    fn declare(&mut self, field: syn::Field, diagnostics: &mut Diagnostics) {
+        let Some(ident) = field.ident else { return };
+        if ident == "r" {
+            diagnostics.report(
+                ident.span(),
+                "a field named `r` cannot be told from the distance r from the axis; give it another name",
+            );
+        }
+        match kind(&field.ty, &self.generics) {
+            Some(kind) => self.fields.push(Field { ident, ty: field.ty, kind, used: false }),
+            None => self.others.push((ident, field.ty)),
+        }
+    }
+
+    pub(crate) fn meaning(&self, name: &Ident) -> Meaning<'_> {
+        if let Some(field) = self.fields.iter().find(|field| field.ident == *name) {
+            return Meaning::Symbol(&field.ident);
+        }
+        match self.others.iter().find(|(ident, _)| ident == name) {
+            Some((_, ty)) => Meaning::WrongType(ty),
+            None => Meaning::Unknown { remedy: self.remedy(name) },
+        }
+    }
+
+    fn remedy(&self, name: &Ident) -> String {
+        let name = name.to_string();
+        let known = self.fields.iter().map(|field| field.ident.to_string()).chain(["r".to_owned()]);
+        let closest = known.map(|known| (distance(&name, &known), known)).min();
+        match closest {
+            Some((distance, known)) if distance <= 1 + known.len() / 4 => format!("did you mean `{known}`?"),
+            _ if self.fields.is_empty() && self.others.is_empty() => {
+                format!(
+                    "only `r` is known here; a field declares a symbol, as in `struct {} {{ {name}: f64 }}`",
+                    self.ident
+                )
+            }
+            _ => format!("write `r` or a field of `{}`", self.ident),
+        }
+    }
+
+    /// Notes which fields a geometry depends on. They share one scalar type, so they may name one parameter at most.
+    pub(crate) fn mark_used(&mut self, used: impl Fn(&Ident) -> bool, diagnostics: &mut Diagnostics) {
+        let mut parameter: Option<Ident> = None;
+        for field in self.fields.iter_mut().filter(|field| used(&field.ident)) {
+            field.used = true;
+            let FieldKind::TypeParameter(own) = &field.kind else { continue };
+            match &parameter {
+                Some(first) if first != own => diagnostics.report(
+                    own.span(),
+                    format!(
+                        "the fields of one profile share one type; write `{first}` here, or `f64` for all"
+                    ),
+                ),
+                _ => parameter = Some(own.clone()),
+            }
+        }
+    }
+}
+
+/// `f64` and `f32` under any path, or one of the struct's own type parameters.
+fn kind(ty: &Type, generics: &Generics) -> Option<FieldKind> {
+    let path = match ty {
+        Type::Path(ty) if ty.qself.is_none() => &ty.path,
+        Type::Group(group) => return kind(&group.elem, generics),
+        Type::Paren(paren) => return kind(&paren.elem, generics),
+        _ => return None,
+    };
+    if let Some(name) = path.get_ident()
+        && generics.type_params().any(|parameter| parameter.ident == *name)
+    {
+        return Some(FieldKind::TypeParameter(name.clone()));
+    }
+    let last = path.segments.last().filter(|last| last.arguments.is_none())?;
+    match last.ident.to_string().as_str() {
+        "f64" => Some(FieldKind::F64),
+        "f32" => Some(FieldKind::F32),
+        _ => None,
+    }
+}
+
+/// Levenshtein's distance, one row of its table for each letter of `left`.
+fn distance(left: &str, right: &str) -> usize {
+    let mut row: Vec<usize> = (0..=right.chars().count()).collect();
+    for (i, a) in left.chars().enumerate() {
+        let mut next = vec![i + 1];
+        for (b, pair) in right.chars().zip(row.windows(2)) {
+            let [diagonal, above] = *pair else { continue };
+            let beside = next.last().copied().unwrap_or(0);
+            next.push((diagonal + usize::from(a != b)).min(above + 1).min(beside + 1));
+        }
+        row = next;
+    }
+    row.last().copied().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use quote::{format_ident, quote};
+
+    use super::*;
+
+    fn item(input: TokenStream) -> (Option<Item>, Vec<String>) {
+        let mut diagnostics = Diagnostics::default();
+        let item = parse(input, &mut diagnostics);
+        (item, diagnostics.messages())
+    }
+
+    #[test]
+    fn fields_are_symbols_by_their_type() {
+        let (item, messages) = item(quote! {
+            struct Ball<T> { a: f64, b: core::primitive::f32, c: T, name: String, d: Vec<f64> }
+        });
+        let item = item.unwrap();
+        assert!(messages.is_empty());
+        let kinds: Vec<&FieldKind> = item.fields.iter().map(|field| &field.kind).collect();
+        assert_eq!(kinds, [&FieldKind::F64, &FieldKind::F32, &FieldKind::TypeParameter(format_ident!("T"))]);
+        assert!(matches!(item.meaning(&format_ident!("name")), Meaning::WrongType(_)));
+        assert!(matches!(item.meaning(&format_ident!("d")), Meaning::WrongType(_)));
+    }
+
+    #[test]
+    fn only_structs_with_named_fields_carry_a_profile() {
+        for input in [
+            quote!(
+                enum E {}
+            ),
+            quote!(union U { a: f64 }),
+            quote!(
+                struct S(f64);
+            ),
+        ] {
+            let (item, messages) = item(input);
+            assert!(item.is_some());
+            assert_eq!(messages.len(), 1);
+        }
+        let (item, messages) = item(quote!(
+            fn f() {}
+        ));
+        assert!(item.is_none());
+        assert_eq!(messages.len(), 1);
+    }
+
+    #[test]
+    fn unknown_names_get_the_closest_one() {
+        let (item, _) = item(quote!(
+            struct Ball {
+                radius: f64,
+            }
+        ));
+        let item = item.unwrap();
+        let remedy = |name| match item.meaning(&format_ident!("{name}")) {
+            Meaning::Unknown { remedy } => remedy,
+            _ => String::new(),
+        };
+        assert_eq!(remedy("raduis"), "did you mean `radius`?");
+        assert_eq!(remedy("R"), "did you mean `r`?");
+        assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
+        assert_eq!((distance("kitten", "sitting"), distance("", "abc")), (3, 3));
+    }
+
+    #[test]
+    fn one_profile_has_one_scalar_type() {
+        let (item, _) = item(quote!(
+            struct Two<T, U> {
+                a: T,
+                b: U,
+            }
+        ));
+        let mut item = item.unwrap();
+        let mut diagnostics = Diagnostics::default();
+        item.mark_used(|name| name == "a", &mut diagnostics);
+        assert!(diagnostics.is_empty());
+        item.mark_used(|_| true, &mut diagnostics);
+        assert_eq!(diagnostics.messages().len(), 1);
+    }
+}

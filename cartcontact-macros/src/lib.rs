@@ -1,0 +1,71 @@
+//! The attribute `#[gap_profile(...)]` of the crate `cartcontact`, which documents its language.
+//!
+//! A gap between joint surfaces is read, proved and turned into a solver when the program is compiled. Each stage
+//! takes what the one before it produced:
+//!
+//! | stage | takes | gives |
+//! |---|---|---|
+//! | `attribute` | the attribute's tokens | expressions and options, as written |
+//! | `item` | the struct's tokens | its name, generics, and fields that can be symbols |
+//! | `parse`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers |
+//! | `gap` | syntax and item | a sum of powers of r with exact coefficients (`polynomial`, `coefficient`), checked to be a gap |
+//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`first_root`, `end`) |
+//! | `geometry` | attribute and item | gap, range and proof together |
+//! | `emit` | item and geometry | the solver |
+//!
+//! Faults are collected on the way (`diagnostics`) and reported together.
+
+mod admissible;
+mod attribute;
+mod closed_forms;
+mod coefficient;
+mod common_divisor;
+mod diagnostics;
+mod emit;
+mod end;
+mod first_root;
+mod gap;
+mod geometry;
+mod integer_polynomial;
+mod item;
+mod literal;
+mod number;
+mod parse;
+mod polynomial;
+mod syntax;
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::diagnostics::Diagnostics;
+
+/// Turns a struct into a gap profile: `#[gap_profile(0.025 * r^2, max_radius = 6.0)] struct Knee;`.
+///
+/// The crate `cartcontact` describes the language and what is generated.
+#[proc_macro_attribute]
+pub fn gap_profile(
+    attribute: proc_macro::TokenStream,
+    item: proc_macro::TokenStream,
+) -> proc_macro::TokenStream {
+    expand(attribute.into(), item.into()).into()
+}
+
+/// The item as it was and, beside it, its solver; or every fault, and a stub so that the rest still compiles.
+fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
+    let mut diagnostics = Diagnostics::default();
+    let attribute = attribute::parse(attribute, &mut diagnostics);
+    let item = item::parse(input.clone(), &mut diagnostics);
+    let crate_path = attribute.crate_path.clone().unwrap_or_else(|| quote!(::cartcontact));
+    let output = item.map(|mut item| {
+        let geometry = geometry::geometry(&attribute, &mut item, &mut diagnostics);
+        match geometry.filter(|_| diagnostics.is_empty()) {
+            Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
+            None => emit::fallback(&input, &item, &crate_path),
+        }
+    });
+    let output = output.unwrap_or(input);
+    let errors = diagnostics.into_compile_errors();
+    quote!(#output #errors)
+}

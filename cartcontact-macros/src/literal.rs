@@ -1,0 +1,95 @@
+//! The text of a literal -> an exact number.
+//!
+//! `0.025` is 1/40, not the `f64` nearest to it.
+
+use crate::number::{self, Rational};
+
+const NUMERIC_SUFFIXES: [&str; 16] = [
+    "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64",
+    "u128", "usize",
+];
+
+/// The number that a literal stands for, or the rule that it breaks.
+pub(crate) fn number(text: &str) -> Result<Rational, String> {
+    let (negative, text) = text.strip_prefix('-').map_or((false, text), |text| (true, text));
+    if !text.starts_with(|first: char| first.is_ascii_digit()) {
+        return Err(format!("{text} is not a number; a gap is written with numbers, `r` and fields"));
+    }
+    if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
+        return Err(format!("numbers are written in decimal; `{text}` is not"));
+    }
+    let (whole, rest) = split_digits(text);
+    let (fraction, rest) = rest.strip_prefix('.').map_or(("", rest), split_digits);
+    let (exponent, suffix) = split_exponent(rest);
+    if !suffix.is_empty() {
+        let written = text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_');
+        return Err(if NUMERIC_SUFFIXES.contains(&suffix) {
+            format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
+        } else {
+            format!("`{text}` reads as one literal; write `{written} * {suffix}`")
+        });
+    }
+    let fraction = without_underscores(fraction);
+    let digits = without_underscores(whole) + &fraction;
+    let value = number::from_decimal(&digits, fraction.len(), exponent)?;
+    Ok(if negative { -value } else { value })
+}
+
+fn split_digits(text: &str) -> (&str, &str) {
+    let end = text.find(|next: char| !next.is_ascii_digit() && next != '_').unwrap_or(text.len());
+    text.split_at_checked(end).unwrap_or((text, ""))
+}
+
+/// The power of ten at the start of `text`, and what follows it. One that overflows is as wrong as any large one.
+fn split_exponent(text: &str) -> (i64, &str) {
+    let Some(after) = text.strip_prefix(['e', 'E']) else { return (0, text) };
+    let (negative, unsigned) = match after.strip_prefix('-') {
+        Some(unsigned) => (true, unsigned),
+        None => (false, after.strip_prefix('+').unwrap_or(after)),
+    };
+    let (digits, rest) = split_digits(unsigned);
+    let digits = without_underscores(digits);
+    if digits.is_empty() {
+        return (0, text);
+    }
+    let size = digits.parse().unwrap_or(i64::MAX);
+    (if negative { -size } else { size }, rest)
+}
+
+fn without_underscores(digits: &str) -> String {
+    digits.replace('_', "")
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+
+    fn ratio(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(numerator.into(), denominator.into())
+    }
+
+    #[test]
+    fn decimals_mean_what_is_written() {
+        assert_eq!(number("0.025").unwrap(), ratio(1, 40));
+        assert_eq!(number("1.09375e-4").unwrap(), ratio(7, 64_000));
+        assert_eq!(number("1_000.5_0").unwrap(), ratio(2001, 2));
+        assert_eq!(number("1E+2").unwrap(), ratio(100, 1));
+        assert_eq!(number("2.").unwrap(), ratio(2, 1));
+        assert_eq!(number("1.0e400").unwrap() * number("1e-400").unwrap(), ratio(1, 1));
+    }
+
+    #[test]
+    fn suffixes_are_explained() {
+        assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
+        assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
+    }
+
+    #[test]
+    fn other_literals_and_huge_exponents_are_refused() {
+        for text in ["0x1F", "\"two\"", "'r'", "b'1'", "1e999999999", "1e-401", "1e99999999999999999999"] {
+            assert!(number(text).is_err(), "{text}");
+        }
+        assert!(number(&"9".repeat(2000)).is_err());
+    }
+}

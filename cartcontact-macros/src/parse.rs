@@ -1,0 +1,263 @@
+//! Tokens -> [`Expression`], by recursive descent along the grammar in [`crate::syntax`].
+//!
+//! A fault costs one term: it is reported, the rest of its term is skipped, and reading goes on behind the next `+`
+//! or `-`, so one compilation reports the faults of all terms. Every call consumes a token or ends its loop, and
+//! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
+
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+
+use crate::diagnostics::{Diagnostics, Extent};
+use crate::literal;
+use crate::syntax::{Expression, Factor, Kind, Summand};
+
+const MAXIMUM_DEPTH: usize = 64;
+
+/// Reads all of `tokens`; `place` stands for them in messages if there are none.
+pub(crate) fn expression(tokens: TokenStream, place: Span, diagnostics: &mut Diagnostics) -> Expression {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    Parser { rest: &tokens, previous: place.into(), depth: 0, diagnostics }.everything()
+}
+
+struct Parser<'a> {
+    rest: &'a [TokenTree],
+    /// What was read last: the place of "something is missing here".
+    previous: Extent,
+    depth: usize,
+    diagnostics: &'a mut Diagnostics,
+}
+
+impl<'a> Parser<'a> {
+    fn everything(mut self) -> Expression {
+        let mut sum = self.sum();
+        while let Some(stray) = self.rest.first() {
+            self.stray(stray);
+            self.skip_term();
+            sum.kind = Kind::Faulty;
+            if !self.rest.is_empty() {
+                self.sum();
+            }
+        }
+        sum
+    }
+
+    fn sum(&mut self) -> Expression {
+        let first = self.product();
+        let mut summands = vec![Summand { subtracted: false, expression: first }];
+        while let Some(sign) = self.next_sign() {
+            let expression = self.product();
+            summands.push(Summand { subtracted: sign == '-', expression });
+        }
+        match summands.pop() {
+            Some(only) if summands.is_empty() => only.expression,
+            last => {
+                summands.extend(last);
+                let extent = spanning(summands.iter().map(|summand| &summand.expression), self.previous);
+                Expression { kind: Kind::Sum(summands), extent }
+            }
+        }
+    }
+
+    fn product(&mut self) -> Expression {
+        let first = self.factor();
+        let mut factors = vec![Factor { divides: false, expression: first }];
+        while let Some(divides) = self.next_product_operator() {
+            let expression = self.factor();
+            factors.push(Factor { divides, expression });
+        }
+        match factors.pop() {
+            Some(only) if factors.is_empty() => only.expression,
+            last => {
+                factors.extend(last);
+                let extent = spanning(factors.iter().map(|factor| &factor.expression), self.previous);
+                Expression { kind: Kind::Product(factors), extent }
+            }
+        }
+    }
+
+    fn factor(&mut self) -> Expression {
+        let Some(sign) = self.next_sign() else { return self.power() };
+        let start = self.previous;
+        let operand = self.deeper(Self::factor);
+        let extent = Extent::between(start, operand.extent);
+        let kind = if sign == '-' { Kind::Negative(Box::new(operand)) } else { operand.kind };
+        Expression { kind, extent }
+    }
+
+    fn power(&mut self) -> Expression {
+        let base = self.atom();
+        if self.take_punct('^').is_none() {
+            return base;
+        }
+        let exponent = self.deeper(Self::factor);
+        let extent = Extent::between(base.extent, exponent.extent);
+        Expression { kind: Kind::Power(Box::new(base), Box::new(exponent)), extent }
+    }
+
+    fn atom(&mut self) -> Expression {
+        let Some((token, rest)) = self.rest.split_first() else {
+            let place = self.previous;
+            return self.fault(place, "something is missing here; a number, `r`, a field or `(` must follow");
+        };
+        if let TokenTree::Punct(_) = token {
+            self.stray(token);
+            self.skip_term();
+            return Expression { kind: Kind::Faulty, extent: token.span().into() };
+        }
+        self.rest = rest;
+        self.previous = token.span().into();
+        match token {
+            TokenTree::Literal(literal) => self.literal(literal),
+            TokenTree::Ident(name) => self.name(name),
+            TokenTree::Group(group) => self.group(group),
+            TokenTree::Punct(_) => Expression { kind: Kind::Faulty, extent: self.previous },
+        }
+    }
+
+    fn literal(&mut self, literal: &Literal) -> Expression {
+        match literal::number(&literal.to_string()) {
+            Ok(value) => self.unless_method(Expression { kind: Kind::Number(value), extent: self.previous }),
+            Err(message) => self.fault(literal.span(), message),
+        }
+    }
+
+    fn name(&mut self, name: &Ident) -> Expression {
+        if let Some(TokenTree::Group(arguments)) = self.rest.first()
+            && arguments.delimiter() == Delimiter::Parenthesis
+        {
+            let message = format!(
+                "a gap is a sum of powers of r, without functions; for a product write `{name} * (...)`, for a root \
+                 `r^0.5`"
+            );
+            return self.fault(name.span(), message);
+        }
+        self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
+    }
+
+    fn group(&mut self, group: &Group) -> Expression {
+        let extent = self.previous;
+        match group.delimiter() {
+            Delimiter::Parenthesis if group.stream().is_empty() => {
+                self.fault(extent, "these parentheses are empty; write an expression between them")
+            }
+            // A macro_rules fragment such as `$e:expr` arrives in invisible parentheses.
+            Delimiter::Parenthesis | Delimiter::None => {
+                let inside = self.deeper(|outer| {
+                    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+                    let (previous, depth) = (group.span_open().into(), outer.depth);
+                    Parser { rest: &tokens, previous, depth, diagnostics: outer.diagnostics }.everything()
+                });
+                let extent = if group.delimiter() == Delimiter::None { inside.extent } else { extent };
+                self.unless_method(Expression { kind: inside.kind, extent })
+            }
+            Delimiter::Brace | Delimiter::Bracket => self.fault(extent, "only parentheses `( )` group terms"),
+        }
+    }
+
+    /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
+    fn unless_method(&mut self, receiver: Expression) -> Expression {
+        let [TokenTree::Punct(dot), TokenTree::Ident(member), ..] = self.rest else { return receiver };
+        if dot.as_char() != '.' {
+            return receiver;
+        }
+        let message = match &receiver.kind {
+            Kind::Name(name) if name == "self" => {
+                format!("fields are written by name alone; write `{member}`")
+            }
+            _ => format!(
+                "a gap has no methods such as `.{member}`; write powers with `^`, as in `r^2` or `r^0.5`"
+            ),
+        };
+        self.fault(Extent::between(receiver.extent, member.span().into()), message)
+    }
+
+    fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
+        if self.depth == MAXIMUM_DEPTH {
+            let place = self.rest.first().map_or(self.previous, |next| next.span().into());
+            return self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
+        }
+        self.depth += 1;
+        let expression = read(self);
+        self.depth -= 1;
+        expression
+    }
+
+    fn next_sign(&mut self) -> Option<char> {
+        self.take_punct('+').or_else(|| self.take_punct('-'))
+    }
+
+    /// Whether the next factor divides. Two operands side by side, and `**`, are reported and read as intended.
+    fn next_product_operator(&mut self) -> Option<bool> {
+        if let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest
+            && is_double_star(first, second)
+        {
+            self.rest = rest;
+            let place = Extent::between(first.span().into(), second.span().into());
+            self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
+            return Some(false);
+        }
+        if self.take_punct('*').is_some() {
+            return Some(false);
+        }
+        if self.take_punct('/').is_some() {
+            return Some(true);
+        }
+        let next = self.rest.first()?;
+        if matches!(next, TokenTree::Punct(_)) {
+            return None;
+        }
+        let place = Extent::between(self.previous, next.span().into());
+        self.diagnostics.report(place, "an operator is missing here; for a product write `*`, as in `2 * r`");
+        Some(false)
+    }
+
+    fn take_punct(&mut self, wanted: char) -> Option<char> {
+        match self.rest {
+            [TokenTree::Punct(next), rest @ ..] if next.as_char() == wanted => {
+                self.rest = rest;
+                self.previous = next.span().into();
+                Some(wanted)
+            }
+            _ => None,
+        }
+    }
+
+    fn stray(&mut self, token: &TokenTree) {
+        let message = match token {
+            TokenTree::Punct(operator) if "+-*/^".contains(operator.as_char()) => {
+                format!(
+                    "something is missing before `{operator}`; a number, `r`, a field or `(` must stand there"
+                )
+            }
+            _ => format!(
+                "`{token}` has no meaning in a gap; use numbers, `r`, fields, `+ - * / ^` and parentheses"
+            ),
+        };
+        self.diagnostics.report(token.span(), message);
+    }
+
+    fn fault(&mut self, place: impl Into<Extent>, message: impl core::fmt::Display) -> Expression {
+        let extent = place.into();
+        self.diagnostics.report(extent, message);
+        self.skip_term();
+        Expression { kind: Kind::Faulty, extent }
+    }
+
+    fn skip_term(&mut self) {
+        while let Some((token, rest)) = self.rest.split_first() {
+            if matches!(token, TokenTree::Punct(sign) if sign.as_char() == '+' || sign.as_char() == '-') {
+                break;
+            }
+            self.previous = token.span().into();
+            self.rest = rest;
+        }
+    }
+}
+
+fn is_double_star(first: &Punct, second: &Punct) -> bool {
+    first.as_char() == '*' && first.spacing() == Spacing::Joint && second.as_char() == '*'
+}
+
+fn spanning<'a>(mut parts: impl Iterator<Item = &'a Expression>, otherwise: Extent) -> Extent {
+    let first = parts.next().map_or(otherwise, |part| part.extent);
+    Extent::between(first, parts.last().map_or(first, |part| part.extent))
+}

@@ -1,0 +1,48 @@
+//! What was written, with its place in the source: nothing is evaluated yet.
+//!
+//! ```text
+//! sum     = product (("+" | "-") product)*
+//! product = factor (("*" | "/") factor)*
+//! factor  = ("-" | "+") factor | power
+//! power   = atom ("^" factor)?
+//! atom    = number | name | "(" sum ")"
+//! ```
+//!
+//! So `^` binds tighter than a minus in front of it and is right-associative: `-r^2` is `-(r^2)`, `2^3^2` is `2^9`,
+//! and `r^-2` needs no parentheses. A sum and a product hold their parts side by side: however long one is, the tree
+//! stays as flat as its parentheses.
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::Extent;
+use crate::number::Rational;
+
+#[derive(Clone, Debug)]
+pub(crate) struct Expression {
+    pub(crate) kind: Kind,
+    pub(crate) extent: Extent,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Kind {
+    Number(Rational),
+    Name(Ident),
+    Negative(Box<Expression>),
+    Sum(Vec<Summand>),
+    Product(Vec<Factor>),
+    Power(Box<Expression>, Box<Expression>),
+    /// Something that has been reported already.
+    Faulty,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Summand {
+    pub(crate) subtracted: bool,
+    pub(crate) expression: Expression,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Factor {
+    pub(crate) divides: bool,
+    pub(crate) expression: Expression,
+}

@@ -1,0 +1,232 @@
+//! The whole way from tokens to proof.
+
+#![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::admissible::Proof;
+use crate::diagnostics::Diagnostics;
+use crate::geometry::{Geometry, geometry};
+use crate::{attribute, item};
+
+fn run(attribute: TokenStream, item: TokenStream) -> Result<Geometry, Vec<String>> {
+    let mut diagnostics = Diagnostics::default();
+    let attribute = attribute::parse(attribute, &mut diagnostics);
+    let item = item::parse(item, &mut diagnostics);
+    let geometry = item.and_then(|mut item| geometry(&attribute, &mut item, &mut diagnostics));
+    if diagnostics.is_empty() { Ok(geometry.unwrap()) } else { Err(diagnostics.messages()) }
+}
+
+fn on_unit(text: &str) -> Result<Geometry, Vec<String>> {
+    run(
+        text.parse().unwrap(),
+        quote!(
+            struct Knee;
+        ),
+    )
+}
+
+fn on_ball(text: &str) -> Result<Geometry, Vec<String>> {
+    run(
+        text.parse().unwrap(),
+        quote!(
+            struct Ball {
+                radius: f64,
+                name: String,
+            }
+        ),
+    )
+}
+
+/// `C r^n + ...` as it was understood.
+fn shown(geometry: &Geometry) -> String {
+    let terms = geometry.gap.terms.iter();
+    terms.map(|term| format!("{} r^{}", term.coefficient, term.exponent)).collect::<Vec<_>>().join(" + ")
+}
+
+#[test]
+fn the_language_means_what_it_says() {
+    for (text, meaning) in [
+        ("0.025 * r^2 + 1.09375e-4 * r^4", "0.025 r^2 + 1.09375e-4 r^4"),
+        ("2*r^2^3 - -r", "1 r^1 + 2 r^8"),
+        ("--r^2", "1 r^2"),
+        ("(r^3 + r^5)/r", "1 r^2 + 1 r^4"),
+        ("(r + r^2)^3", "1 r^3 + 3 r^4 + 3 r^5 + 1 r^6"),
+        ("r^(5/2)/2 + r^2.5", "1.5 r^5/2"),
+        ("r^-2 * r^4", "1 r^2"),
+        ("r^4/r^2/2*3", "1.5 r^2"),
+        ("+r^2 + r^4 - r^2 * r^2", "1 r^2"),
+        ("r*(1 + r) - r", "1 r^2"),
+        ("(4*r^2)^0.5", "2 r^1"),
+    ] {
+        assert_eq!(on_unit(text).as_ref().map(shown), Ok(meaning.to_owned()), "{text}");
+    }
+}
+
+#[test]
+fn fields_are_symbols() {
+    let ball = on_ball("r^2 / (2 * radius) + r^4 / (8 * radius^3), max_radius = radius / 2").unwrap();
+    assert_eq!(shown(&ball), "1/(2·radius) r^2 + 1/(8·radius^3) r^4");
+    assert_eq!(ball.proof, Proof::AtRunTime);
+    assert!(on_ball("r^2/(radius - radius)").unwrap_err().iter().any(|message| message.contains("divisor")));
+}
+
+#[test]
+fn each_fault_is_named() {
+    for (text, rule) in [
+        ("2r^2", "write `2 * r`"),
+        ("2f64*r^2", "drop the suffix"),
+        ("r**2", "not `**`"),
+        ("r.powi(2)", "no methods"),
+        ("self.radius*r", "write `radius`"),
+        ("sin(r)", "without functions"),
+        ("2 r", "an operator is missing"),
+        ("(r)(r)", "an operator is missing"),
+        ("x^2", "`x` is unknown"),
+        ("r^2 < 3", "`<` has no meaning"),
+        ("r^2 == 3", "`=` has no meaning"),
+        ("[r]", "only parentheses"),
+        ("()", "parentheses are empty"),
+        ("r +", "something is missing here"),
+        ("* r", "something is missing before `*`"),
+        ("\"r\"", "is not a number"),
+        ("true", "`true` is unknown"),
+        ("1e999999999*r", "between -400 and 400"),
+        ("2^999999999*r", "too large or too small"),
+        ("r^r", "an exponent must be a number"),
+        ("(1 + r)^-1", "must be a sum of powers of r"),
+        ("(1 + r)^0.5", "must be a sum of powers of r"),
+        ("(r + r^2)^5000", "powers up to 4096"),
+        ("(r + r^2)^4000", "too many terms"),
+        ("r/0", "divisor must not be zero"),
+        ("r/(r - r)", "divisor must not be zero"),
+        ("r^2 + 3", "remove `+ 3`"),
+        ("r^2 - 3", "remove `-3`"),
+        ("r^-2", "greater than 0"),
+        ("r^2 - r^2", "zero everywhere"),
+        ("r^1025", "at most 1024"),
+        ("1e-390*r", "does not fit"),
+        ("2^0.5*r", "not a fraction"),
+        ("r^2, max_radius = 0", "greater than 0"),
+        ("r^2, max_radius = r", "must not depend on r"),
+        ("r^2, max_radius = 1e400", "does not fit"),
+        ("-r^2 + r^4, max_radius = 1", "falls from the centre"),
+        ("r^2 - r^1.0001", "falls from the centre"),
+        ("r - r^1.001 + r^1.0001", "common denominator"),
+    ] {
+        let messages = on_unit(text).unwrap_err();
+        assert!(
+            messages.len() == 1 && messages.iter().all(|message| message.contains(rule)),
+            "{text}: {messages:?}"
+        );
+    }
+}
+
+#[test]
+fn faults_of_all_terms_are_reported_together() {
+    let messages = on_ball("2r^2 + sin(r) + raduis*r - name*r*name + r^radius, depth = 3").unwrap_err();
+    for rule in ["`2 * r`", "functions", "did you mean `radius`", "field `name`", "exponent", "`depth`"] {
+        assert!(messages.iter().any(|message| message.contains(rule)), "{rule}: {messages:?}");
+    }
+    assert_eq!(messages.len(), 6);
+}
+
+#[test]
+fn nesting_is_limited() {
+    for (open, close) in [("(", ")"), ("-", ""), ("2^", "")] {
+        let text = open.repeat(5000) + "r" + &close.repeat(5000);
+        // The tokens themselves nest as deeply; what reads them needs the room.
+        let read = std::thread::Builder::new().stack_size(1 << 28).spawn(move || on_unit(&text).unwrap_err());
+        assert!(read.unwrap().join().unwrap().iter().any(|message| message.contains("nested too deeply")));
+    }
+    let long = vec!["r^2*1"; 20_000].join("+");
+    assert_eq!(shown(&on_unit(&long).unwrap()), "20000 r^2");
+}
+
+#[test]
+fn invisible_parentheses_group() {
+    let sum: TokenStream = "1 + r".parse().unwrap();
+    let group = proc_macro2::Group::new(proc_macro2::Delimiter::None, sum);
+    let geometry = run(
+        quote!(r * #group),
+        quote!(
+            struct Knee;
+        ),
+    )
+    .unwrap();
+    assert_eq!(shown(&geometry), "1 r^1 + 1 r^2");
+}
+
+#[test]
+fn no_text_makes_it_panic() {
+    const WORDS: [&str; 40] = [
+        "r",
+        "r",
+        "r",
+        "r",
+        "^",
+        "^",
+        "^",
+        "+",
+        "+",
+        "-",
+        "*",
+        "*",
+        "/",
+        "(",
+        ")",
+        "(",
+        ")",
+        "2",
+        "0.5",
+        "3",
+        "1e-300",
+        "1e300",
+        "7",
+        "64",
+        "radius",
+        "radius",
+        "name",
+        "**",
+        "2r",
+        ",",
+        "max_radius",
+        "=",
+        "crate",
+        ".",
+        "<",
+        "'a",
+        "\"s\"",
+        "[",
+        "]",
+        "1024",
+    ];
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut random = |below: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 33) as usize % below
+    };
+    let mut geometries = 0;
+    for _ in 0..30_000 {
+        let length = 1 + random(14);
+        let text: Vec<&str> = (0..length).map(|_| WORDS[random(WORDS.len())]).collect();
+        if let Ok(tokens) = text.join(" ").parse::<TokenStream>() {
+            geometries += usize::from(
+                run(
+                    tokens,
+                    quote!(
+                        struct Ball {
+                            radius: f64,
+                            name: String,
+                        }
+                    ),
+                )
+                .is_ok(),
+            );
+        }
+    }
+    assert!(geometries > 100);
+}

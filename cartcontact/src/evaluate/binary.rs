@@ -1,0 +1,104 @@
+//! Powers of two, taken out of a number and put back, so that roots neither overflow nor lose accuracy.
+
+use core::any::Any;
+
+use crate::Scalar;
+
+/// The exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
+pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
+    // Read from the bits of the type's own format: a microcontroller's f32 never passes through f64.
+    if let Some(&single) = (&x as &dyn Any).downcast_ref::<f32>() {
+        let bits = |y: f32| (y.to_bits() >> 23) as i32 - 127;
+        if single < f32::MIN_POSITIVE { bits(single * 16_777_216.0) - 24 } else { bits(single) }
+    } else {
+        let bits = |y: f64| (y.to_bits() >> 52) as i32 - 1023;
+        let double = x.value();
+        if double < f64::MIN_POSITIVE { bits(double * 18_014_398_509_481_984.0) - 54 } else { bits(double) }
+    }
+}
+
+/// x · 2^e; exact unless the result over- or underflows.
+pub(crate) fn scale<T: Scalar>(x: T, e: i32) -> T {
+    // In three factors: 2^e, and even its root, may lie outside the format although x · 2^e does not.
+    let third = e / 3;
+    x * power_of_two::<T>(third) * power_of_two::<T>(third) * power_of_two::<T>(e - 2 * third)
+}
+
+fn power_of_two<T: Scalar>(e: i32) -> T {
+    if (-126..=127).contains(&e) {
+        <T as simba::scalar::SupersetOf<f32>>::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
+    } else {
+        T::constant(f64::from_bits(((e.clamp(-1022, 1023) + 1023) as u64) << 52))
+    }
+}
+
+/// (x · y)^(1/p) for positive x, y and p > 1, even where x · y is out of range.
+///
+/// The result is 2^⌊e/p⌋ · (f · 2^(e mod p))^(1/p) with x · y = f · 2^e. Only the reduced number goes through
+/// `powf`, so the rounding of 1/p is multiplied by at most ln 2 rather than by ln(x y)/p, and scaling x · y
+/// by 2^(k p) scales the result by exactly 2^k.
+///
+/// Error: that of `powf`, plus 1.5 ε/p from the product, plus 0.35 ε from 1/p, if p is a small dyadic number.
+pub(crate) fn root_of_product<T: Scalar>(x: T, y: T, p: T) -> T {
+    let (exponent_x, exponent_y) = (exponent(x), exponent(y));
+    let fraction = scale(x, -exponent_x) * scale(y, -exponent_y);
+    let total = T::constant(f64::from(exponent_x + exponent_y));
+    let whole = (total / p).floor();
+    let rest = total - whole * p;
+    scale(root(fraction, rest, p), whole.value() as i32)
+}
+
+/// (f · 2^rest)^(1/p) for 1 ≤ f < 4 and 0 ≤ rest < p.
+fn root<T: Scalar>(fraction: T, rest: T, p: T) -> T {
+    let inverse = p.recip();
+    let two = T::constant(2.0);
+    if p > T::constant(100.0) {
+        // 2^rest would not fit every format, so its root is taken apart.
+        fraction.powf(inverse) * two.powf(rest * inverse)
+    } else if rest == rest.floor() {
+        scale(fraction, rest.value() as i32).powf(inverse)
+    } else {
+        (fraction * two.powf(rest)).powf(inverse)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponent_is_that_of_the_format() {
+        for e in -1074..1024 {
+            let x = if e < -1022 { f64::from_bits(1 << (e + 1074)) } else { power_of_two(e) };
+            assert_eq!(exponent(x), e);
+        }
+        for e in -149..128 {
+            let x = if e < -126 { f32::from_bits(1 << (e + 149)) } else { power_of_two(e) };
+            assert_eq!(exponent(x), e);
+        }
+    }
+
+    #[test]
+    fn scale_reaches_both_ends_of_the_range() {
+        assert_eq!(scale(f64::MIN_POSITIVE, 2045), 2f64.powi(1023));
+        assert_eq!(scale(2f64.powi(1023), -2045), f64::MIN_POSITIVE);
+        assert_eq!(scale(1.5_f32, 10), 1536.0);
+    }
+
+    #[test]
+    fn root_survives_products_out_of_range() {
+        // Only the exponents of 10 differ from an exact power: 1e600^(1/6) = 1e100.
+        let root: f64 = root_of_product(1e300, 1e300, 6.0);
+        assert!((root / 1e100 - 1.0).abs() < 1e-15, "{root:e}");
+        let root: f64 = root_of_product(1e-300, 1e-300, 6.0);
+        assert!((root / 1e-100 - 1.0).abs() < 1e-15, "{root:e}");
+    }
+
+    #[test]
+    fn root_scales_exactly_with_powers_of_two() {
+        for p in [5.0, 6.0, 6.5, 8.0, 68.0] {
+            let base: f64 = root_of_product(0.7, 3.1, p);
+            assert_eq!(root_of_product(scale(0.7, (2.0 * p) as i32), 3.1, p), 4.0 * base);
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Arithmetic on sums of powers: what generated solvers and [`Polynomial`](crate::Polynomial) are made of.
+
+pub(crate) mod binary;
+pub(crate) mod double_word;
+pub(crate) mod horner;
+pub(crate) mod power;
+pub(crate) mod pressure_kernel;

@@ -1,0 +1,152 @@
+//! Terms c · x^n and their sums, for any real exponent.
+
+use super::double_word::DoubleWord;
+use crate::Scalar;
+
+/// x^k by binary powering.
+#[inline]
+pub(crate) fn integer_power<T: Scalar>(x: T, k: u32) -> T {
+    let (mut power, mut square, mut rest) = (T::one(), x, k);
+    while rest > 1 {
+        if rest & 1 == 1 {
+            power *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    if rest == 1 { power * square } else { power }
+}
+
+/// x^n for a parameter x of the geometry.
+#[inline]
+pub fn real_power<T: Scalar>(x: T, n: T) -> T {
+    x.powf(n)
+}
+
+/// Σ c x^n over the terms (c, n), each term within 2 ε of its value.
+#[inline]
+pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
+}
+
+/// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
+#[inline]
+pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> (T, T) {
+    terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
+        let value = quick_term(c, x, n);
+        (sum + value, slope + n * value)
+    })
+}
+
+/// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
+#[inline]
+pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+    if depth.is_zero() {
+        return T::zero();
+    }
+    let log_ratio = (-depth / a).ln_1p();
+    terms.into_iter().fold(T::zero(), |sum, (c, p)| sum - term(c, a, p) * (p * log_ratio).exp_m1())
+}
+
+/// c x^n within 2 ε.
+///
+/// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉, with k the whole part of n: the middle value is
+/// the geometric mean of c and the result, so it is in range whenever both of them are.
+pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
+    let (whole, fraction) = parts(n);
+    if whole < 0 || x.is_zero() {
+        return quick_term(c, x, n);
+    }
+    let k = whole as u32;
+    let exact = if k < 4 {
+        integer_power(x, k) * c
+    } else {
+        let half = DoubleWord::of(x).power(k / 2);
+        let even = half.times_word(c).times(half);
+        if k & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
+    };
+    // The exact products overflow a little before their results do.
+    if exact.is_finite() { exact * fractional_power(x, fraction) } else { quick_term(c, x, n) }
+}
+
+/// c x^n with every product rounded, in halves as [`term`] does it.
+fn quick_term<T: Scalar>(c: T, x: T, n: T) -> T {
+    let (whole, fraction) = parts(n);
+    if whole < 0 {
+        // Only slopes of gaps with an exponent below 1: c / x^(−n).
+        return c / quick_term(T::one(), x, -n);
+    }
+    let k = whole as u32;
+    let half = integer_power(x, k / 2);
+    let even = c * half * half;
+    let whole_power = if k & 1 == 1 { even * x } else { even };
+    whole_power * fractional_power(x, fraction)
+}
+
+/// The whole part ⌊n⌋ and the fraction n − ⌊n⌋, both exact.
+fn parts<T: Scalar>(n: T) -> (i32, T) {
+    let whole = n.floor();
+    (whole.value() as i32, n - whole)
+}
+
+/// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
+pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+    if fraction.is_zero() {
+        return T::one();
+    }
+    // Zero has no finite slope here; dual numbers would turn it into NaN.
+    if x.is_zero() {
+        return T::zero();
+    }
+    let quarters = fraction * T::constant(4.0);
+    if quarters == T::constant(2.0) {
+        x.sqrt()
+    } else if quarters == T::one() {
+        x.sqrt().sqrt()
+    } else if quarters == T::constant(3.0) {
+        let root = x.sqrt();
+        root * root.sqrt()
+    } else {
+        x.powf(fraction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_powers_of_small_integers_are_exact() {
+        for k in 0..33 {
+            let expected = 3u64.pow(k) as f64;
+            assert_eq!(integer_power(3.0, k), expected);
+            assert_eq!(term(1.0, 3.0, f64::from(k)), expected);
+        }
+    }
+
+    #[test]
+    fn fractions_are_roots() {
+        assert_eq!(term(2.0, 16.0, 0.25), 4.0);
+        assert_eq!(term(2.0, 16.0, 2.75), 2.0 * 256.0 * 8.0);
+        assert_eq!(term(2.0, 16.0, -0.5), 0.5);
+        assert_eq!(term(2.0, 0.0, 2.5), 0.0);
+    }
+
+    #[test]
+    fn nothing_overflows_on_the_way_to_a_representable_result() {
+        let value: f64 = term(1e-300, 1e60, 10.0);
+        assert!((value / 1e300 - 1.0).abs() < 1e-15, "{value:e}");
+        let value: f64 = term(1e300, 1e-60, 10.0);
+        assert!((value / 1e-300 - 1.0).abs() < 1e-15, "{value:e}");
+    }
+
+    #[test]
+    fn a_small_drop_does_not_cancel() {
+        let (a, depth): (f64, f64) = (7.0, 2f64.powi(-40));
+        let drop = power_sum_drop(a, depth, [(1.0, 2.0)]);
+        // The logarithm, the expm1 and three products round once each.
+        assert!((drop / (depth * (a + a - depth)) - 1.0).abs() < 3.0 * f64::EPSILON, "{drop:e}");
+        assert_eq!(power_sum_drop(7.0, 7.0, [(2.0, 3.0)]), 686.0);
+        assert_eq!(power_sum_drop(7.0, 0.0, [(2.0, 3.0)]), 0.0);
+    }
+}

@@ -1,0 +1,45 @@
+//! A load applied at once and held.
+
+use super::{Load, LoadError, is_force};
+use crate::Scalar;
+
+/// A load of the given force, in N, applied at t = 0 and held for ever.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::load::{Constant, Load};
+///
+/// assert_eq!(Constant(100.0).impulse(3.0), 300.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant<T>(
+    /// The force, in N.
+    pub T,
+);
+
+impl<T: Scalar> Load<T> for Constant<T> {
+    fn force(&self, _t: T) -> T {
+        self.0
+    }
+
+    fn impulse(&self, t: T) -> T {
+        self.0 * t
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        true
+    }
+
+    fn recession(&self, _chi: T, _t: T) -> Option<T> {
+        None
+    }
+
+    fn check(&self) -> Result<(), LoadError> {
+        if is_force(self.0) {
+            Ok(())
+        } else {
+            Err(LoadError::InvalidForce { time: 0.0, force: self.0.value() })
+        }
+    }
+}

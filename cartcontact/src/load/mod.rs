@@ -1,0 +1,214 @@
+//! How hard the joint is loaded, as a function of time.
+
+mod constant;
+mod piecewise_linear;
+
+use core::fmt;
+
+use crate::Scalar;
+use crate::error::Shown;
+
+pub use constant::Constant;
+pub use piecewise_linear::PiecewiseLinear;
+
+/// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
+///
+/// Two methods are enough for a load that is smooth and never falls faster than e^(−χ t). The others tell the
+/// solver what it can skip or must not step over: kinks, jumps, straight pieces, and the time at which a
+/// falling load lets the edge of the contact recede, which this solution does not cover.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::load::Load;
+///
+/// /// A load that approaches its final value exponentially.
+/// struct Rise {
+///     force: f64,
+///     rate: f64,
+/// }
+///
+/// impl Load<f64> for Rise {
+///     fn force(&self, t: f64) -> f64 {
+///         -self.force * (-self.rate * t).exp_m1()
+///     }
+///     fn impulse(&self, t: f64) -> f64 {
+///         self.force * (t + (-self.rate * t).exp_m1() / self.rate)
+///     }
+/// }
+/// ```
+pub trait Load<T: Scalar> {
+    /// The force F(t), in N; just after a jump, its value behind the jump.
+    fn force(&self, t: T) -> T;
+
+    /// The impulse ∫₀ᵗ F dτ, in N s.
+    fn impulse(&self, t: T) -> T;
+
+    /// The force just before `t`, in N; differs from [`force`](Self::force) where the load jumps.
+    fn force_before(&self, t: T) -> T {
+        self.force(t)
+    }
+
+    /// The first time after `t` at which the load jumps or has a kink.
+    fn next_knot(&self, _t: T) -> Option<T> {
+        None
+    }
+
+    /// Whether the force is linear in time between knots; memory integrals are then explicit.
+    fn is_linear_between_knots(&self) -> bool {
+        false
+    }
+
+    /// A time up to `t` at which the hereditary load F + χ ∫F falls, so that the edge recedes.
+    ///
+    /// The provided method compares 64 equal steps; a load that may fall should answer exactly.
+    fn recession(&self, chi: T, t: T) -> Option<T> {
+        let hereditary = |time: T| self.force(time) + chi * self.impulse(time);
+        let slack = T::one() - T::default_epsilon() * T::constant(8.0);
+        let mut before = hereditary(T::zero());
+        for step in 1..=64 {
+            let time = t * T::constant(f64::from(step) / 64.0);
+            let now = hereditary(time);
+            if now < before * slack {
+                return Some(time);
+            }
+            before = now;
+        }
+        None
+    }
+
+    /// Checks values that the type itself cannot rule out.
+    ///
+    /// # Errors
+    ///
+    /// [`LoadError`] for a negative or non-finite force.
+    fn check(&self) -> Result<(), LoadError> {
+        Ok(())
+    }
+}
+
+impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for &L {
+    fn force(&self, t: T) -> T {
+        (**self).force(t)
+    }
+    fn impulse(&self, t: T) -> T {
+        (**self).impulse(t)
+    }
+    fn force_before(&self, t: T) -> T {
+        (**self).force_before(t)
+    }
+    fn next_knot(&self, t: T) -> Option<T> {
+        (**self).next_knot(t)
+    }
+    fn is_linear_between_knots(&self) -> bool {
+        (**self).is_linear_between_knots()
+    }
+    fn recession(&self, chi: T, t: T) -> Option<T> {
+        (**self).recession(chi, t)
+    }
+    fn check(&self) -> Result<(), LoadError> {
+        (**self).check()
+    }
+}
+
+/// Why a load cannot be used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// There are no knots.
+    Empty,
+    /// A force is negative, infinite or not a number.
+    InvalidForce {
+        /// The time, in s.
+        time: f64,
+        /// The force, in N.
+        force: f64,
+    },
+    /// An impulse is negative, infinite or not a number.
+    InvalidImpulse {
+        /// The time, in s.
+        time: f64,
+        /// The impulse, in N s.
+        impulse: f64,
+    },
+    /// The time of a knot is infinite or not a number.
+    InvalidTime {
+        /// Which knot, counted from 0.
+        knot: usize,
+        /// Its time, in s.
+        time: f64,
+    },
+    /// The first knot is not at time 0.
+    LateStart {
+        /// The time of the first knot, in s.
+        time: f64,
+    },
+    /// The time of a knot is before that of the knot before it.
+    Unsorted {
+        /// Which knot, counted from 0.
+        knot: usize,
+        /// Its time, in s.
+        time: f64,
+        /// The time of the knot before it, in s.
+        previous: f64,
+    },
+    /// More than two knots are at the same time.
+    RepeatedTime {
+        /// The third of the knots, counted from 0.
+        knot: usize,
+        /// The time, in s.
+        time: f64,
+    },
+}
+
+impl fmt::Display for LoadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Empty => {
+                write!(f, "the load has no knots; give at least one (time, force), such as (0, 100)")
+            }
+            Self::InvalidForce { time, force } => write!(
+                f,
+                "the force at time {} is {}, but a contact needs a finite force from 0; a negative force would \
+                 pull the surfaces apart",
+                Shown(time),
+                Shown(force)
+            ),
+            Self::InvalidImpulse { time, impulse } => write!(
+                f,
+                "the impulse up to time {} is {}, but it must be finite and not negative; check `impulse`, the \
+                 integral of the force from 0",
+                Shown(time),
+                Shown(impulse)
+            ),
+            Self::InvalidTime { knot, time } => {
+                write!(f, "the time of knot {knot} is {}, but times must be finite numbers", Shown(time))
+            }
+            Self::LateStart { time } => write!(
+                f,
+                "the first knot is at time {}, but a load history starts at 0; shift the times, or add a knot \
+                 at 0",
+                Shown(time)
+            ),
+            Self::Unsorted { knot, time, previous } => write!(
+                f,
+                "knot {knot} is at time {}, before the knot at {} that precedes it; sort the knots by time",
+                Shown(time),
+                Shown(previous)
+            ),
+            Self::RepeatedTime { knot, time } => write!(
+                f,
+                "knot {knot} is the third at time {}; two knots at the same time are a step, remove the ones \
+                 between",
+                Shown(time)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for LoadError {}
+
+/// Whether a force is one that a contact can carry.
+pub(crate) fn is_force<T: Scalar>(force: T) -> bool {
+    force >= T::zero() && force.is_finite()
+}

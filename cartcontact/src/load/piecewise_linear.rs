@@ -1,0 +1,237 @@
+//! A load given by its values at some times, linear between them.
+
+use core::marker::PhantomData;
+
+use super::{Load, LoadError, is_force};
+use crate::Scalar;
+
+/// A load through knots (time in s, force in N), linear between them and constant after the last.
+///
+/// The knots may be held in any storage: an array, a slice, a `Vec`. The first is at time 0; two knots at the
+/// same time are a step.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::load::{Load, PiecewiseLinear};
+///
+/// let ramp_and_hold = PiecewiseLinear::new([(0.0, 0.0), (20.0, 100.0)])?;
+/// assert_eq!(ramp_and_hold.force(5.0), 25.0);
+/// assert_eq!(ramp_and_hold.impulse(30.0), 2000.0);
+/// # Ok::<(), cartcontact::load::LoadError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PiecewiseLinear<T, K> {
+    knots: K,
+    scalar: PhantomData<T>,
+}
+
+impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
+    /// The load through `knots`, pairs (time, force) in the order of time.
+    ///
+    /// # Errors
+    ///
+    /// [`LoadError`] if there are no knots, a time is not finite, the first time is not 0, times decrease or
+    /// three of them are equal, or a force is negative or not finite.
+    pub fn new(knots: K) -> Result<Self, LoadError> {
+        check_knots(knots.as_ref())?;
+        Ok(Self { knots, scalar: PhantomData })
+    }
+
+    /// The knots (time, force) as they were given.
+    pub fn knots(&self) -> &[(T, T)] {
+        self.knots.as_ref()
+    }
+
+    /// The pieces between neighbouring knots, steps among them.
+    fn pieces(&self) -> impl Iterator<Item = Piece<T>> {
+        self.knots.as_ref().windows(2).filter_map(|pair| match *pair {
+            [start, end] => Some(Piece { start, end }),
+            _ => None,
+        })
+    }
+
+    /// The force at `t` read from the last knot that `is_before` selects and the knot behind it.
+    fn force_after(&self, t: T, is_before: impl Fn(T) -> bool) -> T {
+        let knots = self.knots.as_ref();
+        let count = knots.partition_point(|&(time, _)| is_before(time));
+        let start = count.checked_sub(1).and_then(|last| knots.get(last));
+        match (start, knots.get(count)) {
+            (Some(&start), Some(&end)) => Piece { start, end }.force(t),
+            (Some(&(_, force)), None) => force,
+            (None, _) => T::zero(),
+        }
+    }
+}
+
+fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
+    let Some(&(first, _)) = knots.first() else {
+        return Err(LoadError::Empty);
+    };
+    for (knot, &(time, force)) in knots.iter().enumerate() {
+        if !time.is_finite() {
+            return Err(LoadError::InvalidTime { knot, time: time.value() });
+        }
+        if !is_force(force) {
+            return Err(LoadError::InvalidForce { time: time.value(), force: force.value() });
+        }
+    }
+    if !first.is_zero() {
+        return Err(LoadError::LateStart { time: first.value() });
+    }
+    for (knot, pair) in knots.windows(2).enumerate() {
+        if let [(previous, _), (time, _)] = *pair
+            && time < previous
+        {
+            let (time, previous) = (time.value(), previous.value());
+            return Err(LoadError::Unsorted { knot: knot + 1, time, previous });
+        }
+    }
+    let triple = knots.windows(3).position(|w| matches!(w, [a, _, c] if a.0 == c.0));
+    match triple {
+        Some(first) => Err(LoadError::RepeatedTime {
+            knot: first + 2,
+            time: knots.get(first).map_or(0.0, |&(time, _)| time.value()),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// The load between two neighbouring knots.
+struct Piece<T> {
+    start: (T, T),
+    end: (T, T),
+}
+
+impl<T: Scalar> Piece<T> {
+    fn duration(&self) -> T {
+        self.end.0 - self.start.0
+    }
+
+    fn force(&self, t: T) -> T {
+        if self.duration().is_zero() {
+            return self.end.1;
+        }
+        self.start.1 + (self.end.1 - self.start.1) * ((t - self.start.0) / self.duration())
+    }
+
+    /// ∫F from the start of the piece to `t` within it.
+    fn impulse(&self, t: T) -> T {
+        (t - self.start.0) * (self.start.1 + self.force(t)) * T::constant(0.5)
+    }
+
+    /// The first time within the piece at which F′ + χ F < 0.
+    fn recession(&self, chi: T) -> Option<T> {
+        let drop = self.start.1 - self.end.1;
+        if drop <= T::zero() {
+            return None;
+        }
+        if self.duration().is_zero() {
+            return Some(self.start.0);
+        }
+        // F′ + χ F is least at the end; what rounding can make of a zero does not count.
+        let fall = drop / self.duration();
+        let slack = T::one() + T::default_epsilon() * T::constant(8.0);
+        if fall <= chi * self.end.1 * slack {
+            return None;
+        }
+        // χ F = −F′ within the piece, or the piece begins with a recession.
+        let held = (self.start.1 - fall / chi) / fall;
+        Some(if held > T::zero() { self.start.0 + held } else { self.start.0 })
+    }
+}
+
+impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
+    fn force(&self, t: T) -> T {
+        self.force_after(t, |time| time <= t)
+    }
+
+    fn impulse(&self, t: T) -> T {
+        // Kahan's summation: a measured load may have a hundred thousand knots.
+        let (mut sum, mut lost) = (T::zero(), T::zero());
+        let mut add = |x: T| {
+            let corrected = x - lost;
+            let next = sum + corrected;
+            lost = (next - sum) - corrected;
+            sum = next;
+        };
+        for piece in self.pieces() {
+            if t <= piece.start.0 {
+                break;
+            }
+            add(piece.impulse(t.min(piece.end.0)));
+        }
+        if let Some(&(time, force)) = self.knots.as_ref().last()
+            && t > time
+        {
+            add((t - time) * force);
+        }
+        sum
+    }
+
+    fn force_before(&self, t: T) -> T {
+        self.force_after(t, |time| time < t)
+    }
+
+    fn next_knot(&self, t: T) -> Option<T> {
+        let knots = self.knots.as_ref();
+        knots.get(knots.partition_point(|&(time, _)| time <= t)).map(|&(time, _)| time)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        true
+    }
+
+    fn recession(&self, chi: T, t: T) -> Option<T> {
+        self.pieces()
+            .take_while(|piece| piece.start.0 <= t)
+            .find_map(|piece| piece.recession(chi))
+            .filter(|&time| time <= t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_has_a_value_on_either_side() -> Result<(), LoadError> {
+        let load = PiecewiseLinear::new([(0.0, 10.0), (5.0, 10.0), (5.0, 30.0), (7.0, 50.0)])?;
+        assert_eq!((load.force_before(5.0), load.force(5.0)), (10.0, 30.0));
+        assert_eq!((load.force(6.0), load.force(9.0)), (40.0, 50.0));
+        assert_eq!(load.impulse(8.0), 50.0 + 80.0 + 50.0);
+        assert_eq!(
+            (load.next_knot(0.0), load.next_knot(5.0), load.next_knot(7.0)),
+            (Some(5.0), Some(7.0), None)
+        );
+        Ok(())
+    }
+
+    #[test]
+    fn recession_is_where_the_hereditary_load_turns() -> Result<(), LoadError> {
+        // F′ = −2, χ F = 2 at F = 20, that is at t = 40 of the fall from 100.
+        let load = PiecewiseLinear::new([(0.0, 100.0), (50.0, 0.0)])?;
+        assert_eq!(load.recession(0.1, 39.0), None);
+        assert_eq!(load.recession(0.1, 41.0), Some(40.0));
+        assert_eq!(load.recession(0.0, 1.0), Some(0.0));
+        let step_down = PiecewiseLinear::new([(0.0, 100.0), (5.0, 100.0), (5.0, 99.0)])?;
+        assert_eq!(step_down.recession(10.0, 6.0), Some(5.0));
+        Ok(())
+    }
+
+    #[test]
+    fn faults_name_the_knot() {
+        let fault = |knots: &[(f64, f64)]| PiecewiseLinear::new(knots.to_vec()).err();
+        assert_eq!(fault(&[]), Some(LoadError::Empty));
+        assert_eq!(fault(&[(1.0, 2.0)]), Some(LoadError::LateStart { time: 1.0 }));
+        assert_eq!(
+            fault(&[(0.0, 1.0), (2.0, 1.0), (1.0, 1.0)]),
+            Some(LoadError::Unsorted { knot: 2, time: 1.0, previous: 2.0 })
+        );
+        assert_eq!(
+            fault(&[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)]),
+            Some(LoadError::RepeatedTime { knot: 2, time: 0.0 })
+        );
+        assert_eq!(fault(&[(0.0, -1.0)]), Some(LoadError::InvalidForce { time: 0.0, force: -1.0 }));
+    }
+}

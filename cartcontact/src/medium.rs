@@ -1,0 +1,222 @@
+//! The two cartilage layers and the two constants of the model that they make.
+
+use core::fmt;
+
+use crate::Scalar;
+use crate::error::Shown;
+
+/// One biphasic layer on its bone.
+///
+/// Any consistent units do; the field's own are mm, N, MPa = N/mm² and s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layer<T> {
+    /// Thickness h, in mm.
+    pub thickness: T,
+    /// Shear modulus μ of the solid matrix, in MPa.
+    pub shear_modulus: T,
+    /// Permeability k, in mm⁴/(N s).
+    pub permeability: T,
+}
+
+/// What the layers contribute to the solution: the stiffness m and the rate χ of the memory.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::{Layer, Medium};
+///
+/// let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+/// let medium = Medium::between(layer, layer)?;
+/// assert_eq!((medium.m(), medium.chi()), (0.375, 0.0015));
+/// # Ok::<(), cartcontact::MediumError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Medium<T> {
+    m: T,
+    chi: T,
+}
+
+impl<T: Scalar> Medium<T> {
+    /// Two layers in contact, with the rate that follows from the layers' displacements.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// m = 1 / (h₁³/(3 μ₁) + h₂³/(3 μ₂))
+    /// χ = m (h₁ k₁ + h₂ k₂)
+    /// ```
+    ///
+    /// The paper prints another χ, see [`between_as_printed_2011`](Self::between_as_printed_2011); finite
+    /// elements decide for this one.
+    ///
+    /// # Errors
+    ///
+    /// [`MediumError`] unless all thicknesses and shear moduli are positive, permeabilities are not negative,
+    /// and m and χ are representable.
+    pub fn between(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
+        let m = (first.compliance()? + second.compliance()?).recip();
+        Self::from_constants(m, m * (first.conductance() + second.conductance()))
+    }
+
+    /// Two layers in contact, with the rate as the paper prints it, for comparison with published curves.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// χ = 3 μ₁ k₁/h₁² + 3 μ₂ k₂/h₂²
+    /// ```
+    ///
+    /// For two equal layers this is twice the rate of [`between`](Self::between), and it diverges as one of
+    /// the layers becomes thin.
+    ///
+    /// # Errors
+    ///
+    /// [`MediumError`] as for [`between`](Self::between).
+    ///
+    /// # References
+    ///
+    /// I. Argatov, Mech. Res. Commun. 38 (2011), section 2, doi 10.1016/j.mechrescom.2010.11.006.
+    pub fn between_as_printed_2011(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
+        let m = (first.compliance()? + second.compliance()?).recip();
+        Self::from_constants(m, first.own_rate() + second.own_rate())
+    }
+
+    /// One layer against a rigid impermeable body.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// m = 3 μ/h³,     χ = 3 μ k/h²
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MediumError`] as for [`between`](Self::between).
+    pub fn against_rigid(layer: Layer<T>) -> Result<Self, MediumError> {
+        let m = layer.compliance()?.recip();
+        Self::from_constants(m, m * layer.conductance())
+    }
+
+    /// The constants themselves: m in MPa/mm³, χ in 1/s.
+    ///
+    /// # Errors
+    ///
+    /// [`MediumError`] unless m is positive, χ is not negative and both are finite.
+    pub fn from_constants(m: T, chi: T) -> Result<Self, MediumError> {
+        if !(m > T::zero() && m.is_finite()) {
+            return Err(MediumError::Stiffness { m: m.value() });
+        }
+        if !(chi >= T::zero() && chi.is_finite()) {
+            return Err(MediumError::Rate { chi: chi.value() });
+        }
+        Ok(Self { m, chi })
+    }
+
+    /// The stiffness m, in MPa/mm³.
+    pub fn m(&self) -> T {
+        self.m
+    }
+
+    /// The rate χ of the memory, in 1/s.
+    pub fn chi(&self) -> T {
+        self.chi
+    }
+}
+
+impl<T: Scalar> Layer<T> {
+    /// h³/(3 μ), after a check of the three constants.
+    fn compliance(&self) -> Result<T, MediumError> {
+        let positive = |x: T| x > T::zero() && x.is_finite();
+        if !positive(self.thickness) {
+            return Err(MediumError::Thickness { thickness: self.thickness.value() });
+        }
+        if !positive(self.shear_modulus) {
+            return Err(MediumError::ShearModulus { shear_modulus: self.shear_modulus.value() });
+        }
+        if !(self.permeability >= T::zero() && self.permeability.is_finite()) {
+            return Err(MediumError::Permeability { permeability: self.permeability.value() });
+        }
+        let h = self.thickness;
+        Ok(h * h * h / (T::constant(3.0) * self.shear_modulus))
+    }
+
+    /// h k.
+    fn conductance(&self) -> T {
+        self.thickness * self.permeability
+    }
+
+    /// 3 μ k/h², the rate of the layer on its own.
+    fn own_rate(&self) -> T {
+        T::constant(3.0) * self.shear_modulus * self.permeability / (self.thickness * self.thickness)
+    }
+}
+
+/// Why layers do not make a medium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MediumError {
+    /// A thickness is not positive and finite.
+    Thickness {
+        /// What was given, in mm.
+        thickness: f64,
+    },
+    /// A shear modulus is not positive and finite.
+    ShearModulus {
+        /// What was given, in MPa.
+        shear_modulus: f64,
+    },
+    /// A permeability is negative or not finite.
+    Permeability {
+        /// What was given, in mm⁴/(N s).
+        permeability: f64,
+    },
+    /// The stiffness m is not positive and finite.
+    Stiffness {
+        /// What was given or follows from the layers, in MPa/mm³.
+        m: f64,
+    },
+    /// The rate χ is negative or not finite.
+    Rate {
+        /// What was given or follows from the layers, in 1/s.
+        chi: f64,
+    },
+}
+
+impl fmt::Display for MediumError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Thickness { thickness } => write!(
+                f,
+                "the layer's thickness is {}, but it must be a positive number; for a bare rigid body use \
+                 `Medium::against_rigid` with the other layer",
+                Shown(thickness)
+            ),
+            Self::ShearModulus { shear_modulus } => write!(
+                f,
+                "the layer's shear modulus is {}, but it must be a positive number; for a bare rigid body use \
+                 `Medium::against_rigid` with the other layer",
+                Shown(shear_modulus)
+            ),
+            Self::Permeability { permeability } => write!(
+                f,
+                "the layer's permeability is {}, but it must be 0 (an elastic layer) or a positive number; \
+                 check its unit, mm⁴/(N s)",
+                Shown(permeability)
+            ),
+            Self::Stiffness { m } => write!(
+                f,
+                "the stiffness m is {}, but it must be a positive number; check the units of thickness and \
+                 shear modulus",
+                Shown(m)
+            ),
+            Self::Rate { chi } => write!(
+                f,
+                "the rate chi is {}, but it must be 0 (no drainage) or a positive number; check the units of \
+                 permeability and thickness",
+                Shown(chi)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for MediumError {}

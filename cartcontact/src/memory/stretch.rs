@@ -1,0 +1,147 @@
+//! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
+
+use super::{Increment, radius_form, time_form};
+use crate::contact::Contact;
+use crate::load::Load;
+use crate::{GapProfile, Scalar};
+
+/// The radii from `low` to `high` that the edge passed while the load took a course.
+pub(super) struct Stretch<'a, T, P, L> {
+    pub(super) contact: &'a Contact<T, P, L>,
+    pub(super) course: Course<'a, T, L>,
+    pub(super) low: T,
+    /// The contact radius at the end of the stretch.
+    pub(super) high: T,
+}
+
+/// How the hereditary load Y = F + χ ∫F rose during a stretch.
+pub(super) enum Course<'a, T, L> {
+    /// At once, at the end.
+    Step,
+    /// Along a straight load: Y′ at the end, F′, and the duration.
+    Linear { rate: T, load_rate: T, duration: T },
+    /// Along any other load.
+    Smooth { load: &'a L, start: T, duration: T },
+}
+
+impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
+    pub(super) fn between(load: &'a L, chi: T, start: T, duration: T, forces: (T, T)) -> Self {
+        if !load.is_linear_between_knots() {
+            return Self::Smooth { load, start, duration };
+        }
+        let load_rate = (forces.1 - forces.0) / duration;
+        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
+        let rate = (load_rate + chi * forces.1).max(T::zero());
+        Self::Linear { rate, load_rate, duration }
+    }
+
+    pub(super) fn decay(&self, chi: T) -> T {
+        match self {
+            Self::Step => T::one(),
+            Self::Linear { duration, .. } | Self::Smooth { duration, .. } => (-(chi * *duration)).exp(),
+        }
+    }
+
+    /// How long before the end Y was smaller than at the end by `deficit`.
+    ///
+    /// Along a straight load Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without
+    /// cancellation; its square root is Y′ at the time found.
+    pub(super) fn age(&self, chi: T, deficit: T) -> T {
+        match *self {
+            Self::Step => T::zero(),
+            Self::Linear { rate, load_rate, .. } if load_rate.is_zero() => deficit / rate,
+            Self::Linear { rate, load_rate, duration } => {
+                let two = T::constant(2.0);
+                let then = (rate * rate - two * chi * load_rate * deficit).max(T::zero()).sqrt();
+                (two * deficit / (rate + then)).min(duration)
+            }
+            Self::Smooth { load, start, duration } => {
+                let end = start + duration;
+                let hereditary = |time: T| load.force(time) + chi * load.impulse(time);
+                let final_value = load.force_before(end) + chi * load.impulse(end);
+                first_crossing(duration, deficit, |z| final_value - hereditary(end - z))
+            }
+        }
+    }
+}
+
+/// The z in [0, `longest`] at which the increasing `deficit_of` reaches `deficit`.
+///
+/// Regula falsi with the Illinois rule: the bracket holds the root throughout, and an end that stays put has
+/// its value halved, so that both ends move. It ends when the bracket is as narrow as rounding allows, and
+/// after 60 evaluations at the latest, with the bracket's end if the values are too rough to decide.
+fn first_crossing<T: Scalar>(longest: T, deficit: T, deficit_of: impl Fn(T) -> T) -> T {
+    let half = T::constant(0.5);
+    let (mut low, mut low_value) = (T::zero(), -deficit);
+    let (mut high, mut high_value) = (longest, deficit_of(longest) - deficit);
+    if high_value <= T::zero() {
+        return longest;
+    }
+    for _ in 0..60 {
+        let z = low + (high - low) * (low_value / (low_value - high_value));
+        let value = deficit_of(z) - deficit;
+        if value < T::zero() {
+            (low, low_value, high_value) = (z, value, high_value * half);
+        } else {
+            (high, high_value, low_value) = (z, value, low_value * half);
+        }
+        if value.is_zero() || high - low <= T::default_epsilon() * high {
+            break;
+        }
+    }
+    high
+}
+
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
+    /// What the stretch adds to the pressure.
+    ///
+    /// A falling load can make τ(s) steep like a square root, so it is integrated over time; all others over
+    /// the radius, which needs no inversion of J.
+    pub(super) fn increment(&self) -> Increment<T> {
+        // Also false where the radii are rounded past each other.
+        if !(self.low < self.high) {
+            return Increment::zero();
+        }
+        match self.course {
+            Course::Linear { rate, load_rate, .. } if load_rate < T::zero() => {
+                time_form::increment(self, rate, load_rate)
+            }
+            _ => radius_form::increment(self),
+        }
+    }
+
+    /// How long before the end the edge passed the radius `high` − `depth`.
+    pub(super) fn age_at(&self, depth: T) -> T {
+        let deficit = self.contact.profile().load_integral_drop(self.high, depth);
+        self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit)
+    }
+
+    /// δ₀′ e^(−χ age) at the radius `high` − `depth`.
+    pub(super) fn density(&self, depth: T) -> T {
+        let fading = (-(self.contact.medium().chi() * self.age_at(depth))).exp();
+        self.contact.profile().approach_slope(self.high - depth) * fading
+    }
+
+    /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.
+    ///
+    /// Along a straight rising load it is the branch point of the square root, Y′ = 0, which the load would have
+    /// to have come from: J falls short of its value at the edge by Y′²/(2 χ F′). J is nearly a power a^p, with its
+    /// `degree` p at `top`; where it would have to be negative, |J|^(1/p) e^(iπ/p) is the nearest root, and
+    /// sin(π/p) > 2.8/p for p ≥ 4. Of any other load nothing is known; it is taken to have half that distance.
+    pub(super) fn singularity(&self, top: T, load_integral: T, degree: T) -> Option<T> {
+        let off_axis = |radius: T| radius * T::constant(2.8) / degree;
+        match self.course {
+            Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
+                let chi = self.contact.medium().chi();
+                let deficit = rate * rate / (T::constant(2.0) * chi * load_rate);
+                let at_edge = self.contact.profile().load_integral(self.high);
+                let singular = at_edge - deficit / self.contact.stiffness();
+                let radius = top * (singular.abs() / load_integral).powf(degree.recip());
+                let on_axis = (top - radius) * T::constant(0.4);
+                Some(if singular < T::zero() { off_axis(radius) } else { on_axis })
+            }
+            Course::Smooth { .. } => Some(off_axis(top) * T::constant(0.5)),
+            Course::Linear { .. } | Course::Step => None,
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! A gap profile known at run time only.
+
+use core::marker::PhantomData;
+
+use crate::Scalar;
+use crate::admissibility::checked_range;
+use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop};
+use crate::evaluate::pressure_kernel::pressure_kernel;
+use crate::inversion::{invert, positive_terms};
+use crate::profile::{GapProfile, ProfileError, RadiusError};
+
+/// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
+///
+/// It agrees with the generated solver of the same geometry and has its accuracy; generated solvers are
+/// quicker. Exponents are real, above 0; their order is free.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::{GapProfile, Polynomial};
+///
+/// let patella = Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)])?;
+/// assert_eq!(patella.gap(2.0), 0.1 + 1.09375e-4 * 16.0);
+///
+/// let oblate = Polynomial::new([(0.025, 2.0), (-1e-4, 4.0)])?;
+/// assert!((oblate.max_radius() - 187.5_f64.sqrt()).abs() < 1e-9);
+/// # Ok::<(), cartcontact::ProfileError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Polynomial<T, S> {
+    terms: S,
+    max_radius: T,
+    has_negative_terms: bool,
+    has_whole_exponents: bool,
+    scalar: PhantomData<T>,
+}
+
+impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
+    /// The profile Σ C r^n over the pairs (C, n), on its whole admissible range.
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError`] if there are no terms, a coefficient is not finite, an exponent is outside (0, 1024],
+    /// or the gap does not open at r = 0.
+    pub fn new(terms: S) -> Result<Self, ProfileError> {
+        Self::on_range(terms, None)
+    }
+
+    /// The profile Σ C r^n for contact radii up to `max_radius`, in mm.
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError`] as [`new`](Self::new), and if the geometry is not admissible up to `max_radius`.
+    pub fn with_max_radius(terms: S, max_radius: T) -> Result<Self, ProfileError> {
+        Self::on_range(terms, Some(max_radius))
+    }
+
+    fn on_range(terms: S, max_radius: Option<T>) -> Result<Self, ProfileError> {
+        let pairs = || terms.as_ref().iter().copied();
+        let max_radius = checked_range(pairs(), max_radius)?;
+        let has_negative_terms = pairs().any(|(c, _)| c < T::zero());
+        let has_whole_exponents = pairs().all(|(_, n)| n == n.floor());
+        Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, scalar: PhantomData })
+    }
+
+    /// The pairs (coefficient, exponent) as they were given.
+    pub fn terms(&self) -> &[(T, T)] {
+        self.terms.as_ref()
+    }
+
+    fn map(&self, term: impl Fn(T, T) -> (T, T)) -> impl Iterator<Item = (T, T)> {
+        self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
+    }
+
+    /// The terms of J: (C n/((n+2)(n+4)), n+4).
+    fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> {
+        let (two, four) = (T::constant(2.0), T::constant(4.0));
+        self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n + four))
+    }
+}
+
+impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
+    fn gap(&self, r: T) -> T {
+        power_sum(r, self.map(|c, n| (c, n)))
+    }
+
+    fn approach(&self, a: T) -> T {
+        let two = T::constant(2.0);
+        power_sum(a, self.map(|c, n| (two * c / (n + two), n)))
+    }
+
+    fn approach_slope(&self, a: T) -> T {
+        let two = T::constant(2.0);
+        power_sum(a, self.map(|c, n| (two * c * (n / (n + two)), n - T::one())))
+    }
+
+    fn load_integral(&self, a: T) -> T {
+        power_sum(a, self.load_integral_terms())
+    }
+
+    fn log_kernel(&self, x: T) -> T {
+        let two = T::constant(2.0);
+        power_sum(x, self.map(|c, n| (c / ((n + two) * (n + two)), n + two)))
+    }
+
+    fn pressure_kernel(&self, a: T, r: T) -> T {
+        pressure_kernel(a, r, self.map(|c, n| (c, n)))
+    }
+
+    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
+        invert(
+            load_integral,
+            self.max_radius,
+            positive_terms(self.map(|c, n| (c, n))),
+            self.has_negative_terms,
+            |a| power_sum_and_log_slope(a, self.load_integral_terms()),
+        )
+    }
+
+    fn max_radius(&self) -> T {
+        self.max_radius
+    }
+
+    fn load_integral_drop(&self, a: T, depth: T) -> T {
+        power_sum_drop(a, depth, self.load_integral_terms())
+    }
+
+    fn is_smooth_at_centre(&self) -> bool {
+        self.has_whole_exponents
+    }
+}

@@ -1,0 +1,293 @@
+//! What a solver needs to know of a geometry.
+
+use core::fmt;
+
+use crate::Scalar;
+use crate::error::Shown;
+use crate::memory::quadrature::Rule;
+
+/// A gap profile Φ(r) = Σ C r^n with everything that follows from it in closed form.
+///
+/// [`#[gap_profile]`](macro@crate::gap_profile) implements it for a geometry known at compile time,
+/// [`Polynomial`](crate::Polynomial) for one known at run time. Lengths are in the user's unit, mm throughout
+/// this documentation.
+///
+/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; they return NaN for NaN.
+/// [`Contact`](crate::Contact) checks what it is given before it calls them.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::{GapProfile, gap_profile};
+///
+/// #[gap_profile(0.025 * r^2)]
+/// struct Paraboloid;
+///
+/// let a = Paraboloid.radius(2.0)?;
+/// assert!((Paraboloid.load_integral(a) - 2.0_f64).abs() < 1e-14);
+/// # Ok::<(), cartcontact::RadiusError>(())
+/// ```
+///
+/// # References
+///
+/// I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+pub trait GapProfile<T: Scalar> {
+    /// The gap Φ(r) between the undeformed surfaces, in mm.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// Φ(r) = Σ C rⁿ
+    /// ```
+    fn gap(&self, r: T) -> T;
+
+    /// The approach δ₀ of the bones at contact radius `a`, in mm: Eq. (10).
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// δ₀(a) = Σ 2 C aⁿ / (n+2)
+    /// ```
+    fn approach(&self, a: T) -> T;
+
+    /// The slope of the approach, dimensionless; positive for an admissible geometry.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// δ₀′(a) = Σ 2 C n aⁿ⁻¹ / (n+2) = (2/a) (Φ(a) − δ₀(a))
+    /// ```
+    fn approach_slope(&self, a: T) -> T;
+
+    /// The load integral J, in mm⁵: (π m/4) J(a) is the hereditary load of Eq. (14).
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// J(a) = Σ C n aⁿ⁺⁴ / ((n+2)(n+4)),     J′(a) = a⁴ δ₀′(a) / 2
+    /// ```
+    fn load_integral(&self, a: T) -> T;
+
+    /// The log kernel L of Eq. (28), in mm³.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// L(x) = ∫₀ˣ Φ(ρ) ρ ln(x/ρ) dρ = Σ C xⁿ⁺² / (n+2)²
+    /// ```
+    fn log_kernel(&self, x: T) -> T;
+
+    /// The pressure kernel G, in mm³; zero for r ≥ a, where its double zero is kept as a factor.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// G(a, r) = δ₀(a)(a² − r²)/4 + L(r) − L(a) = ¼ ∫ᵣᵃ δ₀′(s)(s² − r²) ds
+    /// ```
+    fn pressure_kernel(&self, a: T, r: T) -> T;
+
+    /// The contact radius `a`, in mm, at which J(a) equals `load_integral`: Eq. (14) solved.
+    ///
+    /// # Errors
+    ///
+    /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius).
+    fn radius(&self, load_integral: T) -> Result<T, RadiusError>;
+
+    /// The end of the admissible range of contact radii, in mm; infinity if there is none.
+    fn max_radius(&self) -> T;
+
+    /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵.
+    ///
+    /// Its relative error does not grow as the depth becomes small; the difference of two values of J, or of
+    /// two rounded radii, would lose what they share.
+    fn load_integral_drop(&self, a: T, depth: T) -> T {
+        let half = T::constant(0.5);
+        if depth > a * half {
+            return self.load_integral(a) - self.load_integral(a - depth);
+        }
+        Rule::FINEST.nodes(T::zero(), depth).fold(T::zero(), |sum, (h, weight)| {
+            let s = a - h;
+            let square = s * s;
+            sum + weight * half * square * square * self.approach_slope(s)
+        })
+    }
+
+    /// Whether all exponents are whole, so that the profile is smooth at r = 0; where it is not, integrals
+    /// that begin there are taken in a variable that makes it so.
+    fn is_smooth_at_centre(&self) -> bool {
+        false
+    }
+
+    /// Checks the values of a geometry whose coefficients are known at run time only.
+    ///
+    /// # Errors
+    ///
+    /// [`ProfileError`] if a coefficient is not finite or the geometry is not admissible.
+    fn check(&self) -> Result<(), ProfileError> {
+        Ok(())
+    }
+}
+
+impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
+    fn gap(&self, r: T) -> T {
+        (**self).gap(r)
+    }
+    fn approach(&self, a: T) -> T {
+        (**self).approach(a)
+    }
+    fn approach_slope(&self, a: T) -> T {
+        (**self).approach_slope(a)
+    }
+    fn load_integral(&self, a: T) -> T {
+        (**self).load_integral(a)
+    }
+    fn log_kernel(&self, x: T) -> T {
+        (**self).log_kernel(x)
+    }
+    fn pressure_kernel(&self, a: T, r: T) -> T {
+        (**self).pressure_kernel(a, r)
+    }
+    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
+        (**self).radius(load_integral)
+    }
+    fn max_radius(&self) -> T {
+        (**self).max_radius()
+    }
+    fn load_integral_drop(&self, a: T, depth: T) -> T {
+        (**self).load_integral_drop(a, depth)
+    }
+    fn is_smooth_at_centre(&self) -> bool {
+        (**self).is_smooth_at_centre()
+    }
+    fn check(&self) -> Result<(), ProfileError> {
+        (**self).check()
+    }
+}
+
+/// Why there is no contact radius for a load integral.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RadiusError {
+    /// The load integral is negative, infinite or not a number.
+    InvalidLoadIntegral {
+        /// What was given, in mm⁵.
+        load_integral: f64,
+    },
+    /// The contact would grow beyond the admissible range of the geometry.
+    BeyondRange {
+        /// What was given, in mm⁵.
+        load_integral: f64,
+        /// The largest admissible load integral, in mm⁵.
+        largest: f64,
+        /// The contact radius that belongs to it, in mm.
+        max_radius: f64,
+    },
+}
+
+impl fmt::Display for RadiusError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::InvalidLoadIntegral { load_integral } => write!(
+                f,
+                "the load integral is {}, but only finite values from 0 have a contact radius; \
+                 check the load and the medium",
+                Shown(load_integral)
+            ),
+            Self::BeyondRange { load_integral, largest, max_radius } => write!(
+                f,
+                "the load integral {} exceeds {}, which the contact reaches at the end of the admissible \
+                 range, radius {}; lower the load, or extend `max_radius` if the geometry allows it",
+                Shown(load_integral),
+                Shown(largest),
+                Shown(max_radius)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for RadiusError {}
+
+/// Why a geometry given at run time has no solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ProfileError {
+    /// There are no terms.
+    Empty,
+    /// A coefficient is infinite or not a number.
+    InvalidCoefficient {
+        /// The coefficient.
+        coefficient: f64,
+        /// The exponent of its term.
+        exponent: f64,
+    },
+    /// An exponent is not in the range from above 0 to 1024.
+    InvalidExponent {
+        /// The exponent.
+        exponent: f64,
+    },
+    /// The end of the range of contact radii is not a positive number.
+    InvalidMaxRadius {
+        /// What was given, in mm.
+        max_radius: f64,
+    },
+    /// The surfaces overlap, or do not separate, next to the first point of contact.
+    NotOpening {
+        /// The smallest exponent of the gap.
+        exponent: f64,
+        /// Its coefficient.
+        coefficient: f64,
+    },
+    /// The gap no longer exceeds its mean over the contact disc before the requested end of the range.
+    NotAdmissible {
+        /// The requested end of the range, in mm.
+        max_radius: f64,
+        /// The radius at which the condition fails, in mm.
+        fails_at: f64,
+    },
+}
+
+impl fmt::Display for ProfileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Empty => {
+                write!(
+                    f,
+                    "the gap has no terms; give at least one (coefficient, exponent), such as (0.025, 2)"
+                )
+            }
+            Self::InvalidCoefficient { coefficient, exponent } => write!(
+                f,
+                "the coefficient of r^{exponent} is {}, but coefficients must be finite; check the geometry's \
+                 parameters for zero, overflow and NaN",
+                Shown(coefficient)
+            ),
+            Self::InvalidExponent { exponent } => write!(
+                f,
+                "the exponent {} is outside (0, 1024]; a gap that vanishes at r = 0 needs positive powers",
+                Shown(exponent)
+            ),
+            Self::InvalidMaxRadius { max_radius } => write!(
+                f,
+                "the largest contact radius is {}, but it must be a positive number; leave it out if there is \
+                 no limit",
+                Shown(max_radius)
+            ),
+            Self::NotOpening { exponent, coefficient } => write!(
+                f,
+                "the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power needs a \
+                 positive coefficient",
+                Shown(coefficient)
+            ),
+            Self::NotAdmissible { max_radius, fails_at } => write!(
+                f,
+                "the gap does not exceed its mean over the contact disc at r = {}, inside the requested range \
+                 up to {}; choose `max_radius` below {}",
+                Shown(fails_at),
+                Shown(max_radius),
+                Shown(fails_at)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for ProfileError {}

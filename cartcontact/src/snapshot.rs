@@ -1,0 +1,139 @@
+//! The contact at one time.
+
+use core::fmt;
+
+use crate::Scalar;
+use crate::contact::Contact;
+use crate::load::Load;
+use crate::memory::{Moment, transition};
+use crate::profile::GapProfile;
+
+/// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
+#[derive(Clone, Copy)]
+pub struct Snapshot<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
+    time: T,
+    radius: T,
+}
+
+impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
+    pub(crate) fn new(contact: &'a Contact<T, P, L>, time: T, radius: T) -> Self {
+        Self { contact, time, radius }
+    }
+
+    /// The time t, in s.
+    pub fn time(&self) -> T {
+        self.time
+    }
+
+    /// The contact radius a(t), in mm: Eq. (14).
+    pub fn radius(&self) -> T {
+        self.radius
+    }
+
+    /// The approach δ₀(t) of the bones, in mm: Eq. (10).
+    pub fn approach(&self) -> T {
+        self.contact.profile().approach(self.radius)
+    }
+
+    /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
+    pub fn force(&self) -> T {
+        self.contact.load().force(self.time)
+    }
+
+    /// The contact pressure P(r, t) at the distance |r| from the axis, in MPa; zero outside the contact.
+    ///
+    /// A radius that is not a number has no pressure: the result is not a number either.
+    /// [`Contact::pressure_field`] checks its radii instead.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// P(r, t) = m G(a₀, r) e^(−χ t) + (m/4) ∫ δ₀′(s) (s² − r²) e^(−χ (t − τ(s))) ds
+    /// ```
+    ///
+    /// over s from max(r, a₀) to a(t), where τ(s) is the time at which the contact radius is s and a₀ = a(0).
+    ///
+    /// # Accuracy
+    ///
+    /// Within 64 ε (1 + 2a/(a − r)); the second factor is how far rounding the radius alone moves the result.
+    ///
+    /// # References
+    ///
+    /// Eq. (28), doi 10.1016/j.mechrescom.2010.11.006.
+    pub fn pressure(&self, r: T) -> T {
+        let r = r.abs();
+        if r >= self.radius {
+            return T::zero();
+        }
+        let (profile, medium) = (self.contact.profile(), self.contact.medium());
+        if (medium.chi() * self.time).is_zero() {
+            return medium.m() * profile.pressure_kernel(self.radius, r);
+        }
+        let start = self.start_of_memory();
+        let change = transition(self.contact, start, self.moment(), r.max(start.radius));
+        change.apply(self.initial_pressure(start, r), r)
+    }
+
+    /// The pressure P(0, t) on the axis, the largest of all, in MPa.
+    pub fn peak_pressure(&self) -> T {
+        self.pressure(T::zero())
+    }
+
+    /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
+    /// covered from the start.
+    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
+        let start = self.start_of_memory();
+        let from_start = transition(self.contact, start, self.moment(), start.radius);
+        for (pressure, &r) in pressures.iter_mut().zip(radii) {
+            *pressure = if r <= start.radius {
+                from_start.apply(self.initial_pressure(start, r), r)
+            } else if r < self.radius {
+                transition(self.contact, start, self.moment(), r).offset
+            } else {
+                T::zero()
+            };
+        }
+    }
+
+    /// The pressure at the start of the memory that still counts.
+    fn initial_pressure(&self, start: Moment<T>, r: T) -> T {
+        if start.time.is_zero() && r < start.radius {
+            self.contact.medium().m() * self.contact.profile().pressure_kernel(start.radius, r)
+        } else {
+            T::zero()
+        }
+    }
+
+    pub(crate) fn moment(&self) -> Moment<T> {
+        Moment { time: self.time, radius: self.radius }
+    }
+
+    /// The moment before which the history no longer counts: 0, or where it has faded below rounding.
+    ///
+    /// F e^(χ τ) never falls, so what was there at τ carries at most the share F(τ) e^(−χ (t−τ)) of F(t) now.
+    fn start_of_memory(&self) -> Moment<T> {
+        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+        let folds = -T::default_epsilon().ln() + T::constant(4.0);
+        let present = self.force();
+        let mut past = folds;
+        while past < chi * self.time {
+            let time = self.time - past / chi;
+            let share = load.force(time) * (folds - past).exp();
+            if share <= present {
+                return Moment { time, radius: self.contact.radius_at(time).unwrap_or(T::zero()) };
+            }
+            past += folds;
+        }
+        Moment { time: T::zero(), radius: self.contact.radius_at(T::zero()).unwrap_or(T::zero()) }
+    }
+}
+
+impl<T: fmt::Debug, P, L> fmt::Debug for Snapshot<'_, T, P, L> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Snapshot")
+            .field("time", &self.time)
+            .field("radius", &self.radius)
+            .finish_non_exhaustive()
+    }
+}
