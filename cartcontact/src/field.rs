@@ -114,9 +114,7 @@ impl<T: Scalar> Rows<T> {
             let row = &mut row[offset..][..radii.len()];
             let update = |row: &mut [T], old: &[T], part: Range<usize>, change: &Transition<T>| {
                 let old = &old[offset..][part.clone()];
-                for ((value, &pressure), &r) in row[part.clone()].iter_mut().zip(old).zip(&radii[part]) {
-                    *value = change.apply(pressure, r);
-                }
+                change.apply_to_row(old, &radii[part.clone()], &mut row[part]);
             };
             update(row, base, 0..in_base, &self.since_base);
             update(row, previous, in_base..in_previous, &self.since_previous);

@@ -2,8 +2,13 @@
 //!
 //! J(a) = Σ j a^p is nearly a power of a, so the step is taken on logarithms: with f = ln(J/y) and
 //! d f/d ln a = a J′/J the Newton step of ln a is −f J/(a J′). Replacing ln by its first Padé approximant,
-//! ln(J/y) ≈ 2 (J−y)/(J+y), and exp likewise leaves the order of convergence and costs two divisions; for a
-//! single power the step is exact to third order from any distance.
+//! ln z ≈ 2 (z−1)/(z+1) with z = J/y, and exp likewise leaves the order of convergence and needs one division:
+//!
+//! ```text
+//! a ← a (A − B)/(A + B),    A = (z + 1) a J′/y,    B = (z − 1) z
+//! ```
+//!
+//! For a single power its error is of third order, so that an estimate within 2 % is enough to start from.
 //!
 //! **The bracket.** Let a_i solve the i-th positive term alone, j_i a_i^(p_i) = y. The positive terms can only
 //! add to each other, so without negative terms a ≤ min a_i; and where every positive term is below y/N, J is
@@ -13,13 +18,13 @@
 //! **Termination.** Every evaluation replaces one end of the bracket by the point evaluated. A step that would
 //! leave the bracket, and every second step after the eighth, is replaced by the geometric mean of the ends,
 //! which halves the bracket in ln a. Its width is below ln 2^2100 at the start and the iteration ends when it
-//! is below ε, so 8 + 2 · 63 evaluations are the most that can happen; 3 to 5 are usual.
+//! is below ε, so 8 + 2 · 63 evaluations are the most that can happen; 3 or 4 are usual.
 //!
 //! **Accuracy.** The last step is an uncorrected Newton step from a point within √ε of the root: it is as
 //! accurate as J, divided by p = a J′/J, which is n+4 at least for one term.
 
 use crate::Scalar;
-use crate::evaluate::binary::root_of_product;
+use crate::evaluate::binary::{estimated_root_of_product, root_of_product};
 use crate::evaluate::power;
 use crate::profile::RadiusError;
 
@@ -88,8 +93,8 @@ pub fn invert<T: Scalar>(
         return Ok(T::zero());
     }
     let seed = Seed::of(target, positive);
-    let mut bracket = Bracket { low: seed.low, high: seed.radius };
-    if limit.is_finite() && (negative || limit <= seed.radius) {
+    let mut bracket = Bracket { low: seed.low, high: seed.high };
+    if limit.is_finite() && (negative || limit <= seed.high) {
         let largest = evaluate(limit).0;
         if target > largest {
             return Err(beyond(target, largest, limit));
@@ -123,25 +128,26 @@ fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
     }
 }
 
-/// The least of the one-term radii, and a lower bound of the root.
+/// The least of the one-term radii, and bounds of the root from below and, without negative terms, above.
 struct Seed<T> {
     radius: T,
     low: T,
+    high: T,
 }
 
 impl<T: Scalar> Seed<T> {
     fn of(target: T, positive: impl Iterator<Item = PositiveTerm<T>>) -> Self {
         let (mut radius, mut least_power, mut count) = (T::infinity(), T::infinity(), T::zero());
         for term in positive {
-            radius = radius.min(root_of_product(target, term.inverse, term.power));
+            radius = radius.min(estimated_root_of_product(target, term.inverse, term.power));
             least_power = least_power.min(term.power);
             count += T::one();
         }
         // N^(−1/p) ≥ 1 − (ln N)/p ≥ 1 − (N−1)/p, but never below N^(−1/4) ≥ 1/N.
         let shrink = (T::one() - (count - T::one()) / least_power).max(count.recip());
-        // Both ends are widened by the rounding of the roots.
-        let margin = T::default_epsilon() * T::constant(16.0);
-        Self { radius: radius * (T::one() + margin), low: radius * shrink * (T::one() - margin) }
+        // Both ends are widened by the error of the estimates.
+        let margin = T::constant(0.02);
+        Self { radius, low: radius * shrink * (T::one() - margin), high: radius * (T::one() + margin) }
     }
 }
 

@@ -1,5 +1,65 @@
-//! Contact of thin biphasic cartilage layers for any gap profile: contact radius, approach and pressure.
+//! Contact of thin biphasic cartilage layers for any gap profile: contact radius, approach and pressure, solved
+//! for a geometry that is checked and specialised at compile time.
+//!
+//! Cartilage is a thin, fluid-filled layer on bone. I. Argatov solved the axisymmetric contact of two such layers
+//! in closed form for an arbitrary gap Φ(r) between the undeformed surfaces (Mech. Res. Commun. 38 (2011) 29–33,
+//! doi 10.1016/j.mechrescom.2010.11.006). This crate makes that solution practical:
+//!
+//! ```
+//! use cartcontact::{Contact, Layer, Medium, gap_profile, load};
+//!
+//! /// Patella on the patellar groove, in mm.
+//! #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+//! struct Patellofemoral;
+//!
+//! let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+//! let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, load::Constant(100.0))?;
+//! let now = contact.at(200.0)?; // s
+//! assert_eq!(format!("{:.3} mm", now.radius()), "7.447 mm");
+//! assert_eq!(format!("{:.4} mm", now.approach()), "0.8052 mm");
+//! assert_eq!(format!("{:.4} MPa", now.peak_pressure()), "1.6660 MPa");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The way of the data
+//!
+//! A geometry ([`GapProfile`]: an item with [`#[gap_profile]`](macro@gap_profile), or a [`Polynomial`] known at run
+//! time only), a [`Medium`] made of [`Layer`]s and a [`load`] make a [`Contact`]. At a time it gives a [`Snapshot`],
+//! whose radius is solved once and whose approach and pressures are computed when they are asked for; for many times
+//! it fills slices.
+//!
+//! | symbol | meaning | unit | name |
+//! |---|---|---|---|
+//! | Φ(r) | gap | mm | [`GapProfile::gap`] |
+//! | a(t) | contact radius | mm | [`Snapshot::radius`] |
+//! | δ₀(t) | approach of the bones | mm | [`Snapshot::approach`] |
+//! | P(r, t) | contact pressure | MPa | [`Snapshot::pressure`] |
+//! | F(t) | load | N | [`load::Load::force`] |
+//! | m | stiffness of the layers | MPa/mm³ | [`Medium::m`] |
+//! | χ | rate of the memory | 1/s | [`Medium::chi`] |
+//!
+//! Any consistent system of units does.
+//!
+//! # What it assumes
+//!
+//! Layers that are thin (a ≫ h) and isotropic on rigid bones, small strains, no friction, axial symmetry, times short
+//! against the diffusion of fluid through a layer's thickness, and loads that do not fall faster than e^(−χ t), so
+//! that the contact never shrinks. For a/h = 8 linear finite elements give an approach 8 % and a peak pressure 10 %
+//! away from the model; for a/h = 32 it is 1 %.
+//!
+//! # Features
+//!
+//! | feature | default | what it does |
+//! |---|---|---|
+//! | `std` | yes | mathematical functions of the standard library |
+//! | `libm` | no | mathematical functions of the `libm` crate, for targets without `std` |
+//! | `nalgebra` | yes | `Contact::pressure_matrix` |
+//!
+//! Without `std` the crate needs `libm`; it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("cartcontact needs mathematical functions; enable the feature `std` or `libm`");
 
 mod admissibility;
 mod contact;
@@ -19,6 +79,7 @@ mod profile;
 mod scalar;
 mod snapshot;
 
+#[doc = include_str!("profile_language.md")]
 pub use cartcontact_macros::gap_profile;
 pub use contact::{Contact, ContactError};
 pub use medium::{Layer, Medium, MediumError};
@@ -26,3 +87,7 @@ pub use polynomial::Polynomial;
 pub use profile::{GapProfile, ProfileError, RadiusError};
 pub use scalar::Scalar;
 pub use snapshot::Snapshot;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -56,6 +56,16 @@ impl<T: Scalar> Transition<T> {
         self.decay * pressure + (self.offset + self.slope * ((self.reach - radius) * (self.reach + radius)))
     }
 
+    /// [`apply`](Self::apply) to many radii, with two multiply-adds and a square per value.
+    ///
+    /// Taking the parabola from the axis instead of from `reach` costs up to ε reach/(a − r) near the edge.
+    pub(crate) fn apply_to_row(&self, pressures: &[T], radii: &[T], results: &mut [T]) {
+        let on_axis = self.offset + self.slope * self.reach * self.reach;
+        for ((result, &pressure), &r) in results.iter_mut().zip(pressures).zip(radii) {
+            *result = self.decay * pressure + (on_axis - self.slope * (r * r));
+        }
+    }
+
     /// This transition followed by another, which reaches further, for the radii that this one reaches.
     pub(crate) fn then(&self, next: &Self) -> Self {
         let margin = (next.reach - self.reach) * (next.reach + self.reach);

@@ -98,8 +98,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// A falling load can make τ(s) steep like a square root, so it is integrated over time; all others over
     /// the radius, which needs no inversion of J.
     pub(super) fn increment(&self) -> Increment<T> {
-        // Also false where the radii are rounded past each other.
-        if !(self.low < self.high) {
+        // Rounding can put the radii in the wrong order.
+        if self.low >= self.high {
             return Increment::zero();
         }
         match self.course {

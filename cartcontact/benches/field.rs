@@ -1,0 +1,54 @@
+//! Pressure fields: beside filling the same memory, and beside the printed formulas at every point.
+
+mod scenes;
+
+use std::hint::black_box;
+use std::num::NonZeroUsize;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use gauss_quad::GaussLegendre;
+use scenes::{Patellofemoral, contact, pressure_as_printed};
+
+fn field(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("field");
+    group.sample_size(20);
+    let contact = contact(Patellofemoral);
+    for (rows, columns) in [(1000, 1000), (250, 4000), (4000, 250)] {
+        let size = format!("{rows} x {columns}");
+        let (times, radii) = (steps(rows, 400.0), steps(columns, 9.0));
+        let mut values = vec![0.0; rows * columns];
+        group.throughput(Throughput::Elements(values.len() as u64));
+        group.bench_function(BenchmarkId::new("fill with a constant", &size), |b| {
+            b.iter(|| black_box(&mut values[..]).fill(black_box(1.5)));
+        });
+        group.bench_function(BenchmarkId::new("pressure_field", &size), |b| {
+            b.iter(|| contact.pressure_field(black_box(&times), black_box(&radii), &mut values));
+        });
+    }
+    // A hundredth of the points of the fields above; multiply by 100 to compare.
+    if let Some(nodes) = NonZeroUsize::new(16) {
+        let rule = GaussLegendre::new(nodes);
+        let (times, radii) = (steps(100, 400.0), steps(100, 7.0));
+        let mut values = vec![0.0; times.len() * radii.len()];
+        group.throughput(Throughput::Elements(values.len() as u64));
+        group.bench_function("as printed (26)-(27) at every point/100 x 100", |b| {
+            b.iter(|| {
+                for (row, &t) in values.chunks_exact_mut(radii.len()).zip(&times) {
+                    for (value, &r) in row.iter_mut().zip(&radii) {
+                        *value = pressure_as_printed(&rule, t, r);
+                    }
+                }
+                black_box(&mut values);
+            });
+        });
+    }
+    group.finish();
+}
+
+/// `count` values from 0 to `end`.
+fn steps(count: usize, end: f64) -> Vec<f64> {
+    (0..count).map(|k| end * k as f64 / (count - 1) as f64).collect()
+}
+
+criterion_group!(benches, field);
+criterion_main!(benches);

@@ -1,0 +1,85 @@
+//! The scenes that the benchmarks share, and the paper's formulas as printed to compare with.
+#![allow(dead_code, reason = "every benchmark uses a part of it")]
+
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile, load};
+use gauss_quad::GaussLegendre;
+use roots::{SimpleConvergency, find_root_newton_raphson};
+
+#[gap_profile(0.025 * r^2)]
+pub(crate) struct Paraboloid;
+
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+pub(crate) struct Patellofemoral;
+
+#[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6 + 3e-8 * r^8)]
+pub(crate) struct FourTerm;
+
+/// The profile of [`Patellofemoral`], known at run time only.
+pub(crate) type RunTime = Polynomial<f64, [(f64, f64); 2]>;
+
+pub(crate) const LOAD: f64 = 100.0;
+pub(crate) const RATE: f64 = 0.0015;
+pub(crate) const STIFFNESS: f64 = 0.375;
+
+/// # Panics
+///
+/// Never: the constants are valid.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+pub(crate) fn run_time() -> RunTime {
+    Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)]).expect("a valid profile")
+}
+
+/// The paper's scene: 100 N on the patellofemoral joint.
+///
+/// # Panics
+///
+/// Never: the constants are valid.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
+    let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
+    Contact::new(profile, medium, load::Constant(LOAD)).expect("a valid contact")
+}
+
+/// 64 load integrals spread over a load range of 1 : 1000, so that no branch is learnt by heart.
+pub(crate) fn load_integrals() -> Vec<f64> {
+    (0..64).map(|k| 10.0 * 1000f64.powf(f64::from(k * 37 % 64) / 63.0)).collect()
+}
+
+/// J and J′ of [`Patellofemoral`], written by hand.
+pub(crate) fn load_integral(a: f64) -> (f64, f64) {
+    let (c2, c4) = (0.025 / 12.0, 1.09375e-4 / 12.0);
+    let square = a * a;
+    let fifth = square * square * a;
+    (fifth * a * (c2 + c4 * square), fifth * (6.0 * c2 + 8.0 * c4 * square))
+}
+
+/// The contact radius by the general root finder of the crate `roots`, from the one-term radius.
+///
+/// # Panics
+///
+/// Never for a positive load integral.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+pub(crate) fn radius_by_roots(target: f64) -> f64 {
+    let start = (target * 12.0 / 0.025).powf(1.0 / 6.0);
+    let mut convergency = SimpleConvergency { eps: 1e-14 * target, max_iter: 50 };
+    find_root_newton_raphson(start, |a| load_integral(a).0 - target, |a| load_integral(a).1, &mut convergency)
+        .expect("convergence")
+}
+
+/// The bracket of Eq. (26) as printed, which cancels near the edge.
+pub(crate) fn kernel_as_printed(a: f64, r: f64) -> f64 {
+    let log_kernel = |x: f64| 0.025 * x.powi(4) / 16.0 + 1.09375e-4 * x.powi(6) / 36.0;
+    let approach = 0.025 * a.powi(2) / 2.0 + 1.09375e-4 * a.powi(4) / 3.0;
+    approach * (a * a - r * r) / 4.0 + log_kernel(r) - log_kernel(a)
+}
+
+/// P(r, t) under the constant load by Eqs. (25)-(27) as printed, with a rule of `gauss-quad` over time.
+pub(crate) fn pressure_as_printed(rule: &GaussLegendre, t: f64, r: f64) -> f64 {
+    let per_stiffness = 4.0 / (std::f64::consts::PI * STIFFNESS);
+    let radius = |tau: f64| radius_by_roots(per_stiffness * LOAD * (1.0 + RATE * tau));
+    // The history of a radius covered late starts when the contact reaches it.
+    let start = ((load_integral(r).0 / (per_stiffness * LOAD) - 1.0) / RATE).max(0.0);
+    let memory =
+        rule.integrate(start, t, |tau| kernel_as_printed(radius(tau), r) * (-RATE * (t - tau)).exp());
+    STIFFNESS * (kernel_as_printed(radius(t), r) - RATE * memory)
+}
