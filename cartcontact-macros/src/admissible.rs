@@ -22,7 +22,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use crate::diagnostics::Extent;
 use crate::end::End;
-use crate::first_root::first_root;
+use crate::first_root::{TooIntricate, first_root};
 use crate::gap::Gap;
 use crate::integer_polynomial::{IntegerPolynomial, from_terms};
 use crate::number::{self, Rational};
@@ -30,6 +30,9 @@ use crate::number::{self, Rational};
 /// Bounds the time that a proof takes; enough for all integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;
 const MAXIMUM_DENOMINATOR: u32 = 64;
+
+const TOO_INTRICATE: &str = "this gap is too intricate to be proved: its terms differ too much in size; leave out those \
+                             that do not matter at the radii in question";
 
 /// Where delta0'(a) is known to be positive.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,7 +66,9 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, (Extent, St
         return Err((guilty.extent, message.to_owned()));
     }
     let equation = Equation::new(&terms).map_err(|message| (guilty.extent, message.to_owned()))?;
-    let Some(root) = first_root(&equation.polynomial) else {
+    let root =
+        first_root(&equation.polynomial).map_err(|TooIntricate| (guilty.extent, TOO_INTRICATE.to_owned()))?;
+    let Some(root) = root else {
         return Ok(Proof::AllRadii { by: "the slope of the approach has no positive root" });
     };
     let mut end = End::new(root, equation.numerator, equation.denominator);

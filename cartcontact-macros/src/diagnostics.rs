@@ -21,11 +21,6 @@ impl Extent {
         Extent { first: first.first, last: last.last }
     }
 
-    /// Where it begins.
-    pub(crate) fn start(self) -> Span {
-        self.first
-    }
-
     /// The extent of some tokens, or `otherwise` if there are none.
     pub(crate) fn of(tokens: impl IntoIterator<Item = impl Into<Span>>, otherwise: Span) -> Self {
         let mut spans = tokens.into_iter().map(Into::into);

@@ -4,7 +4,10 @@
 //! (a, b): none if it is 0, one if it is 1, and it never grows when the interval is divided (the two parts and a root
 //! at their border share it). So the interval in front is divided until the count is 0 or 1.
 //!
-//! Halving alone needs a step for every bit by which two roots differ, or a root from zero. A cluster of k roots at c
+//! The search goes from one power of two to the next, as roots may be of any magnitude; most of these intervals a
+//! bound that costs nothing skips.
+//!
+//! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c
 //! gives p'/p = k/(x - c) nearby, so c is close to a - k p(a)/p'(a): if a small interval there keeps all k sign
 //! changes, nothing else is left to look at, and the next leap may be twice as long in bits. If not, it is halved.
 //!
@@ -40,25 +43,60 @@ enum Place {
     Between(Rational, Rational),
 }
 
-/// The smallest positive root of a polynomial that is not zero at 0.
-pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Option<FirstRoot> {
+/// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
+const MAXIMUM_LENGTH: u64 = 1 << 19;
+
+/// The coefficients in some interval are longer than [`MAXIMUM_LENGTH`].
+#[derive(Debug)]
+pub(crate) struct TooIntricate;
+
+/// The smallest positive root of a polynomial that is positive at 0.
+pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstRoot>, TooIntricate> {
     if polynomial.sign_changes() == 0 {
-        return None;
+        return Ok(None);
     }
     let polynomial = square_free(polynomial);
-    let bound = polynomial.root_bound();
-    let local = polynomial.clone().stretched(bound);
-    let mut ahead =
-        vec![Interval { lower: Rational::zero(), width: power_of_two(bound), local, leap: SHORTEST_LEAP }];
+    let lowest = -polynomial.clone().reversed().root_bound();
+    for exponent in lowest..polynomial.root_bound() {
+        if polynomial.stays_positive_between_powers(exponent) {
+            continue;
+        }
+        if exponent.unsigned_abs().saturating_mul(polynomial.degree() as u64) > MAXIMUM_LENGTH {
+            return Err(TooIntricate);
+        }
+        let stretched = polynomial.clone().stretched(exponent);
+        if is_clearly_positive(&stretched) {
+            continue;
+        }
+        if let Some(place) = first_place(Interval::from_power(exponent, stretched))? {
+            return Ok(Some(FirstRoot { polynomial, place }));
+        }
+    }
+    Ok(None)
+}
+
+/// Whether the leading digits suffice to show that there is no root from 1 to 2.
+fn is_clearly_positive(polynomial: &IntegerPolynomial) -> bool {
+    polynomial.rounded_down().is_some_and(|below| {
+        let below = below.shifted(&BigInt::one());
+        below.constant().is_positive() && below.sign_changes_between_zero_and_one() == 0
+    })
+}
+
+fn first_place(whole: Interval) -> Result<Option<Place>, TooIntricate> {
+    let mut ahead = vec![whole];
     while let Some(front) = ahead.pop() {
+        if front.local.length() > MAXIMUM_LENGTH {
+            return Err(TooIntricate);
+        }
         if front.local.constant().is_zero() {
-            return Some(FirstRoot { polynomial, place: Place::At(front.lower) });
+            return Ok(Some(Place::At(front.lower)));
         }
         match front.local.sign_changes_between_zero_and_one() {
             0 => {}
             1 => {
-                let upper = &front.lower + &front.width;
-                return Some(FirstRoot { polynomial, place: Place::Between(front.lower, upper) });
+                let upper = &front.lower + front.width;
+                return Ok(Some(Place::Between(front.lower, upper)));
             }
             count => match front.around_cluster(count) {
                 Some(closer) => ahead.push(closer),
@@ -66,7 +104,7 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Option<FirstRoot> {
             },
         }
     }
-    None
+    Ok(None)
 }
 
 /// A leap of b bits tries an interval 2^(b-1) times shorter.
@@ -81,6 +119,13 @@ struct Interval {
 }
 
 impl Interval {
+    /// From 2^exponent to 2^(exponent + 1).
+    fn from_power(exponent: i64, stretched: IntegerPolynomial) -> Interval {
+        let start = power_of_two(exponent);
+        let local = stretched.shifted(&BigInt::one());
+        Interval { lower: start.clone(), width: start, local, leap: SHORTEST_LEAP }
+    }
+
     /// Where Newton's method for a root of this multiplicity points, if no sign change is lost.
     fn around_cluster(&self, count: usize) -> Option<Interval> {
         let (value, slope) = (self.local.constant(), self.local.linear());
@@ -89,7 +134,7 @@ impl Interval {
             return None;
         }
         let steps = BigInt::one() << self.leap;
-        let centre: BigInt = -(value * count << self.leap) / slope;
+        let centre: BigInt = -((value * count) << self.leap) / slope;
         let offset: BigInt = centre * 2 - 1;
         let offset = offset.clamp(BigInt::zero(), steps * 2 - 4);
         let closer = self.part(&offset, self.leap + 1, 2).with_leap(self.leap * 2);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use num_traits::{One, Signed, Zero};
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
 use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
@@ -28,7 +28,7 @@ pub(crate) struct Term {
     pub(crate) exponent: Rational,
     /// Not zero.
     pub(crate) coefficient: Coefficient,
-    pub(crate) span: Span,
+    /// Where the first contribution to it was written.
     pub(crate) extent: Extent,
 }
 
@@ -53,9 +53,12 @@ impl<'a> Evaluator<'a> {
     }
 
     pub(crate) fn gap(&mut self, expression: &Expression) -> Option<Gap> {
-        let polynomial = self.polynomial(expression)?;
+        let (polynomial, complete) = match &expression.kind {
+            Kind::Sum(summands) => self.summed(summands),
+            _ => self.polynomial(expression).map_or((Polynomial::default(), false), |all| (all, true)),
+        };
         let mut terms = Vec::new();
-        let mut faulty = false;
+        let mut faulty = !complete;
         for (exponent, monomial) in polynomial.into_terms() {
             match term(exponent, monomial) {
                 Ok(term) => terms.push(term),
@@ -96,7 +99,9 @@ impl<'a> Evaluator<'a> {
             Kind::Number(value) => Some(Polynomial::constant(Coefficient::constant(value.clone()), extent)),
             Kind::Name(name) => self.name(name),
             Kind::Negative(inner) => self.polynomial(inner).map(Polynomial::negated),
-            Kind::Sum(summands) => self.sum(summands),
+            Kind::Sum(summands) => {
+                Some(self.summed(summands)).filter(|(_, complete)| *complete).map(|(sum, _)| sum)
+            }
             Kind::Product(factors) => self.product(factors),
             Kind::Power(base, exponent) => self.power(base, exponent),
         };
@@ -123,17 +128,18 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    fn sum(&mut self, summands: &[Summand]) -> Option<Polynomial> {
-        let mut sum = Some(Polynomial::default());
+    /// The sum of what can be evaluated, and whether that is all.
+    fn summed(&mut self, summands: &[Summand]) -> (Polynomial, bool) {
+        let mut sum = Polynomial::default();
+        let mut complete = true;
         for Summand { subtracted, expression } in summands {
-            let value = self.polynomial(expression);
-            let value = if *subtracted { value.map(Polynomial::negated) } else { value };
-            sum = sum.zip(value).map(|(mut sum, value)| {
-                sum.add(value);
-                sum
-            });
+            match self.polynomial(expression) {
+                Some(value) if *subtracted => sum.add(value.negated()),
+                Some(value) => sum.add(value),
+                None => complete = false,
+            }
         }
-        sum
+        (sum, complete)
     }
 
     fn product(&mut self, factors: &[Factor]) -> Option<Polynomial> {
@@ -215,5 +221,5 @@ fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)
             "coefficient does not fit into an `f64`; use a unit of length that brings it nearer to 1",
         );
     }
-    Ok(Term { exponent, coefficient, span: extent.start(), extent })
+    Ok(Term { exponent, coefficient, extent })
 }

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use crate::number::{self, Rational};
+use crate::number::Rational;
 
 /// Coefficients in ascending order of powers; the last is not zero. Zero itself has none.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,6 +29,11 @@ impl IntegerPolynomial {
         self.coefficients.len().saturating_sub(1)
     }
 
+    /// That of the longest coefficient, in bits.
+    pub(crate) fn length(&self) -> u64 {
+        self.coefficients.iter().map(BigInt::bits).max().unwrap_or(0)
+    }
+
     pub(crate) fn leading(&self) -> BigInt {
         self.coefficients.last().cloned().unwrap_or_default()
     }
@@ -43,6 +48,10 @@ impl IntegerPolynomial {
         self.coefficients.get(1).cloned().unwrap_or_default()
     }
 
+    pub(crate) fn negated(&self) -> Self {
+        IntegerPolynomial { coefficients: self.coefficients.iter().map(|coefficient| -coefficient).collect() }
+    }
+
     pub(crate) fn derivative(&self) -> Self {
         let terms = self.coefficients.iter().enumerate().skip(1);
         IntegerPolynomial::new(terms.map(|(power, coefficient)| coefficient * power).collect())
@@ -52,7 +61,7 @@ impl IntegerPolynomial {
     pub(crate) fn primitive(&self) -> Self {
         let mut content = BigInt::zero();
         for coefficient in self.coefficients.iter().rev() {
-            content = content.gcd(coefficient);
+            content = common_factor(coefficient, &content);
             if content.is_one() {
                 return self.clone();
             }
@@ -85,8 +94,54 @@ impl IntegerPolynomial {
 
     /// Descartes' bound for the open interval (0, 1), which x = 1/(1 + y) maps to all y > 0.
     pub(crate) fn sign_changes_between_zero_and_one(&self) -> usize {
-        let reversed = IntegerPolynomial { coefficients: self.coefficients.iter().rev().cloned().collect() };
-        reversed.shifted(&BigInt::one()).sign_changes()
+        let exact = || self.clone().reversed().shifted(&BigInt::one()).sign_changes();
+        self.leading_sign_changes_between_zero_and_one().unwrap_or_else(exact)
+    }
+
+    /// The same from the leading digits of the coefficients, where these decide all signs.
+    ///
+    /// What was cut off each is at least 0 and less than 1 unit, and the coefficients of the result are sums of
+    /// these with binomials as weights, which add up to less than 2^(n+1).
+    fn leading_sign_changes_between_zero_and_one(&self) -> Option<usize> {
+        let rounded = self.rounded_down()?.reversed().shifted(&BigInt::one());
+        let uncertain = -(BigInt::one() << (self.degree() + 1));
+        let certain = |value: &BigInt| value.is_positive() || *value <= uncertain;
+        rounded.coefficients.iter().all(certain).then(|| rounded.sign_changes())
+    }
+
+    /// Less than this polynomial for every x > 0, up to a power of two, but with shorter coefficients, if they can be
+    /// shortened.
+    pub(crate) fn rounded_down(&self) -> Option<Self> {
+        let kept = 2 * self.coefficients.len() as u64 + 64;
+        let excess = self.length().checked_sub(kept).filter(|excess| *excess > 0)?;
+        let coefficients = self.coefficients.iter().map(|coefficient| coefficient >> excess).collect();
+        Some(IntegerPolynomial { coefficients })
+    }
+
+    /// x^n p(1/x), for a p that is not zero at 0.
+    pub(crate) fn reversed(mut self) -> Self {
+        self.coefficients.reverse();
+        self
+    }
+
+    /// A sufficient condition for p(x) > 0 from x = 2^exponent to 2^(exponent + 1), on lengths in bits alone.
+    ///
+    /// One positive term outweighs all negative ones at both ends, hence between them: on a logarithmic axis their
+    /// sum divided by that term is convex.
+    pub(crate) fn stays_positive_between_powers(&self, exponent: i64) -> bool {
+        let sizes = |negative: bool| {
+            let terms = self.coefficients.iter().zip(0_i64..);
+            terms.filter_map(move |(coefficient, power)| {
+                let counts = !coefficient.is_zero() && coefficient.is_negative() == negative;
+                counts.then(|| (coefficient.bits() as i64 + power * exponent, power))
+            })
+        };
+        let count = self.coefficients.len() as u64;
+        let margin = i64::from(u64::BITS - count.leading_zeros());
+        let weights =
+            |step: i64| sizes(true).map(move |(size, power)| size + power * step + margin + 1).max();
+        let (Some(start), Some(end)) = (weights(0), weights(1)) else { return true };
+        sizes(false).any(|(size, power)| size >= start && size + power >= end)
     }
 
     /// p(x + offset), by repeated synthetic division.
@@ -96,14 +151,16 @@ impl IntegerPolynomial {
         }
         let unit = offset.is_one();
         for first in 0..self.degree() {
-            let mut carry = BigInt::zero();
-            for coefficient in self.coefficients.iter_mut().skip(first).rev() {
-                if unit {
-                    *coefficient += &carry;
-                } else {
-                    *coefficient += &carry * offset;
+            let Some(mut rest) = self.coefficients.get_mut(first..) else { break };
+            while let [lower @ .., upper] = rest {
+                if let Some(target) = lower.last_mut() {
+                    if unit {
+                        *target += &*upper;
+                    } else {
+                        *target += &*upper * offset;
+                    }
                 }
-                carry.clone_from(coefficient);
+                rest = lower;
             }
         }
         self
@@ -161,17 +218,24 @@ impl IntegerPolynomial {
     }
 }
 
+/// The greatest common divisor; one division first, as that of numbers of very different size takes long otherwise.
+fn common_factor(left: &BigInt, right: &BigInt) -> BigInt {
+    if right.is_zero() { left.abs() } else { right.gcd(&(left % right)) }
+}
+
 /// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.
 pub(crate) fn from_terms<'a>(
     terms: impl Iterator<Item = (usize, &'a Rational)> + Clone,
 ) -> IntegerPolynomial {
-    let denominator =
-        terms.clone().fold(BigInt::one(), |common, (_, coefficient)| common.lcm(coefficient.denom()));
+    let denominator = terms.clone().fold(BigInt::one(), |common, (_, coefficient)| {
+        let shared = common_factor(&common, coefficient.denom());
+        common * (coefficient.denom() / shared)
+    });
     let degree = terms.clone().map(|(power, _)| power).max().unwrap_or(0);
     let mut coefficients = vec![BigInt::zero(); degree + 1];
     for (power, coefficient) in terms {
         if let Some(slot) = coefficients.get_mut(power) {
-            *slot += (coefficient * number::integer(denominator.clone())).to_integer();
+            *slot += coefficient.numer() * (&denominator / coefficient.denom());
         }
     }
     IntegerPolynomial::new(coefficients).primitive()
@@ -189,7 +253,7 @@ mod tests {
     fn shifts_and_stretches() {
         let square = polynomial(&[0, 0, 1]);
         assert_eq!(square.clone().shifted(&3.into()), polynomial(&[9, 6, 1]));
-        assert_eq!(square.clone().shifted(&1.into()), polynomial(&[1, 2, 1]));
+        assert_eq!(square.shifted(&1.into()), polynomial(&[1, 2, 1]));
         assert_eq!(polynomial(&[1, 1, 1]).stretched(2), polynomial(&[1, 4, 16]));
         assert_eq!(polynomial(&[1, 1, 1]).stretched(-1), polynomial(&[4, 2, 1]));
     }
@@ -200,6 +264,34 @@ mod tests {
         assert_eq!(roots.sign_changes(), 2);
         assert_eq!(roots.sign_changes_between_zero_and_one(), 1);
         assert_eq!(polynomial(&[-1, 1]).sign_changes_between_zero_and_one(), 0);
+    }
+
+    #[test]
+    fn leading_digits_give_the_same_count_or_none() {
+        let one = BigInt::one();
+        let long: BigInt = &one << 500;
+        let clear = IntegerPolynomial::new(vec![&long * 3 + 1, &long * -8 + 1, &long * 4 + 1]);
+        assert_eq!(clear.leading_sign_changes_between_zero_and_one(), Some(1));
+        let close = IntegerPolynomial::new(vec![long.clone(), &long * -2 + &one]);
+        assert_eq!(close.leading_sign_changes_between_zero_and_one(), Some(1));
+        let closer = IntegerPolynomial::new(vec![long.clone(), -&long + &one]);
+        assert_eq!(closer.leading_sign_changes_between_zero_and_one(), None);
+        assert_eq!(closer.sign_changes_between_zero_and_one(), 0);
+    }
+
+    #[test]
+    fn the_bound_by_bits_is_sound() {
+        let polynomial = polynomial(&[1000, -30, 0, 1]);
+        for exponent in -4..12 {
+            let values = [1, 2].map(|end| {
+                polynomial.sign_at(
+                    &(Rational::from_integer(end.into()) * Rational::from_integer(2.into()).pow(exponent)),
+                )
+            });
+            let positive = polynomial.stays_positive_between_powers(exponent.into());
+            assert!(!positive || values == [Ordering::Greater; 2]);
+        }
+        assert!(polynomial.stays_positive_between_powers(-4) && polynomial.stays_positive_between_powers(11));
     }
 
     #[test]

@@ -18,7 +18,6 @@ pub(crate) struct Item {
 /// A field that can be a symbol.
 pub(crate) struct Field {
     pub(crate) ident: Ident,
-    pub(crate) ty: Type,
     pub(crate) kind: FieldKind,
     /// Whether the gap or its range depends on it.
     pub(crate) used: bool,
@@ -81,7 +80,7 @@ impl Item {
             );
         }
         match kind(&field.ty, &self.generics) {
-            Some(kind) => self.fields.push(Field { ident, ty: field.ty, kind, used: false }),
+            Some(kind) => self.fields.push(Field { ident, kind, used: false }),
             None => self.others.push((ident, field.ty)),
         }
     }
@@ -99,9 +98,9 @@ impl Item {
     fn remedy(&self, name: &Ident) -> String {
         let name = name.to_string();
         let known = self.fields.iter().map(|field| field.ident.to_string()).chain(["r".to_owned()]);
-        let closest = known.map(|known| (distance(&name, &known), known)).min();
+        let closest = known.map(|known| (distance(&name.to_lowercase(), &known.to_lowercase()), known)).min();
         match closest {
-            Some((distance, known)) if distance <= 1 + known.len() / 4 => format!("did you mean `{known}`?"),
+            Some((distance, known)) if 3 * distance <= known.len() => format!("did you mean `{known}`?"),
             _ if self.fields.is_empty() && self.others.is_empty() => {
                 format!(
                     "only `r` is known here; a field declares a symbol, as in `struct {} {{ {name}: f64 }}`",

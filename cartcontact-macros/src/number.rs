@@ -49,15 +49,15 @@ pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Resu
 /// not be zero.
 pub(crate) fn power(base: &Rational, exponent: &BigInt) -> Option<Rational> {
     let exponent = exponent.to_i32()?;
-    let bits = base.numer().bits() + base.denom().bits();
-    let trivial = base.is_zero() || base.abs().is_one();
-    let fits = bits.saturating_mul(exponent.unsigned_abs().into()) <= MAXIMUM_POWER_BITS;
-    if trivial {
-        let odd = exponent % 2 != 0;
-        return Some(if odd { base.clone() } else { base * base })
-            .filter(|_| exponent != 0)
-            .or(Some(integer(1)));
+    if base.is_zero() || base.abs().is_one() {
+        return Some(match exponent {
+            0 => Rational::one(),
+            even if even % 2 == 0 => base * base,
+            _ => base.clone(),
+        });
     }
+    let bits = base.numer().bits() + base.denom().bits();
+    let fits = bits.saturating_mul(exponent.unsigned_abs().into()) <= MAXIMUM_POWER_BITS;
     fits.then(|| base.pow(exponent))
 }
 
@@ -91,4 +91,56 @@ fn is_written(value: &Rational, shortest: f64) -> bool {
 fn plain(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-3..1e7).contains(&size) { format!("{value}") } else { format!("{value:e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+
+    fn fraction(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(numerator.into(), denominator.into())
+    }
+
+    #[test]
+    fn literals_are_rounded_once_and_shortest() {
+        assert_eq!(literal(&fraction(1, 40)).to_string(), "0.025f64");
+        assert_eq!(literal(&fraction(1, 3)).to_string(), "0.3333333333333333f64");
+        assert_eq!(literal(&integer(10).pow(-300)).to_string(), "1e-300f64");
+    }
+
+    /// Halfway between two neighbours to even, and to the nearest on either side, down to the subnormal numbers.
+    #[test]
+    fn rounding_is_to_the_nearest() {
+        let tiny = integer(10).pow(-400);
+        for bits in [1, 2, 3, 4503599627370494, 4503599627370496, 4607182418800017409, 9218868437227405310] {
+            let (lower, upper) = (f64::from_bits(bits), f64::from_bits(bits + 1));
+            let middle =
+                (Rational::from_float(lower).unwrap() + Rational::from_float(upper).unwrap()) / integer(2);
+            assert_eq!(nearest(&(&middle - &tiny)), Some(lower));
+            assert_eq!(nearest(&(&middle + &tiny)), Some(upper));
+            assert_eq!(nearest(&middle), Some(if bits % 2 == 0 { lower } else { upper }));
+        }
+        assert_eq!(nearest(&tiny), None);
+        assert_eq!(nearest(&tiny.recip()), None);
+    }
+
+    #[test]
+    fn people_read_decimals_or_fractions() {
+        assert_eq!(decimal(&fraction(1, 40)), "0.025");
+        assert_eq!(decimal(&fraction(7, 64_000)), "1.09375e-4");
+        assert_eq!(decimal(&fraction(-1, 3)), "-1/3");
+        assert_eq!(decimal(&(fraction(1, 3) * integer(10).pow(-30))), "3.3333333333333333e-31");
+    }
+
+    #[test]
+    fn powers_and_roots_are_exact_or_refused() {
+        assert_eq!(power(&fraction(2, 3), &(-3).into()), Some(fraction(27, 8)));
+        assert_eq!(power(&integer(2), &999_999_999.into()), None);
+        assert_eq!(power(&integer(-1), &999_999_999.into()), Some(integer(-1)));
+        assert_eq!(power(&integer(-1), &(-2).into()), Some(integer(1)));
+        assert_eq!(root(&fraction(8, 27), &3.into()), Some(fraction(2, 3)));
+        assert_eq!(root(&integer(2), &2.into()), None);
+        assert_eq!(root(&integer(-8), &3.into()), None);
+    }
 }

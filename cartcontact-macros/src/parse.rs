@@ -125,8 +125,8 @@ impl<'a> Parser<'a> {
             && arguments.delimiter() == Delimiter::Parenthesis
         {
             let message = format!(
-                "a gap is a sum of powers of r, without functions; for a product write `{name} * (...)`, for a root \
-                 `r^0.5`"
+                "a gap is a sum of powers of r, without functions such as `{name}`; for a root write `r^0.5`, for a \
+                 product `*`"
             );
             return self.fault(name.span(), message);
         }

@@ -11,7 +11,7 @@ use crate::diagnostics::Extent;
 use crate::number::Rational;
 
 /// Bounds the work of multiplying out, far above what a profile needs.
-const MAXIMUM_PRODUCTS: usize = 1 << 16;
+const MAXIMUM_PRODUCTS: usize = 1 << 14;
 
 /// Terms by exponent; no coefficient is zero.
 #[derive(Clone, Debug, Default)]
@@ -114,7 +114,7 @@ impl Polynomial {
         let mut result = self.clone();
         for bit in (0..exponent.checked_ilog2().unwrap_or(0)).rev() {
             result = result.multiply(&result)?;
-            if exponent >> bit & 1 == 1 {
+            if (exponent >> bit) & 1 == 1 {
                 result = result.multiply(self)?;
             }
         }

@@ -35,6 +35,7 @@ pub struct Contact<T, P, L> {
     profile: P,
     medium: Medium<T>,
     load: L,
+    max_radius: T,
 }
 
 // Not derived, because geometries are mostly unit structs without `Debug`.
@@ -53,7 +54,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     pub fn new(profile: P, medium: Medium<T>, load: L) -> Result<Self, ContactError> {
         profile.check().map_err(ContactError::Profile)?;
         load.check().map_err(ContactError::Load)?;
-        Ok(Self { profile, medium, load })
+        let max_radius = profile.max_radius();
+        Ok(Self { profile, medium, load, max_radius })
     }
 
     /// The geometry.
@@ -152,7 +154,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.profile.radius(hereditary / self.stiffness())
+        self.radius_of(hereditary / self.stiffness())
+    }
+
+    /// The contact radius of a load integral.
+    pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
+        self.profile.radius_within(load_integral, self.max_radius)
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {

@@ -107,14 +107,10 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
         pressure_kernel(a, r, self.map(|c, n| (c, n)))
     }
 
-    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
-        invert(
-            load_integral,
-            self.max_radius,
-            positive_terms(self.map(|c, n| (c, n))),
-            self.has_negative_terms,
-            |a| power_sum_and_log_slope(a, self.load_integral_terms()),
-        )
+    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
+        invert(load_integral, limit, positive_terms(self.map(|c, n| (c, n))), self.has_negative_terms, |a| {
+            power_sum_and_log_slope(a, self.load_integral_terms())
+        })
     }
 
     fn max_radius(&self) -> T {

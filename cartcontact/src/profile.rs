@@ -91,7 +91,17 @@ pub trait GapProfile<T: Scalar> {
     /// # Errors
     ///
     /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius).
-    fn radius(&self, load_integral: T) -> Result<T, RadiusError>;
+    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
+        self.radius_within(load_integral, self.max_radius())
+    }
+
+    /// The contact radius as [`radius`](Self::radius) gives it, for a caller who knows the end of the range:
+    /// where coefficients are symbols, [`max_radius`](Self::max_radius) has to be searched for.
+    ///
+    /// # Errors
+    ///
+    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`).
+    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
 
     /// The end of the admissible range of contact radii, in mm; infinity if there is none.
     fn max_radius(&self) -> T;
@@ -147,8 +157,8 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     fn pressure_kernel(&self, a: T, r: T) -> T {
         (**self).pressure_kernel(a, r)
     }
-    fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
-        (**self).radius(load_integral)
+    fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
+        (**self).radius_within(load_integral, limit)
     }
     fn max_radius(&self) -> T {
         (**self).max_radius()

@@ -104,7 +104,7 @@ fn repeated(base: &Ident, exponent: u32) -> TokenStream {
     let square = Ident::new("square", Span::mixed_site());
     let half = repeated(base, exponent / 2);
     let even = quote!(({ let #square = #half; #square * #square }));
-    if exponent % 2 == 0 { even } else { quote!(#even * #base) }
+    if exponent.is_multiple_of(2) { even } else { quote!(#even * #base) }
 }
 
 impl Display for Coefficient {

@@ -33,9 +33,12 @@ pub(super) fn methods(
     let drop = drop_of_load_integral(forms, coefficients, names);
     quote! {
         #[inline]
-        fn radius(&self, load_integral: #scalar) -> ::core::result::Result<#scalar, #krate::RadiusError> {
+        fn radius_within(
+            &self,
+            load_integral: #scalar,
+            limit: #scalar,
+        ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
             #preamble
-            let limit = #krate::GapProfile::<#scalar>::max_radius(self);
             #radius
         }
 

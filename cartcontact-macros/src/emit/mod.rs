@@ -104,7 +104,11 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
         #header {
             #(#evaluators)*
             fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
-            fn radius(&self, _: #scalar) -> ::core::result::Result<#scalar, #krate::RadiusError> { loop {} }
+            fn radius_within(
+                &self,
+                _: #scalar,
+                _: #scalar,
+            ) -> ::core::result::Result<#scalar, #krate::RadiusError> { loop {} }
             fn max_radius(&self) -> #scalar { loop {} }
         }
     }
@@ -139,8 +143,8 @@ fn scalar_of(item: &Item) -> Ident {
                 syn::GenericParam::Lifetime(_) => false,
             })
         };
-        let free = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
-        let name = free.skip_while(|name| taken(name)).next().unwrap_or_default();
+        let mut names = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
+        let name = names.find(|name| !taken(name)).unwrap_or_default();
         Ident::new(&name, Span::call_site())
     })
 }

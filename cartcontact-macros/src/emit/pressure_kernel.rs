@@ -55,8 +55,8 @@ fn written_out(gap: &Gap, halves: &[u32], coefficients: &Coefficients<'_>, names
             return quote!(let #t = a_squared + r_squared; let #s = a_squared + #t;);
         }
         let (previous_t, previous_s) = (format_ident!("t{}", k - 2), format_ident!("s{}", k - 1));
-        let power = (1..k).map(|_| quote!(r_squared));
-        quote!(let #t = a_squared * #previous_t + #(#power)**; let #s = a_squared * #previous_s + #t;)
+        let factors = (2..k).map(|_| quote!(* r_squared));
+        quote!(let #t = a_squared * #previous_t + r_squared #(#factors)*; let #s = a_squared * #previous_s + #t;)
     });
     let terms = gap.terms.iter().enumerate().zip(halves).map(|((index, term), &k)| {
         let shifted = &term.exponent + integer(2);

@@ -47,7 +47,7 @@ where
         let end = (start + most / folds_per_time).min(longest);
         for (z, weight) in Rule::for_folds(folds_per_time * (end - start)).nodes(start, end) {
             let deficit = z * (rate + half * rise * z) / stiffness;
-            let s = contact.profile().radius(final_integral - deficit).unwrap_or(low).max(low);
+            let s = contact.radius_of(final_integral - deficit).unwrap_or(low).max(low);
             let square = s * s;
             let growth = two * (rate + rise * z) / (stiffness * square * square);
             sum.add(weight * growth * (-(chi * z)).exp(), s, low);

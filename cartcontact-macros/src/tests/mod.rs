@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
+mod admissibility;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -113,6 +115,7 @@ fn each_fault_is_named() {
         ("r^2, max_radius = 1e400", "does not fit"),
         ("-r^2 + r^4, max_radius = 1", "falls from the centre"),
         ("r^2 - r^1.0001", "falls from the centre"),
+        ("1e-300*r^2 + 1e300*r^1022 - 1e-300*r^1023", "too intricate"),
         ("r - r^1.001 + r^1.0001", "common denominator"),
     ] {
         let messages = on_unit(text).unwrap_err();
@@ -125,11 +128,13 @@ fn each_fault_is_named() {
 
 #[test]
 fn faults_of_all_terms_are_reported_together() {
-    let messages = on_ball("2r^2 + sin(r) + raduis*r - name*r*name + r^radius, depth = 3").unwrap_err();
-    for rule in ["`2 * r`", "functions", "did you mean `radius`", "field `name`", "exponent", "`depth`"] {
+    let messages = on_ball("2r^2 + sin(r) + raduis*r - name*r*name + r^radius + 3, depth = 3").unwrap_err();
+    for rule in
+        ["`2 * r`", "functions", "did you mean `radius`", "field `name`", "exponent", "`depth`", "`+ 3`"]
+    {
         assert!(messages.iter().any(|message| message.contains(rule)), "{rule}: {messages:?}");
     }
-    assert_eq!(messages.len(), 6);
+    assert_eq!(messages.len(), 7);
 }
 
 #[test]

@@ -1,0 +1,199 @@
+//! Geometries whose range is known because the roots of delta0' were planted.
+
+use std::time::{Duration, Instant};
+
+use num_traits::Zero;
+use proc_macro2::Span;
+
+use crate::admissible::{Proof, Wanted, prove};
+use crate::coefficient::Coefficient;
+use crate::gap::{Gap, Term};
+use crate::literal;
+use crate::number::{Rational, integer};
+
+/// The coefficients of a factor of delta0', in ascending order.
+type Factor = Vec<Rational>;
+
+fn exact(text: &str) -> Rational {
+    literal::number(text).unwrap()
+}
+
+/// Vanishes at `at`, positive below.
+fn root(at: &str) -> Factor {
+    vec![exact(at), -integer(1)]
+}
+
+/// (x - real)^2 + imaginary^2: no real root, but nearly one.
+fn pair(real: &str, imaginary: &str) -> Factor {
+    let (real, imaginary) = (exact(real), exact(imaginary));
+    vec![&real * &real + &imaginary * &imaginary, &real * -integer(2), integer(1)]
+}
+
+fn product(factors: &[Factor]) -> Factor {
+    factors.iter().fold(vec![integer(1)], |product, factor| {
+        let mut next = vec![Rational::zero(); product.len() + factor.len() - 1];
+        for (i, a) in product.iter().enumerate() {
+            for (j, b) in factor.iter().enumerate() {
+                next[i + j] += a * b;
+            }
+        }
+        next
+    })
+}
+
+/// A gap from exponents and coefficients.
+fn gap(terms: impl IntoIterator<Item = (Rational, Rational)>) -> Gap {
+    let present = terms.into_iter().filter(|(_, coefficient)| !coefficient.is_zero());
+    let terms = present.map(|(exponent, coefficient)| {
+        let extent = Span::call_site().into();
+        Term { exponent, coefficient: Coefficient::constant(coefficient), extent }
+    });
+    Gap { terms: terms.collect() }
+}
+
+fn written(terms: &[(&str, &str)]) -> Gap {
+    gap(terms.iter().map(|(exponent, coefficient)| (exact(exponent), exact(coefficient))))
+}
+
+/// The gap with delta0'(a) = 2 a q(a^step).
+fn with_slope(q: &[Rational], step: &str) -> Gap {
+    gap(q.iter().enumerate().map(|(power, value)| {
+        let exponent = integer(2) + exact(step) * integer(power);
+        let coefficient = value * (&exponent + integer(2)) / &exponent;
+        (exponent, coefficient)
+    }))
+}
+
+fn planted(factors: &[Factor]) -> Gap {
+    with_slope(&product(factors), "1")
+}
+
+fn holds_up_to(gap: &Gap, radius: &Rational) -> bool {
+    let proof = prove(gap, &Wanted::UpTo(radius, Span::call_site().into()));
+    matches!(proof, Ok(Proof::OnRange | Proof::AllRadii { .. }))
+}
+
+fn up_to(gap: &Gap, radius: &str) -> bool {
+    holds_up_to(gap, &exact(radius))
+}
+
+fn everywhere(gap: &Gap) -> bool {
+    matches!(prove(gap, &Wanted::AllRadii), Ok(Proof::AllRadii { .. }))
+}
+
+fn message(gap: &Gap) -> String {
+    prove(gap, &Wanted::AllRadii).unwrap_err().1
+}
+
+#[test]
+fn known_geometries() {
+    assert!(everywhere(&written(&[("2", "0.025"), ("4", "1.09375e-4")])));
+    assert!(everywhere(&written(&[("2", "0.05"), ("3", "-0.004"), ("4", "2e-4")])));
+    let oblate = written(&[("2", "0.025"), ("4", "-1e-4")]);
+    assert!(up_to(&oblate, "8.0") && up_to(&oblate, "13.69306") && !up_to(&oblate, "13.69307"));
+    assert_eq!(
+        message(&oblate),
+        "the gap no longer exceeds its mean over the contact disc from r = 13.6931 on: beyond it the contact radius \
+         is not determined; add `max_radius = 13.69306`"
+    );
+    assert!(message(&written(&[("2", "-1"), ("4", "1")])).contains("falls from the centre"));
+}
+
+#[test]
+fn sparse_and_fractional_exponents_stay_small() {
+    assert!(message(&written(&[("2", "1"), ("64", "-1e-30")])).contains("max_radius = 3.0"));
+    let square = with_slope(&root("3"), "0.5");
+    assert!(up_to(&square, "8.9999999999") && !up_to(&square, "9"));
+    assert!(
+        message(&square).contains("from r = 9 on") && message(&square).ends_with("`max_radius = 8.999999`")
+    );
+    // The range ends at 2, where x = a^0.5 is irrational.
+    let irrational =
+        with_slope(&product(&[vec![exact("2"), exact("0"), exact("-1")], pair("-1", "0")]), "0.5");
+    assert!(!up_to(&irrational, "2") && up_to(&irrational, "1.9999999999"));
+}
+
+#[test]
+fn a_touching_root_ends_the_range() {
+    for multiplicity in 1..6 {
+        let touching = planted(&vec![root("2.5"); multiplicity]);
+        assert!(up_to(&touching, "2.4999999999999996") && !up_to(&touching, "2.5"));
+        assert!(message(&touching).contains("from r = 2.5 on"));
+        assert!(message(&touching).ends_with("`max_radius = 2.499999`"));
+    }
+    assert!(everywhere(&planted(&[pair("2.5", "1e-30")])));
+}
+
+#[test]
+fn ends_of_all_magnitudes_are_found() {
+    for (end, remedy) in [("1e-250", "9.999999e-251"), ("123456789", "1.234567e8"), ("1e250", "9.999999e249")]
+    {
+        let gap = planted(&[root(end), pair("1", "1"), pair("1e-9", "1e-12")]);
+        assert!(message(&gap).ends_with(&format!("`max_radius = {remedy}`")), "{}", message(&gap));
+        assert!(up_to(&gap, remedy) && !up_to(&gap, end));
+    }
+}
+
+#[test]
+fn random_roots_are_found() {
+    let mut state = 1_u32;
+    let mut random = |below: u32| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 16) % below
+    };
+    for _ in 0..60 {
+        let roots: Vec<u32> = (0..1 + random(8)).map(|_| 1 + random(30)).collect();
+        let gap = planted(&roots.iter().map(|at| root(&format!("{at}e-1"))).collect::<Vec<_>>());
+        let first = Rational::new((*roots.iter().min().unwrap()).into(), 10.into());
+        assert!(!holds_up_to(&gap, &first) && holds_up_to(&gap, &(first * exact("0.999999"))), "{roots:?}");
+    }
+}
+
+/// delta0' = 2 a (2 (10 a - 1)^2 - a^64): two roots 1e-33 apart (Mignotte).
+fn nearly_touching() -> Gap {
+    let mut q = vec![Rational::zero(); 65];
+    q[..3].clone_from_slice(&[exact("2"), exact("-40"), exact("200")]);
+    q[64] = exact("-1");
+    with_slope(&q, "1")
+}
+
+/// Alternating signs, magnitudes without order.
+fn of_all_magnitudes() -> Gap {
+    gap((0..=64_usize).map(|power| {
+        let (first, rest, size) = (1 + power % 9, 1_234_567 * (power + 1), power * 7919 % 601);
+        let coefficient = exact(&format!("{first}.{rest}e300")) * integer(10).pow(-(size as i32));
+        (integer(power + 2), if power % 2 == 0 { coefficient } else { -coefficient })
+    }))
+}
+
+#[test]
+fn degree_64_is_decided_at_once() {
+    let repeat = |count: usize, factor: Factor| vec![factor; count];
+    let integers = |from: u32| (from..from + 64).map(|at| root(&at.to_string())).collect::<Vec<_>>();
+    let twice = (0..64).map(|index| root(&format!("{}.125", 3 + index / 2))).collect::<Vec<_>>();
+    let close = [root("1"), root(&format!("1.{}1", "0".repeat(99)))];
+    let apart = (0..31).map(|index| pair(&(index - 10).to_string(), "0.5"));
+    let pairs =
+        (1..9).map(|at| pair(&at.to_string(), "1e-12")).chain((10..34).map(|at| pair("-1", &at.to_string())));
+    let cases = [
+        ("64 roots", planted(&integers(1)), Some("1")),
+        ("one root, 64 times", planted(&repeat(64, root("7.25"))), Some("7.25")),
+        ("32 roots, twice each", planted(&twice), Some("3.125")),
+        ("two roots 1e-100 apart", planted(&close.into_iter().chain(apart).collect::<Vec<_>>()), Some("1")),
+        ("8 pairs 1e-12 off the axis", planted(&pairs.collect::<Vec<_>>()), None),
+        ("two roots 1e-33 apart", nearly_touching(), Some("0.1")),
+        ("coefficients from 1e-300 to 1e300", of_all_magnitudes(), Some("1e-300")),
+    ];
+    for (name, gap, end) in cases {
+        let start = Instant::now();
+        let proof = prove(&gap, &Wanted::AllRadii);
+        let elapsed = start.elapsed();
+        println!("{name}: {elapsed:?}, {:?}", proof.as_ref().map_err(|(_, message)| message));
+        assert_eq!(proof.is_ok(), end.is_none(), "{name}");
+        if let Some(end) = end {
+            assert!(holds_up_to(&gap, &(exact(end) * exact("0.99999999999999999999"))), "{name}");
+        }
+        let limit = if cfg!(debug_assertions) { Duration::from_secs(20) } else { Duration::from_millis(500) };
+        assert!(elapsed < limit, "{name} took {elapsed:?}");
+    }
+}
