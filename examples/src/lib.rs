@@ -1,1 +1,24 @@
 //! What the examples share.
+
+pub mod figure;
+pub mod load_record;
+
+use std::error::Error;
+use std::io;
+use std::process::ExitCode;
+
+/// Ends a program: an error goes to the standard error in words, and the exit code is 1.
+///
+/// A reader that has seen enough, such as `head`, is no error.
+pub fn finish(outcome: Result<(), Box<dyn Error>>) -> ExitCode {
+    let Err(error) = outcome else {
+        return ExitCode::SUCCESS;
+    };
+    let is_closed_pipe =
+        error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe);
+    if is_closed_pipe {
+        return ExitCode::SUCCESS;
+    }
+    eprintln!("error: {error}");
+    ExitCode::FAILURE
+}

@@ -183,10 +183,11 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
     }
 
     fn recession(&self, chi: T, t: T) -> Option<T> {
-        self.pieces()
-            .take_while(|piece| piece.start.0 <= t)
-            .find_map(|piece| piece.recession(chi))
-            .filter(|&time| time <= t)
+        let mut begun = self.pieces().take_while(|piece| piece.start.0 <= t);
+        let (time, is_step) =
+            begun.find_map(|piece| Some((piece.recession(chi)?, piece.duration().is_zero())))?;
+        // At the very time at which a slope becomes too steep the edge has not moved yet.
+        (time < t || is_step).then_some(time)
     }
 }
 
@@ -211,11 +212,11 @@ mod tests {
     fn recession_is_where_the_hereditary_load_turns() -> Result<(), LoadError> {
         // F′ = −2, χ F = 2 at F = 20, that is at t = 40 of the fall from 100.
         let load = PiecewiseLinear::new([(0.0, 100.0), (50.0, 0.0)])?;
-        assert_eq!(load.recession(0.1, 39.0), None);
+        assert_eq!(load.recession(0.1, 40.0), None);
         assert_eq!(load.recession(0.1, 41.0), Some(40.0));
-        assert_eq!(load.recession(0.0, 1.0), Some(0.0));
+        assert_eq!((load.recession(0.0, 0.0), load.recession(0.0, 1.0)), (None, Some(0.0)));
         let step_down = PiecewiseLinear::new([(0.0, 100.0), (5.0, 100.0), (5.0, 99.0)])?;
-        assert_eq!(step_down.recession(10.0, 6.0), Some(5.0));
+        assert_eq!((step_down.recession(10.0, 4.0), step_down.recession(10.0, 5.0)), (None, Some(5.0)));
         Ok(())
     }
 

@@ -1,0 +1,44 @@
+//! A contact under a measured load: a CSV file goes in, a CSV table comes out.
+//!
+//! ```text
+//! cargo run --release --example measured_load
+//! cargo run --release --example measured_load -- my_record.csv > my_contact.csv
+//! ```
+//!
+//! Without an argument it reads `data/stair_loading.csv`: made up, but as a force sensor would record a joint
+//! that is loaded in three steps, relaxes a little in each hold, and is read to 0.1 N. The load may fall, as
+//! long as the contact does not become smaller.
+
+use std::env;
+use std::error::Error;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use cartcontact::{Contact, Layer, Medium, gap_profile};
+use examples::load_record::LoadRecord;
+
+const DEFAULT_RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/stair_loading.csv");
+
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+struct Patellofemoral;
+
+fn main() -> ExitCode {
+    examples::finish(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let path = env::args_os().nth(1).map_or_else(|| PathBuf::from(DEFAULT_RECORD), PathBuf::from);
+    let record = LoadRecord::read(&path)?;
+    let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+    let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, record.load()?)?;
+
+    let mut out = io::stdout().lock();
+    writeln!(out, "time_s,force_n,radius_mm,approach_mm,peak_pressure_mpa")?;
+    for &(time, force) in record.knots() {
+        let now = contact.at(time).map_err(|error| record.locate(error))?;
+        let (radius, approach, peak_pressure) = (now.radius(), now.approach(), now.peak_pressure());
+        writeln!(out, "{time},{force},{radius:.5},{approach:.6},{peak_pressure:.6}")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,40 @@
+//! A geometry with parameters: the solver is compiled once, the radii of curvature are data.
+//!
+//! ```text
+//! cargo run --release --example parameters
+//! ```
+//!
+//! A ball of radius 10 mm lies in sockets from closely fitting to flat. The closer the fit, the wider the
+//! contact and the lower the pressure.
+
+use std::error::Error;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use cartcontact::{Contact, Layer, Medium, gap_profile, load};
+
+/// A ball in a socket, to fourth order in the distance from the axis; the fields are radii in mm.
+#[gap_profile((1/ball - 1/socket) * r^2 / 2 + (1/ball^3 - 1/socket^3) * r^4 / 8)]
+struct BallInSocket {
+    ball: f64,
+    socket: f64,
+}
+
+fn main() -> ExitCode {
+    examples::finish(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+    let medium = Medium::between(layer, layer)?;
+    let mut out = io::stdout().lock();
+    writeln!(out, "Ball of radius 10 mm under 100 N, after 200 s\n")?;
+    writeln!(out, "socket (mm)  radius (mm)  approach (mm)  peak pressure (MPa)")?;
+    for socket in [15.0, 20.0, 30.0, 50.0, 100.0, f64::INFINITY] {
+        let contact = Contact::new(BallInSocket { ball: 10.0, socket }, medium, load::Constant(100.0))?;
+        let now = contact.at(200.0)?;
+        let (radius, approach, peak_pressure) = (now.radius(), now.approach(), now.peak_pressure());
+        writeln!(out, "{socket:>11} {radius:>12.3} {approach:>14.4} {peak_pressure:>20.4}")?;
+    }
+    Ok(())
+}
