@@ -5,6 +5,7 @@ use core::fmt;
 use crate::error::Shown;
 use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
+use crate::memory::Moment;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
@@ -160,6 +161,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius of a load integral.
     pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
         self.profile.radius_within(load_integral, self.max_radius)
+    }
+
+    /// What a hereditary load exceeds that of a radius.
+    pub(crate) fn surplus(&self, hereditary: T, radius: T) -> T {
+        hereditary - self.stiffness() * self.profile.load_integral(radius)
+    }
+
+    /// A time with its contact radius, for integrals that begin or end there.
+    pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
+        let hereditary = self.load.force(time) + self.medium.chi() * self.load.impulse(time);
+        Moment { time, radius, surplus: self.surplus(hereditary, radius) }
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {

@@ -139,7 +139,7 @@ where
 {
     debug_assert_eq!(rows.previous.0 + 1, index);
     let before = rows.previous.1;
-    let now = Moment { time, radius: contact.radius_at(time)? };
+    let now = contact.at(time)?.moment();
     let since_previous = transition(contact, before, now, before.radius);
     let mut since_base = rows.since_base.then(&since_previous);
     // One rounding instead of one per row.

@@ -32,8 +32,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     }
 
     /// The approach δ₀(t) of the bones, in mm: Eq. (10).
+    ///
+    /// It belongs to the exact contact radius rather than to the rounded one, so that high powers do not multiply
+    /// the rounding.
     pub fn approach(&self) -> T {
-        self.contact.profile().approach(self.radius)
+        self.contact.profile().approach(self.radius) + self.moment().strip(self.contact.stiffness())
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
@@ -66,9 +69,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         if r >= self.radius {
             return T::zero();
         }
-        let (profile, medium) = (self.contact.profile(), self.contact.medium());
-        if (medium.chi() * self.time).is_zero() {
-            return medium.m() * profile.pressure_kernel(self.radius, r);
+        if (self.contact.medium().chi() * self.time).is_zero() {
+            return self.undrained_pressure(self.moment(), r);
         }
         let start = self.start_of_memory();
         let change = transition(self.contact, start, self.moment(), r.max(start.radius));
@@ -98,15 +100,18 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// The pressure at the start of the memory that still counts.
     fn initial_pressure(&self, start: Moment<T>, r: T) -> T {
-        if start.time.is_zero() && r < start.radius {
-            self.contact.medium().m() * self.contact.profile().pressure_kernel(start.radius, r)
-        } else {
-            T::zero()
-        }
+        if start.time.is_zero() && r < start.radius { self.undrained_pressure(start, r) } else { T::zero() }
+    }
+
+    /// m G(a, r), the pressure before anything has drained.
+    fn undrained_pressure(&self, moment: Moment<T>, r: T) -> T {
+        let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), moment.radius);
+        let strip = moment.strip(self.contact.stiffness()) * T::constant(0.25) * ((a - r) * (a + r));
+        medium.m() * (profile.pressure_kernel(a, r) + strip)
     }
 
     pub(crate) fn moment(&self) -> Moment<T> {
-        Moment { time: self.time, radius: self.radius }
+        self.contact.moment(self.time, self.radius)
     }
 
     /// The moment before which the history no longer counts: 0, or where it has faded below rounding.
@@ -121,11 +126,16 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             let time = self.time - past / chi;
             let share = load.force(time) * (folds - past).exp();
             if share <= present {
-                return Moment { time, radius: self.contact.radius_at(time).unwrap_or(T::zero()) };
+                return self.past_moment(time);
             }
             past += folds;
         }
-        Moment { time: T::zero(), radius: self.contact.radius_at(T::zero()).unwrap_or(T::zero()) }
+        self.past_moment(T::zero())
+    }
+
+    /// An earlier moment; its radius is admissible because that of the snapshot is.
+    fn past_moment(&self, time: T) -> Moment<T> {
+        self.contact.moment(time, self.contact.radius_at(time).unwrap_or(T::zero()))
     }
 }
 

@@ -23,10 +23,14 @@ use crate::{GapProfile, Scalar};
 use stretch::{Course, Stretch};
 
 /// A time with the contact radius at it.
+///
+/// The radius is rounded, which moves pressures by up to (n+2) ε/2. `surplus` is what the hereditary load exceeds
+/// that of the rounded radius; to first order the two together are the radius to twice the precision.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moment<T> {
     pub(crate) time: T,
     pub(crate) radius: T,
+    pub(crate) surplus: T,
 }
 
 /// How pressures at radii r up to `reach` change from one moment to another:
@@ -44,6 +48,17 @@ pub(crate) struct Transition<T> {
 pub(crate) struct Increment<T> {
     offset: T,
     slope: T,
+}
+
+impl<T: Scalar> Moment<T> {
+    /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
+    pub(crate) fn strip(&self, stiffness: T) -> T {
+        if self.surplus.is_zero() {
+            return T::zero();
+        }
+        let square = self.radius * self.radius;
+        T::constant(2.0) * self.surplus / stiffness / square / square
+    }
 }
 
 impl<T: Scalar> Transition<T> {
@@ -110,39 +125,78 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let (load, chi) = (contact.load(), contact.medium().chi());
-    let quarter_m = contact.medium().m() * T::constant(0.25);
-    let mut transition = Transition::none(reach);
-    let mut impulse = load.impulse(from.time);
-    let mut now = from;
-    while now.time < to.time {
-        let end = load.next_knot(now.time).map_or(to.time, |knot| knot.min(to.time));
-        let duration = end - now.time;
-        let (first, last) = (load.force(now.time), load.force_before(end));
-        impulse = if load.is_linear_between_knots() {
-            impulse + duration * (first + last) * T::constant(0.5)
+    let (stiffness, quarter_m) = (contact.stiffness(), contact.medium().m() * T::constant(0.25));
+    let mut march = March {
+        contact,
+        to,
+        now: from,
+        impulse: contact.load().impulse(from.time),
+        transition: Transition::none(reach),
+    };
+    // The pressures at the start have the strip beyond its rounded radius, the integrals begin at that radius.
+    if reach <= from.radius {
+        march.transition.slope -= quarter_m * from.strip(stiffness);
+    }
+    while march.now.time < to.time {
+        march.advance_to_next_knot();
+    }
+    let slope = to.strip(stiffness);
+    let offset = slope * ((to.radius - reach) * (to.radius + reach));
+    march.transition.advance(T::one(), quarter_m, Increment { offset, slope }, reach);
+    march.transition
+}
+
+/// A transition on its way from knot to knot.
+struct March<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
+    to: Moment<T>,
+    now: Moment<T>,
+    impulse: T,
+    transition: Transition<T>,
+}
+
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
+    /// Continues to the next knot or the end, and through the jump that the load may make there.
+    fn advance_to_next_knot(&mut self) {
+        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+        let start = self.now.time;
+        let end = load.next_knot(start).map_or(self.to.time, |knot| knot.min(self.to.time));
+        let duration = end - start;
+        let (first, last, after) = (load.force(start), load.force_before(end), load.force(end));
+        self.impulse = if load.is_linear_between_knots() {
+            self.impulse + duration * (first + last) * T::constant(0.5)
         } else {
             load.impulse(end)
         };
-        let after = load.force(end);
-        let jumps = after > last;
-        let radius_at = |force: T| contact.radius_under(force + chi * impulse).unwrap_or(to.radius);
+        let (jumps, is_end) = (after > last, end >= self.to.time);
         // The radius at the end is known, and must be met to the last bit.
-        let behind = if end < to.time { radius_at(after) } else { to.radius };
-        let before = if jumps { radius_at(last).min(behind) } else { behind };
+        let final_radius = if is_end { self.to.radius } else { self.radius_under(after) };
+        let radius = if jumps { self.radius_under(last).min(final_radius) } else { final_radius };
 
-        let course = Course::between(load, chi, now.time, duration, (first, last));
-        for (course, high) in [(course, before), (Course::Step, behind)] {
-            let low = reach.max(now.radius);
-            let decay = course.decay(chi);
-            let increment = Stretch { contact, course, low, high }.increment();
-            transition.advance(decay, quarter_m, increment, low);
-            now.radius = high;
-            if !jumps {
-                break;
-            }
+        let at_end = is_end && !jumps;
+        let surplus =
+            if at_end { self.to.surplus } else { self.contact.surplus(last + chi * self.impulse, radius) };
+        let course = Course::between(load, chi, start, duration, (first, last));
+        self.cover(radius, course, surplus);
+        if jumps {
+            self.cover(final_radius, Course::Step, T::zero());
         }
-        now.time = end;
+        self.now.time = end;
     }
-    transition
+
+    /// Extends the contact to the radius `high` along a course of the load.
+    fn cover(&mut self, high: T, course: Course<'_, T, L>, surplus: T) {
+        let (contact, chi) = (self.contact, self.contact.medium().chi());
+        let low = self.transition.reach.max(self.now.radius);
+        let decay = course.decay(chi);
+        let increment = Stretch { contact, course, low, high, surplus }.increment();
+        self.transition.advance(decay, contact.medium().m() * T::constant(0.25), increment, low);
+        self.now.radius = high;
+    }
+
+    /// The contact radius under a force at the impulse so far; a contact never exceeds that at the end.
+    fn radius_under(&self, force: T) -> T {
+        let hereditary = force + self.contact.medium().chi() * self.impulse;
+        self.contact.radius_under(hereditary).unwrap_or(self.to.radius)
+    }
 }

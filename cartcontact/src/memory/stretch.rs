@@ -12,6 +12,8 @@ pub(super) struct Stretch<'a, T, P, L> {
     pub(super) low: T,
     /// The contact radius at the end of the stretch.
     pub(super) high: T,
+    /// What the hereditary load at the end exceeds that of the radius `high`, which is rounded.
+    pub(super) surplus: T,
 }
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
@@ -53,7 +55,12 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
             Self::Linear { rate, load_rate, duration } => {
                 let two = T::constant(2.0);
                 let then = (rate * rate - two * chi * load_rate * deficit).max(T::zero()).sqrt();
-                (two * deficit / (rate + then)).min(duration)
+                // Both vanish where the load stops falling as fast as it may.
+                if (rate + then).is_zero() {
+                    T::zero()
+                } else {
+                    (two * deficit / (rate + then)).min(duration)
+                }
             }
             Self::Smooth { load, start, duration } => {
                 let end = start + duration;
@@ -113,7 +120,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// How long before the end the edge passed the radius `high` − `depth`.
     pub(super) fn age_at(&self, depth: T) -> T {
         let deficit = self.contact.profile().load_integral_drop(self.high, depth);
-        self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit)
+        self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit + self.surplus)
     }
 
     /// δ₀′ e^(−χ age) at the radius `high` − `depth`.

@@ -24,9 +24,9 @@ where
     L: Load<T>,
 {
     let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
-    let final_integral = contact.profile().load_integral(stretch.high);
     let (half, two) = (T::constant(0.5), T::constant(2.0));
     let stiffness = contact.stiffness();
+    let final_integral = contact.profile().load_integral(stretch.high) + stretch.surplus / stiffness;
     let rise = -(chi * load_rate);
     let longest = stretch.age_at(stretch.high - low);
     // Where Y′ z + χ |F′| z²/2 = Y.
@@ -39,7 +39,8 @@ where
     let most = Rule::FINEST.folds::<T>();
 
     let mut sum = Increment::zero();
-    let mut start = T::zero();
+    // The age of the rounded radius, at which the stretch ends.
+    let mut start = stretch.age_at(T::zero());
     // Beyond two panels' worth of e-foldings nothing counts any more.
     while start < longest && chi * start < most + most {
         // The finest rule reaches full accuracy on panels of 0.85 of the distance to a singularity.
