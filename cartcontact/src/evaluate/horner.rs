@@ -3,6 +3,21 @@
 use super::double_word::DoubleWord;
 use crate::Scalar;
 
+/// Horner's rule at `x`, and at the same time the quotient of the polynomial by (x − `y`) taken at `y`.
+///
+/// Synthetic division: with b₍N−1₎ = c₍N−1₎ and b₍k₎ = c₍k₎ + x b₍k+1₎ the value is b₀ and the quotient
+/// Σ b₍k+1₎ y^k. The quotient is (P(x) − P(y))/(x − y), and P′(x) for y = x.
+///
+/// The first two coefficients are taken out of the loop: no compiler may leave out a multiplication by zero.
+#[inline(always)]
+fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coefficients: &[T; N]) -> (T, T) {
+    let Some((&last, rest)) = coefficients.split_last() else { return (T::zero(), T::zero()) };
+    let Some((&next, rest)) = rest.split_last() else { return (last, T::zero()) };
+    rest.iter().rev().fold((last * x + next, last), |(value, quotient), &coefficient| {
+        (value * x + coefficient, quotient * y + value)
+    })
+}
+
 /// Σ c\[k\] r^(2k), corrected for the rounding of r².
 ///
 /// Horner's rule in s = r² multiplies the rounding error of s by the degree, which dominates from s⁴ upward.
@@ -12,40 +27,22 @@ use crate::Scalar;
 #[inline]
 pub fn even_sum<T: Scalar, const N: usize>(r: T, coefficients: [T; N]) -> T {
     let square = DoubleWord::product(r, r);
-    let s = square.rounded();
-    let (mut value, mut slope) = (T::zero(), T::zero());
-    for &coefficient in coefficients.iter().rev() {
-        slope = slope * s + value;
-        value = value * s + coefficient;
-    }
+    let (value, slope) = value_and_slope(square.rounded(), coefficients);
     let corrected = value + slope * square.low();
     // Beyond 2^996 the exact product overflows although r² does not.
-    if corrected.is_finite() { corrected } else { value }
+    if corrected.is_finite() { corrected } else { value_and_slope(r * r, coefficients).0 }
 }
 
 /// The value P(x) and the slope P'(x).
 #[inline]
 pub fn value_and_slope<T: Scalar, const N: usize>(x: T, coefficients: [T; N]) -> (T, T) {
-    let (mut value, mut slope) = (T::zero(), T::zero());
-    for &coefficient in coefficients.iter().rev() {
-        slope = slope * x + value;
-        value = value * x + coefficient;
-    }
-    (value, slope)
+    value_and_quotient(x, x, &coefficients)
 }
 
 /// (P(x) − P(y)) / (x − y) without a difference, hence without cancellation for coefficients of one sign.
-///
-/// Synthetic division: with b₍N−1₎ = c₍N−1₎ and b₍k₎ = c₍k₎ + y b₍k+1₎ the quotient is Σ b₍k+1₎ x^k; both
-/// recurrences run in one loop.
 #[inline]
 pub fn divided_difference<T: Scalar, const N: usize>(x: T, y: T, coefficients: [T; N]) -> T {
-    let (mut remainder, mut quotient) = (T::zero(), T::zero());
-    for &coefficient in coefficients.iter().rev() {
-        quotient = quotient * x + remainder;
-        remainder = remainder * y + coefficient;
-    }
-    quotient
+    value_and_quotient(x, y, &coefficients).1
 }
 
 #[cfg(test)]
