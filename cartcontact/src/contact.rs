@@ -178,10 +178,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if !(t >= T::zero() && t.is_finite()) {
             return Err(ContactError::InvalidTime { time: t.value() });
         }
+        let hereditary = self.hereditary_load(t)?;
         if let Some(since) = self.load.recession(self.medium.chi(), t) {
             return Err(ContactError::Receding { time: t.value(), since: since.value() });
         }
-        let hereditary = self.hereditary_load(t)?;
         self.radius_under(hereditary).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
@@ -301,7 +301,12 @@ impl fmt::Display for ContactError {
             Self::Profile(error) => error.fmt(f),
             Self::Load(error) => error.fmt(f),
             Self::InvalidTime { time } => {
-                write!(f, "the time is {}, but it must be a finite number from 0", Shown(time))
+                write!(
+                    f,
+                    "the time is {}, but it must be a finite number from 0; give the time since the load was \
+                     applied, in s",
+                    Shown(time)
+                )
             }
             Self::InvalidRadius { index, radius } => write!(
                 f,

@@ -14,7 +14,7 @@ use core::ops::Range;
 use crate::Scalar;
 use crate::contact::{Contact, ContactError, check_length};
 use crate::load::Load;
-use crate::memory::{Moment, Transition, transition};
+use crate::memory::{Moment, Transition, march};
 use crate::profile::GapProfile;
 
 const BLOCK: usize = 32;
@@ -55,9 +55,8 @@ where
         let row = &mut rest[..width];
         rows = Some(match rows {
             None => {
-                let snapshot = contact.at(time)?;
-                snapshot.pressures(radii, row);
-                Rows::starting_at(index, snapshot.moment())
+                let moment = contact.at(time)?.pressures(radii, row);
+                Rows::starting_at(index, moment)
             }
             Some(previous) => {
                 let next = previous_to_next(contact, previous, index, time)?;
@@ -119,7 +118,7 @@ impl<T: Scalar> Rows<T> {
             update(row, base, 0..in_base, &self.since_base);
             update(row, previous, in_base..in_previous, &self.since_previous);
             for (value, &r) in row[in_previous..covered].iter_mut().zip(&radii[in_previous..covered]) {
-                *value = transition(contact, self.previous.1, self.now, r).offset;
+                *value = march(contact, self.previous.1, (self.now.time, self.now.radius), r).0.offset;
             }
             row[covered..].fill(T::zero());
         }
@@ -139,8 +138,7 @@ where
 {
     debug_assert_eq!(rows.previous.0 + 1, index);
     let before = rows.previous.1;
-    let now = contact.at(time)?.moment();
-    let since_previous = transition(contact, before, now, before.radius);
+    let (since_previous, now) = march(contact, before, (time, contact.radius_at(time)?), before.radius);
     let mut since_base = rows.since_base.then(&since_previous);
     // One rounding instead of one per row.
     since_base.decay = (-(contact.medium().chi() * (time - rows.base.1.time))).exp();

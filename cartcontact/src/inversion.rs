@@ -23,12 +23,11 @@
 //! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`],
 //! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term.
 
-use core::any::TypeId;
-
 use crate::Scalar;
 use crate::evaluate::binary::{estimated_root_of_product, root_of_product};
 use crate::evaluate::power;
 use crate::profile::RadiusError;
+use crate::scalar::is;
 
 /// A positive term of J: 1/j and the power p.
 #[derive(Clone, Copy, Debug)]
@@ -214,9 +213,9 @@ fn iterate<T: Scalar>(target: T, start: T, mut bracket: Bracket<T>, evaluate: im
 /// weighted by their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is
 /// below ε/4 for the limits of f64 and f32. Of dual numbers the derivatives lag one step behind.
 fn close_enough<T: Scalar>() -> T {
-    if TypeId::of::<T>() == TypeId::of::<f64>() {
+    if is::<T, f64>() {
         T::constant(4e-6)
-    } else if TypeId::of::<T>() == TypeId::of::<f32>() {
+    } else if is::<T, f32>() {
         T::constant(3e-4)
     } else {
         T::default_epsilon().sqrt() * T::constant(0.5)

@@ -8,6 +8,7 @@ use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop}
 use crate::evaluate::pressure_kernel::pressure_kernel;
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
+use crate::scalar::floor;
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///
@@ -32,6 +33,7 @@ pub struct Polynomial<T, S> {
     max_radius: T,
     has_negative_terms: bool,
     has_whole_exponents: bool,
+    highest_exponent: T,
     scalar: PhantomData<T>,
 }
 
@@ -59,8 +61,10 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         let pairs = || terms.as_ref().iter().copied();
         let max_radius = checked_range(pairs(), max_radius)?;
         let has_negative_terms = pairs().any(|(c, _)| c < T::zero());
-        let has_whole_exponents = pairs().all(|(_, n)| n == n.floor());
-        Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, scalar: PhantomData })
+        let has_whole_exponents = pairs().all(|(_, n)| n == T::constant(f64::from(floor(n))));
+        let highest_exponent = pairs().fold(T::zero(), |highest, (_, n)| highest.max(n));
+        let scalar = PhantomData;
+        Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, highest_exponent, scalar })
     }
 
     /// The pairs (coefficient, exponent) as they were given.
@@ -119,6 +123,10 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn load_integral_drop(&self, a: T, depth: T) -> T {
         power_sum_drop(a, depth, self.load_integral_terms())
+    }
+
+    fn highest_exponent(&self) -> T {
+        self.highest_exponent
     }
 
     fn is_smooth_at_centre(&self) -> bool {

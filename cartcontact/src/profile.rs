@@ -12,7 +12,7 @@ use crate::memory::quadrature::Rule;
 /// [`Polynomial`](crate::Polynomial) for one known at run time. Lengths are in the user's unit, mm throughout
 /// this documentation.
 ///
-/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; they return NaN for NaN.
+/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means nothing.
 /// [`Contact`](crate::Contact) checks what it is given before it calls them.
 ///
 /// # Examples
@@ -122,6 +122,11 @@ pub trait GapProfile<T: Scalar> {
         })
     }
 
+    /// The largest exponent n of the gap, from which quadrature rules are chosen.
+    fn highest_exponent(&self) -> T {
+        T::constant(16.0)
+    }
+
     /// Whether all exponents are whole, so that the profile is smooth at r = 0; where it is not, integrals
     /// that begin there are taken in a variable that makes it so.
     fn is_smooth_at_centre(&self) -> bool {
@@ -165,6 +170,9 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     }
     fn load_integral_drop(&self, a: T, depth: T) -> T {
         (**self).load_integral_drop(a, depth)
+    }
+    fn highest_exponent(&self) -> T {
+        (**self).highest_exponent()
     }
     fn is_smooth_at_centre(&self) -> bool {
         (**self).is_smooth_at_centre()

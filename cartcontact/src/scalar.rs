@@ -1,5 +1,7 @@
 //! The numbers the crate computes with.
 
+use core::any::TypeId;
+
 use simba::scalar::{RealField, SupersetOf};
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
@@ -42,5 +44,36 @@ impl<T: RealField + Copy> Scalar for T {
     #[inline(always)]
     fn infinity() -> Self {
         <T as SupersetOf<f32>>::from_subset(&f32::INFINITY)
+    }
+}
+
+/// ⌊x⌋ of a number that fits an `i32`; dual numbers have no `floor` of their own.
+#[inline]
+pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
+    let value = x.value();
+    let toward_zero = value as i32;
+    toward_zero - i32::from(f64::from(toward_zero) > value)
+}
+
+/// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
+#[inline]
+pub(crate) fn is_plain<T: Scalar>() -> bool {
+    is::<T, f64>() || is::<T, f32>()
+}
+
+/// Whether two types are the same.
+#[inline]
+pub(crate) fn is<T: 'static, U: 'static>() -> bool {
+    TypeId::of::<T>() == TypeId::of::<U>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floor_rounds_down() {
+        let floors = [(2.0, 2), (2.7, 2), (-2.0, -2), (-2.1, -3), (0.25, 0)];
+        assert!(floors.into_iter().all(|(x, expected)| floor::<f64>(x) == expected));
     }
 }

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::Scalar;
 use crate::contact::Contact;
 use crate::load::Load;
-use crate::memory::{Moment, transition};
+use crate::memory::{Moment, march};
 use crate::profile::GapProfile;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
@@ -73,7 +73,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             return self.undrained_pressure(self.moment(), r);
         }
         let start = self.start_of_memory();
-        let change = transition(self.contact, start, self.moment(), r.max(start.radius));
+        let (change, _) = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
         change.apply(self.initial_pressure(start, r), r)
     }
 
@@ -83,19 +83,20 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     }
 
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
-    /// covered from the start.
-    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
+    /// covered from the start; and the moment that they belong to.
+    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) -> Moment<T> {
         let start = self.start_of_memory();
-        let from_start = transition(self.contact, start, self.moment(), start.radius);
+        let (from_start, now) = march(self.contact, start, (self.time, self.radius), start.radius);
         for (pressure, &r) in pressures.iter_mut().zip(radii) {
             *pressure = if r <= start.radius {
                 from_start.apply(self.initial_pressure(start, r), r)
             } else if r < self.radius {
-                transition(self.contact, start, self.moment(), r).offset
+                march(self.contact, start, (self.time, self.radius), r).0.offset
             } else {
                 T::zero()
             };
         }
+        now
     }
 
     /// The pressure at the start of the memory that still counts.

@@ -5,6 +5,7 @@ use core::any::Any;
 use simba::scalar::SupersetOf;
 
 use crate::Scalar;
+use crate::scalar::{floor, is};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
@@ -20,7 +21,7 @@ pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
         let (value, shift) =
             if value < f64::MIN_POSITIVE { (value * 18_014_398_509_481_984.0, 54) } else { (value, 0) };
         let exponent = (value.to_bits() >> 52) as i32 - 1023 - shift;
-        if any.is::<f64>() {
+        if is::<T, f64>() {
             let fraction = f64::from_bits(value.to_bits() & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000);
             (T::constant(fraction), exponent)
         } else {
@@ -69,8 +70,8 @@ fn root<T: Scalar>(fraction: T, rest: T, p: T) -> T {
     if p > T::constant(100.0) {
         // 2^rest would not fit every format, so its root is taken apart.
         fraction.powf(inverse) * two.powf(rest * inverse)
-    } else if rest == rest.floor() {
-        scale(fraction, rest.value() as i32).powf(inverse)
+    } else if rest == T::constant(f64::from(floor(rest))) {
+        scale(fraction, floor(rest)).powf(inverse)
     } else {
         (fraction * two.powf(rest)).powf(inverse)
     }
@@ -95,8 +96,8 @@ pub(crate) fn estimated_root_of_product<T: Scalar>(x: T, y: T, p: T) -> T {
 /// The whole part of e/p and what remains, e = whole · p + rest with 0 ≤ rest < p.
 fn divide<T: Scalar>(e: i32, p: T) -> (i32, T) {
     let total = T::constant(f64::from(e));
-    let whole = (total / p).floor();
-    (whole.value() as i32, total - whole * p)
+    let whole = floor(total / p);
+    (whole, total - T::constant(f64::from(whole)) * p)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::double_word::DoubleWord;
 use crate::Scalar;
+use crate::scalar::{floor, is_plain};
 
 /// x^k by binary powering.
 #[inline]
@@ -85,18 +86,22 @@ fn quick_term<T: Scalar>(c: T, x: T, n: T) -> T {
 
 /// The whole part ⌊n⌋ and the fraction n − ⌊n⌋, both exact.
 fn parts<T: Scalar>(n: T) -> (i32, T) {
-    let whole = n.floor();
-    (whole.value() as i32, n - whole)
+    let whole = floor(n);
+    (whole, n - T::constant(f64::from(whole)))
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
 pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
-    if fraction.is_zero() {
-        return T::one();
-    }
     // Zero has no finite slope here; dual numbers would turn it into NaN.
     if x.is_zero() {
-        return T::zero();
+        return if fraction.is_zero() { T::one() } else { T::zero() };
+    }
+    if !is_plain::<T>() {
+        // The exponent may carry a derivative, even where its fraction is zero.
+        return (fraction * x.ln()).exp();
+    }
+    if fraction.is_zero() {
+        return T::one();
     }
     let quarters = fraction * T::constant(4.0);
     if quarters == T::constant(2.0) {

@@ -22,6 +22,7 @@
 
 use super::power::term;
 use crate::Scalar;
+use crate::scalar::{floor, is_plain};
 
 /// Longest tent: the rounding of p is multiplied by up to a third of its length.
 const LONGEST_TENT: u32 = 72;
@@ -50,11 +51,12 @@ impl<T: Scalar> Edge<T> {
     /// K(q) for the exponent n.
     fn kernel(&self, n: T) -> T {
         let quarters = n * T::constant(4.0);
-        let whole = quarters.floor();
-        if whole != quarters || quarters > T::constant(4096.0) {
+        let count = floor(quarters);
+        // An exponent that carries a derivative must not be taken for a number.
+        if T::constant(f64::from(count)) != quarters || !is_plain::<T>() {
             return self.real_exponent(n);
         }
-        let count = whole.value() as u32;
+        let count = count.unsigned_abs();
         let (alpha, beta, inverse_degree) = match count % 8 {
             0 => (count / 8, 1, T::constant(2.0)),
             4 => (count / 4, 2, T::one()),

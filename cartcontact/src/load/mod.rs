@@ -182,7 +182,12 @@ impl fmt::Display for LoadError {
                 Shown(impulse)
             ),
             Self::InvalidTime { knot, time } => {
-                write!(f, "the time of knot {knot} is {}, but times must be finite numbers", Shown(time))
+                write!(
+                    f,
+                    "the time of knot {knot} is {}, but times must be finite numbers; remove the knot or give its \
+                     time in s",
+                    Shown(time)
+                )
             }
             Self::LateStart { time } => write!(
                 f,

@@ -82,13 +82,10 @@ where
 {
     let (profile, chi) = (stretch.contact.profile(), stretch.contact.medium().chi());
     let top = stretch.high - depth;
-    let load_integral = profile.load_integral(top);
-    let square = top * top;
-    // J′/J has the degree of a⁴ δ₀′; it is that of δ₀′ (s² − low²) or more.
-    let powers = square * square * profile.approach_slope(top) / (load_integral * T::constant(2.0));
     let step = (top - stretch.low) * T::constant(1.0 / 64.0);
-    let slope = powers + chi * (stretch.age_at(depth + step) - age) / step;
-    let of_singularity = |distance: T| T::constant(14.4) / distance;
-    let singularity = stretch.singularity(top, load_integral, powers * top);
-    slope * T::constant(1.3) + singularity.map_or(T::zero(), of_singularity)
+    // δ₀′ (s² − low²); what a high power adds may be little here, but no low rule integrates it.
+    let powers = (profile.highest_exponent() + T::one()) / top;
+    let fading = chi * (stretch.age_at(depth + step) - age) / step;
+    let of_singularity = stretch.singularity(top).map_or(T::zero(), |distance| T::constant(14.4) / distance);
+    (powers + fading) * T::constant(1.3) + of_singularity
 }

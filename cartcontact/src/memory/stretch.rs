@@ -27,14 +27,11 @@ pub(super) enum Course<'a, T, L> {
 }
 
 impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
-    pub(super) fn between(load: &'a L, chi: T, start: T, duration: T, forces: (T, T)) -> Self {
-        if !load.is_linear_between_knots() {
-            return Self::Smooth { load, start, duration };
-        }
-        let load_rate = (forces.1 - forces.0) / duration;
+    /// A straight load between two forces.
+    pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
+        let load_rate = (last - first) / duration;
         // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
-        let rate = (load_rate + chi * forces.1).max(T::zero());
-        Self::Linear { rate, load_rate, duration }
+        Self::Linear { rate: (load_rate + chi * last).max(T::zero()), load_rate, duration }
     }
 
     pub(super) fn decay(&self, chi: T) -> T {
@@ -54,8 +51,9 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
             Self::Linear { rate, load_rate, .. } if load_rate.is_zero() => deficit / rate,
             Self::Linear { rate, load_rate, duration } => {
                 let two = T::constant(2.0);
-                let then = (rate * rate - two * chi * load_rate * deficit).max(T::zero()).sqrt();
-                // Both vanish where the load stops falling as fast as it may.
+                // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes
+                // at the end, count as a long time after it.
+                let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
                 if (rate + then).is_zero() {
                     T::zero()
                 } else {
@@ -132,22 +130,26 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.
     ///
     /// Along a straight rising load it is the branch point of the square root, Y′ = 0, which the load would have
-    /// to have come from: J falls short of its value at the edge by Y′²/(2 χ F′). J is nearly a power a^p, with its
-    /// `degree` p at `top`; where it would have to be negative, |J|^(1/p) e^(iπ/p) is the nearest root, and
+    /// to have come from: J falls short of its value at the edge by Y′²/(2 χ F′). J is nearly a power a^p, with
+    /// p = a J′/J at `top`; where it would have to be negative, |J|^(1/p) e^(iπ/p) is the nearest root, and
     /// sin(π/p) > 2.8/p for p ≥ 4. Of any other load nothing is known; it is taken to have half that distance.
-    pub(super) fn singularity(&self, top: T, load_integral: T, degree: T) -> Option<T> {
+    pub(super) fn singularity(&self, top: T) -> Option<T> {
+        let half = T::constant(0.5);
+        let profile = self.contact.profile();
+        let load_integral = profile.load_integral(top);
+        let square = top * top;
+        let degree = square * square * top * profile.approach_slope(top) * half / load_integral;
         let off_axis = |radius: T| radius * T::constant(2.8) / degree;
         match self.course {
             Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
                 let chi = self.contact.medium().chi();
-                let deficit = rate * rate / (T::constant(2.0) * chi * load_rate);
-                let at_edge = self.contact.profile().load_integral(self.high);
-                let singular = at_edge - deficit / self.contact.stiffness();
+                let deficit = rate * rate * half / (chi * load_rate);
+                let singular = profile.load_integral(self.high) - deficit / self.contact.stiffness();
                 let radius = top * (singular.abs() / load_integral).powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);
                 Some(if singular < T::zero() { off_axis(radius) } else { on_axis })
             }
-            Course::Smooth { .. } => Some(off_axis(top) * T::constant(0.5)),
+            Course::Smooth { .. } => Some(off_axis(top) * half),
             Course::Linear { .. } | Course::Step => None,
         }
     }

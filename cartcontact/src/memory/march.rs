@@ -1,0 +1,149 @@
+//! From one moment to another, knot by knot.
+//!
+//! **Rounding.** The hereditary load Y grows like χ t, and an error ε Y is an error ε Y/F in χ t: after a long history
+//! two moments computed on their own would not agree on what lies between them. So only differences are used: a
+//! surplus follows from the one before it by what Y and J gained since, both without cancellation.
+//!
+//! **Loads that are not straight.** Between knots such a load is followed in steps. A step is taken in one piece and
+//! in two halves; if the two do not agree, it is shortened to its first half, otherwise the next is twice as
+//! long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
+
+use super::stretch::{Course, Stretch};
+use super::{Increment, Moment, Transition};
+use crate::contact::Contact;
+use crate::load::Load;
+use crate::{GapProfile, Scalar};
+
+/// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
+/// moment at its end.
+pub(crate) fn march<T, P, L>(
+    contact: &Contact<T, P, L>,
+    from: Moment<T>,
+    (time, radius): (T, T),
+    reach: T,
+) -> (Transition<T>, Moment<T>)
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    let impulse = contact.load().impulse(from.time);
+    let mut march = March { contact, time, radius, now: from, impulse, transition: Transition::none(reach) };
+    let stiffness = contact.stiffness();
+    // The pressures at the start have the strip beyond its rounded radius, the integrals begin at that radius.
+    if reach <= from.radius {
+        march.transition.slope -= march.quarter_m() * from.strip(stiffness);
+    }
+    while march.now.time < time {
+        march.advance_to_next_knot();
+    }
+    let slope = march.now.strip(stiffness);
+    let offset = slope * ((radius - reach) * (radius + reach));
+    march.transition.advance(T::one(), march.quarter_m(), Increment { offset, slope }, reach);
+    (march.transition, march.now)
+}
+
+/// A transition on its way.
+struct March<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
+    /// Where it ends; that radius must be met to the last bit.
+    time: T,
+    radius: T,
+    now: Moment<T>,
+    impulse: T,
+    transition: Transition<T>,
+}
+
+// Not derived, because neither profile nor load need be `Clone`.
+impl<T: Scalar, P, L> Clone for March<'_, T, P, L> {
+    fn clone(&self) -> Self {
+        Self { ..*self }
+    }
+}
+
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
+    /// Continues to the next knot or the end, and through the jump that the load may make there.
+    fn advance_to_next_knot(&mut self) {
+        let load = self.contact.load();
+        let end = load.next_knot(self.now.time).map_or(self.time, |knot| knot.min(self.time));
+        if load.is_linear_between_knots() {
+            self.advance_straight(end);
+        } else {
+            self.advance_in_steps(end);
+        }
+        let (before, after) = (load.force_before(end), load.force(end));
+        if after > before {
+            let radius = self.radius_under(end, after);
+            self.cover(radius, Course::Step, after - before);
+        }
+    }
+
+    fn advance_straight(&mut self, end: T) {
+        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+        let duration = end - self.now.time;
+        let (first, last) = (load.force(self.now.time), load.force_before(end));
+        let impulse = duration * (first + last) * T::constant(0.5);
+        self.impulse += impulse;
+        let radius = self.radius_under(end, last);
+        self.cover(radius, Course::straight(chi, duration, (first, last)), (last - first) + chi * impulse);
+        self.now.time = end;
+    }
+
+    fn advance_in_steps(&mut self, end: T) {
+        let half = T::constant(0.5);
+        let shortest = (end - self.now.time) * T::constant(1.0 / 1_048_576.0);
+        let mut step = end - self.now.time;
+        while self.now.time < end {
+            let start = self.now.time;
+            // The last step must not leave a rest that is too short to divide.
+            let stop = if start + step + shortest < end { start + step } else { end };
+            let (mut whole, mut halves) = (self.clone(), self.clone());
+            whole.advance_smooth(stop);
+            halves.advance_smooth(start + (stop - start) * half);
+            halves.advance_smooth(stop);
+            let agree = whole.transition.agrees_with(&halves.transition);
+            if agree || step <= shortest {
+                *self = halves;
+            }
+            step = if agree { step + step } else { (step * half).max(shortest) };
+        }
+    }
+
+    fn advance_smooth(&mut self, end: T) {
+        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+        let start = self.now.time;
+        let before = load.force(start) + chi * self.impulse;
+        self.impulse = load.impulse(end);
+        let last = load.force_before(end);
+        let radius = self.radius_under(end, last);
+        let course = Course::Smooth { load, start, duration: end - start };
+        self.cover(radius, course, last + chi * self.impulse - before);
+        self.now.time = end;
+    }
+
+    /// Extends the contact to a radius along a course of the load, on which the hereditary load gains `gain`.
+    fn cover(&mut self, high: T, course: Course<'_, T, L>, gain: T) {
+        let (contact, chi) = (self.contact, self.contact.medium().chi());
+        let growth = contact.profile().load_integral_drop(high, high - self.now.radius);
+        let surplus = self.now.surplus + (gain - contact.stiffness() * growth);
+        let low = self.transition.reach.max(self.now.radius);
+        let decay = course.decay(chi);
+        let increment = Stretch { contact, course, low, high, surplus }.increment();
+        self.transition.advance(decay, self.quarter_m(), increment, low);
+        self.now = Moment { radius: high, surplus, ..self.now };
+    }
+
+    /// The contact radius at a time under a force at the impulse so far; a contact never exceeds that at the end.
+    fn radius_under(&self, time: T, force: T) -> T {
+        let load = self.contact.load();
+        if time >= self.time && force >= load.force(time) {
+            return self.radius;
+        }
+        let hereditary = force + self.contact.medium().chi() * self.impulse;
+        self.contact.radius_under(hereditary).unwrap_or(self.radius).min(self.radius)
+    }
+
+    fn quarter_m(&self) -> T {
+        self.contact.medium().m() * T::constant(0.25)
+    }
+}
