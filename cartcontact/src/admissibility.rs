@@ -15,6 +15,7 @@
 //! `MOST_STEPS`, the range is cut where it stands: never too long, at worst too short.
 
 use crate::Scalar;
+use crate::parameters::Parameters;
 use crate::profile::ProfileError;
 
 const MOST_STEPS: u32 = 20_000;
@@ -32,7 +33,11 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
         if !c.is_finite() {
-            return Err(ProfileError::InvalidCoefficient { coefficient: c.value(), exponent: n.value() });
+            return Err(ProfileError::InvalidCoefficient {
+                coefficient: c.value(),
+                exponent: n.value(),
+                parameters: Parameters::default(),
+            });
         }
         if !c.is_zero() {
             smallest = smallest.min(n);
@@ -44,7 +49,11 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
     }
     let leading = coefficient_of(terms.clone(), smallest);
     if leading <= T::zero() {
-        return Err(ProfileError::NotOpening { exponent: smallest.value(), coefficient: leading.value() });
+        return Err(ProfileError::NotOpening {
+            exponent: smallest.value(),
+            coefficient: leading.value(),
+            parameters: Parameters::default(),
+        });
     }
     if !negative {
         return Ok(T::infinity());
@@ -65,11 +74,16 @@ pub fn checked_range<T: Scalar>(
     match requested {
         None => Ok(end),
         Some(max_radius) if !(max_radius > T::zero() && max_radius.is_finite()) => {
-            Err(ProfileError::InvalidMaxRadius { max_radius: max_radius.value() })
+            Err(ProfileError::InvalidMaxRadius {
+                max_radius: max_radius.value(),
+                parameters: Parameters::default(),
+            })
         }
-        Some(max_radius) if max_radius >= end => {
-            Err(ProfileError::NotAdmissible { max_radius: max_radius.value(), fails_at: end.value() })
-        }
+        Some(max_radius) if max_radius >= end => Err(ProfileError::NotAdmissible {
+            max_radius: max_radius.value(),
+            fails_at: end.value(),
+            parameters: Parameters::default(),
+        }),
         Some(max_radius) => Ok(max_radius),
     }
 }

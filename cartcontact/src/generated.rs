@@ -5,3 +5,4 @@ pub use crate::evaluate::horner::{divided_difference, even_sum, value_and_slope}
 pub use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop, real_power};
 pub use crate::evaluate::pressure_kernel::pressure_kernel;
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
+pub use crate::profile::with_parameters;

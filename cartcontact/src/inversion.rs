@@ -173,8 +173,9 @@ impl<T: Scalar> Bracket<T> {
 }
 
 fn iterate<T: Scalar>(target: T, start: T, mut bracket: Bracket<T>, evaluate: impl Fn(T) -> (T, T)) -> T {
-    let half = T::constant(0.5);
-    let close = T::default_epsilon().sqrt() * half;
+    let one = T::one();
+    let close = close_enough::<T>();
+    let per_target = target.recip();
     let mut a = start;
     for step in 0..134 {
         let (value, log_slope) = evaluate(a);
@@ -183,20 +184,18 @@ fn iterate<T: Scalar>(target: T, start: T, mut bracket: Bracket<T>, evaluate: im
         } else {
             bracket.high = a;
         }
-        let mismatch = (value - target) / (half * value + half * target);
-        let half_change = -half * mismatch * (value / log_slope);
-        let next = a * ((T::one() + half_change) / (T::one() - half_change));
-        let bisect = step > 8 && step % 2 == 1;
-        if !bisect && half_change.abs() <= close && bracket.contains(next) {
+        let ratio = value * per_target;
+        let (near, far) = ((ratio - one) * ratio, (ratio + one) * (log_slope * per_target));
+        let next = a * ((far - near) / (far + near));
+        // Also false for NaN, which a slope of zero can cause.
+        if bracket.contains(next) && !(step > 8 && step % 2 == 1) {
             a = next;
-            break;
-        }
-        // The comparison is false for NaN, which a slope of zero can cause.
-        a = if !bisect && half_change.abs() < half && bracket.contains(next) {
-            next
+            if near.abs() <= close * far {
+                break;
+            }
         } else {
-            bracket.middle()
-        };
+            a = bracket.middle();
+        }
         if bracket.is_narrow() {
             break;
         }

@@ -5,6 +5,7 @@ use core::fmt;
 use crate::Scalar;
 use crate::error::Shown;
 use crate::memory::quadrature::Rule;
+use crate::parameters::Parameters;
 
 /// A gap profile Φ(r) = Σ C r^n with everything that follows from it in closed form.
 ///
@@ -237,6 +238,8 @@ pub enum ProfileError {
         coefficient: f64,
         /// The exponent of its term.
         exponent: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
     },
     /// An exponent is not in the range from above 0 to 1024.
     InvalidExponent {
@@ -247,6 +250,8 @@ pub enum ProfileError {
     InvalidMaxRadius {
         /// What was given, in mm.
         max_radius: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
     },
     /// The surfaces overlap, or do not separate, next to the first point of contact.
     NotOpening {
@@ -254,6 +259,8 @@ pub enum ProfileError {
         exponent: f64,
         /// Its coefficient.
         coefficient: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
     },
     /// The gap no longer exceeds its mean over the contact disc before the requested end of the range.
     NotAdmissible {
@@ -261,6 +268,8 @@ pub enum ProfileError {
         max_radius: f64,
         /// The radius at which the condition fails, in mm.
         fails_at: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
     },
 }
 
@@ -273,9 +282,9 @@ impl fmt::Display for ProfileError {
                     "the gap has no terms; give at least one (coefficient, exponent), such as (0.025, 2)"
                 )
             }
-            Self::InvalidCoefficient { coefficient, exponent } => write!(
+            Self::InvalidCoefficient { coefficient, exponent, parameters } => write!(
                 f,
-                "the coefficient of r^{exponent} is {}, but coefficients must be finite; check the geometry's \
+                "{parameters}the coefficient of r^{exponent} is {}, but coefficients must be finite; check the geometry's \
                  parameters for zero, overflow and NaN",
                 Shown(coefficient)
             ),
@@ -284,21 +293,21 @@ impl fmt::Display for ProfileError {
                 "the exponent {} is outside (0, 1024]; a gap that vanishes at r = 0 needs positive powers",
                 Shown(exponent)
             ),
-            Self::InvalidMaxRadius { max_radius } => write!(
+            Self::InvalidMaxRadius { max_radius, parameters } => write!(
                 f,
-                "the largest contact radius is {}, but it must be a positive number; leave it out if there is \
+                "{parameters}the largest contact radius is {}, but it must be a positive number; leave it out if there is \
                  no limit",
                 Shown(max_radius)
             ),
-            Self::NotOpening { exponent, coefficient } => write!(
+            Self::NotOpening { exponent, coefficient, parameters } => write!(
                 f,
-                "the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power needs a \
+                "{parameters}the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power needs a \
                  positive coefficient",
                 Shown(coefficient)
             ),
-            Self::NotAdmissible { max_radius, fails_at } => write!(
+            Self::NotAdmissible { max_radius, fails_at, parameters } => write!(
                 f,
-                "the gap does not exceed its mean over the contact disc at r = {}, inside the requested range \
+                "{parameters}the gap does not exceed its mean over the contact disc at r = {}, inside the requested range \
                  up to {}; choose `max_radius` below {}",
                 Shown(fails_at),
                 Shown(max_radius),
@@ -309,3 +318,19 @@ impl fmt::Display for ProfileError {
 }
 
 impl core::error::Error for ProfileError {}
+
+/// The error with the parameters that caused it.
+pub fn with_parameters<T: Scalar, const N: usize>(
+    mut error: ProfileError,
+    names: &'static [&'static str; N],
+    values: [T; N],
+) -> ProfileError {
+    match &mut error {
+        ProfileError::InvalidCoefficient { parameters, .. }
+        | ProfileError::InvalidMaxRadius { parameters, .. }
+        | ProfileError::NotOpening { parameters, .. }
+        | ProfileError::NotAdmissible { parameters, .. } => *parameters = Parameters::new(names, values),
+        ProfileError::Empty | ProfileError::InvalidExponent { .. } => {}
+    }
+    error
+}

@@ -1,1 +1,9 @@
-//! What the tests share.
+//! What the tests share: geometries, reference values, an error measure, and the table of allowed errors.
+
+pub mod budget;
+pub mod loads;
+pub mod measure;
+pub mod profiles;
+pub mod quadrature;
+pub mod random;
+pub mod reference;

@@ -97,10 +97,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let start = self.now.time;
             // The last step must not leave a rest that is too short to divide.
             let stop = if start + step + shortest < end { start + step } else { end };
-            let (mut whole, mut halves) = (self.clone(), self.clone());
-            whole.advance_smooth(stop);
+            let mut halves = self.clone();
             halves.advance_smooth(start + (stop - start) * half);
+            if halves.now.radius <= self.transition.reach && stop - start > shortest {
+                // Nothing of the first half counts, so the second would only be compared with itself.
+                *self = halves;
+                continue;
+            }
             halves.advance_smooth(stop);
+            let mut whole = self.clone();
+            whole.advance_smooth(stop);
             let agree = whole.transition.agrees_with(&halves.transition);
             if agree || step <= shortest {
                 *self = halves;

@@ -95,7 +95,7 @@ impl<T: Scalar> Transition<T> {
 
     /// Whether two ways to the same transition differ by little more than rounding.
     fn agrees_with(&self, other: &Self) -> bool {
-        let tolerance = T::default_epsilon() * T::constant(4096.0);
+        let tolerance = T::default_epsilon() * T::constant(512.0);
         let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());
         agree(self.offset, other.offset) && agree(self.slope, other.slope)
     }

@@ -49,16 +49,12 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
         match *self {
             Self::Step => T::zero(),
             Self::Linear { rate, load_rate, .. } if load_rate.is_zero() => deficit / rate,
-            Self::Linear { rate, load_rate, duration } => {
+            Self::Linear { rate, load_rate, .. } => {
                 let two = T::constant(2.0);
                 // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes
                 // at the end, count as a long time after it.
                 let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
-                if (rate + then).is_zero() {
-                    T::zero()
-                } else {
-                    (two * deficit / (rate + then)).min(duration)
-                }
+                if (rate + then).is_zero() { T::zero() } else { two * deficit / (rate + then) }
             }
             Self::Smooth { load, start, duration } => {
                 let end = start + duration;

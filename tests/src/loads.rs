@@ -1,0 +1,83 @@
+//! Load histories of every kind that the solution covers.
+
+use cartcontact::load::{Load, PiecewiseLinear};
+
+/// A load given by its knots.
+pub type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
+
+/// The load through `knots`.
+///
+/// # Panics
+///
+/// If they are not those of a load.
+#[must_use]
+pub fn through(knots: &[(f64, f64)]) -> Knots {
+    PiecewiseLinear::new(knots.to_vec()).unwrap_or_else(|error| unreachable!("{knots:?}: {error}"))
+}
+
+/// Named histories of piecewise-linear loads that never fall faster than e^(−χ t).
+#[must_use]
+pub fn histories(chi: f64) -> Vec<(&'static str, Knots)> {
+    // F′ + χ F = 0 at the end of a fall from 100 to 80 that takes (100/80 − 1)/χ.
+    let fastest_fall = 0.25 / chi;
+    vec![
+        ("constant", through(&[(0.0, 100.0)])),
+        ("ramp from zero", through(&[(0.0, 0.0), (1.0 / chi, 100.0)])),
+        ("ramp and hold", through(&[(0.0, 20.0), (0.1 / chi, 100.0), (0.3 / chi, 130.0)])),
+        (
+            "steps",
+            through(&[
+                (0.0, 50.0),
+                (0.1 / chi, 50.0),
+                (0.1 / chi, 75.0),
+                (1.0 / chi, 75.0),
+                (1.0 / chi, 200.0),
+            ]),
+        ),
+        ("slow fall", through(&[(0.0, 100.0), (2.0 / chi, 60.0), (4.0 / chi, 90.0)])),
+        ("fastest fall", through(&[(0.0, 100.0), (fastest_fall, 80.0), (2.0 / chi, 80.0)])),
+    ]
+}
+
+/// A load of a user's own, with the two required methods only: it rises exponentially to its final value.
+#[derive(Clone, Copy, Debug)]
+pub struct Rise {
+    /// The first force.
+    pub start: f64,
+    /// What is added in the end.
+    pub rise: f64,
+    /// How fast.
+    pub rate: f64,
+}
+
+impl Load<f64> for Rise {
+    fn force(&self, t: f64) -> f64 {
+        self.start - self.rise * (-self.rate * t).exp_m1()
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.start * t + self.rise * (t + (-self.rate * t).exp_m1() / self.rate)
+    }
+}
+
+/// A load of a user's own that swings about its mean.
+#[derive(Clone, Copy, Debug)]
+pub struct Swing {
+    /// The mean force.
+    pub mean: f64,
+    /// The amplitude.
+    pub amplitude: f64,
+    /// The angular frequency.
+    pub frequency: f64,
+}
+
+impl Load<f64> for Swing {
+    fn force(&self, t: f64) -> f64 {
+        self.mean + self.amplitude * (self.frequency * t).sin()
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        let half = (self.frequency * t / 2.0).sin();
+        self.mean * t + 2.0 * self.amplitude * half * half / self.frequency
+    }
+}

@@ -1,0 +1,309 @@
+//! Values that make no sense are refused where they come in, with the value and a remedy; nothing panics.
+
+use core::fmt::{Debug, Display};
+
+use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
+use cartcontact::{
+    Contact, ContactError, GapProfile, Layer, Medium, MediumError, Polynomial, ProfileError, RadiusError,
+    gap_profile,
+};
+use tests::profiles::{Oblate, Paraboloid, cases};
+
+const NOT_A_SIZE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0];
+const NOT_AN_AMOUNT: [f64; 4] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0];
+
+/// Expects an error whose message holds the rule, the value and, behind the semicolon, a remedy.
+fn refused<T, E: Display + Debug>(result: Result<T, E>, is_expected: fn(&E) -> bool, value: &str) {
+    let Err(error) = result else { unreachable!("{value} is accepted") };
+    assert!(is_expected(&error), "{error:?} for {value}");
+    let message = error.to_string();
+    assert!(message.contains(value), "no {value} in: {message}");
+    let (rule, remedy) = message.split_once("; ").unwrap_or_default();
+    assert!(!rule.is_empty() && !remedy.is_empty(), "no remedy in: {message}");
+    assert!(message.starts_with(|first: char| !first.is_uppercase()) && !message.ends_with('.'), "{message}");
+}
+
+fn layer() -> Layer<f64> {
+    Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 }
+}
+
+fn paraboloid() -> Contact<f64, Paraboloid, Constant<f64>> {
+    let medium = Medium::between(layer(), layer()).unwrap_or_else(|error| unreachable!("{error}"));
+    Contact::new(Paraboloid, medium, Constant(100.0)).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+#[test]
+fn layers_need_positive_sizes() {
+    for value in NOT_A_SIZE {
+        let (thin, soft) = (Layer { thickness: value, ..layer() }, Layer { shear_modulus: value, ..layer() });
+        for between in [Medium::between, Medium::between_as_printed_2011] {
+            for result in [between(thin, layer()), between(layer(), thin)] {
+                refused(result, |e| matches!(e, MediumError::Thickness { .. }), &value.to_string());
+            }
+            for result in [between(soft, layer()), between(layer(), soft)] {
+                refused(result, |e| matches!(e, MediumError::ShearModulus { .. }), &value.to_string());
+            }
+        }
+        refused(
+            Medium::against_rigid(thin),
+            |e| matches!(e, MediumError::Thickness { .. }),
+            &value.to_string(),
+        );
+        refused(
+            Medium::against_rigid(soft),
+            |e| matches!(e, MediumError::ShearModulus { .. }),
+            &value.to_string(),
+        );
+    }
+}
+
+#[test]
+fn permeabilities_may_be_zero_but_not_negative() {
+    for value in NOT_AN_AMOUNT {
+        let layer = Layer { permeability: value, ..layer() };
+        for result in [Medium::between(layer, layer), Medium::against_rigid(layer)] {
+            refused(result, |e| matches!(e, MediumError::Permeability { .. }), &value.to_string());
+        }
+    }
+    let dry = Layer { permeability: 0.0, ..layer() };
+    assert_eq!(Medium::between(dry, dry).map(|medium| medium.chi()), Ok(0.0));
+}
+
+#[test]
+fn media_too_stiff_or_too_quick_for_the_format_are_refused() {
+    let thick = Layer { thickness: 1e200, ..layer() };
+    refused(Medium::against_rigid(thick), |e| matches!(e, MediumError::Stiffness { .. }), "0");
+    let thin = Layer { thickness: 1e-200, ..layer() };
+    refused(Medium::against_rigid(thin), |e| matches!(e, MediumError::Stiffness { .. }), "inf");
+    let leaky = Layer { permeability: 1e308, shear_modulus: 1e3, ..layer() };
+    refused(Medium::against_rigid(leaky), |e| matches!(e, MediumError::Rate { .. }), "inf");
+}
+
+#[test]
+fn constants_of_a_medium_are_checked() {
+    for value in NOT_A_SIZE {
+        refused(
+            Medium::from_constants(value, 1.0),
+            |e| matches!(e, MediumError::Stiffness { .. }),
+            &value.to_string(),
+        );
+    }
+    for value in NOT_AN_AMOUNT {
+        refused(
+            Medium::from_constants(1.0, value),
+            |e| matches!(e, MediumError::Rate { .. }),
+            &value.to_string(),
+        );
+    }
+}
+
+#[test]
+fn forces_are_finite_and_not_negative() {
+    for value in NOT_AN_AMOUNT {
+        let is_force = |e: &LoadError| matches!(e, LoadError::InvalidForce { .. });
+        refused(Constant(value).check(), is_force, &value.to_string());
+        refused(PiecewiseLinear::new([(0.0, 1.0), (1.0, value)]), is_force, &value.to_string());
+        let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(value));
+        let is_load = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidForce { .. }));
+        refused(contact, is_load, &value.to_string());
+    }
+}
+
+#[test]
+fn knots_are_in_the_order_of_time_from_zero() {
+    let through = |knots: &[(f64, f64)]| PiecewiseLinear::new(knots.to_vec());
+    refused(through(&[]), |e| matches!(e, LoadError::Empty), "no knots");
+    for value in [f64::NAN, f64::INFINITY] {
+        let result = through(&[(0.0, 1.0), (value, 1.0)]);
+        refused(result, |e| matches!(e, LoadError::InvalidTime { knot: 1, .. }), &value.to_string());
+    }
+    refused(through(&[(0.5, 1.0)]), |e| matches!(e, LoadError::LateStart { .. }), "0.5");
+    refused(through(&[(-0.5, 1.0)]), |e| matches!(e, LoadError::LateStart { .. }), "-0.5");
+    let unsorted = through(&[(0.0, 1.0), (3.0, 1.0), (2.5, 1.0)]);
+    refused(unsorted, |e| matches!(e, LoadError::Unsorted { knot: 2, .. }), "2.5");
+    let triple = through(&[(0.0, 1.0), (1.5, 1.0), (1.5, 2.0), (1.5, 3.0)]);
+    refused(triple, |e| matches!(e, LoadError::RepeatedTime { knot: 3, .. }), "1.5");
+}
+
+#[test]
+fn coefficients_are_finite_and_exponents_positive() {
+    refused(Polynomial::<f64, _>::new([]), |e| matches!(e, ProfileError::Empty), "no terms");
+    refused(Polynomial::new([(0.0, 2.0)]), |e| matches!(e, ProfileError::Empty), "no terms");
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let result = Polynomial::new([(0.025, 2.0), (value, 4.0)]);
+        refused(result, |e| matches!(e, ProfileError::InvalidCoefficient { .. }), &value.to_string());
+    }
+    for value in NOT_A_SIZE.into_iter().chain([1024.5]) {
+        let result = Polynomial::new([(0.025, 2.0), (1e-4, value)]);
+        refused(result, |e| matches!(e, ProfileError::InvalidExponent { .. }), &value.to_string());
+    }
+}
+
+#[test]
+fn geometries_must_open_and_stay_open() {
+    refused(Polynomial::new([(-0.5, 2.0)]), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.5");
+    let oblate = [(0.025, 2.0), (-1e-4, 4.0)];
+    for value in NOT_A_SIZE {
+        let result = Polynomial::with_max_radius(oblate, value);
+        refused(result, |e| matches!(e, ProfileError::InvalidMaxRadius { .. }), &value.to_string());
+    }
+    let result = Polynomial::with_max_radius(oblate, 14.5);
+    refused(result, |e| matches!(e, ProfileError::NotAdmissible { .. }), "14.5");
+}
+
+/// A ball whose radius comes from a measurement.
+#[gap_profile(r^2 / (2 * radius) - r^4 / (8 * radius^3), max_radius = limit)]
+struct Ball {
+    radius: f64,
+    limit: f64,
+}
+
+#[test]
+fn symbols_of_a_generated_geometry_are_checked() {
+    let checked = |radius, limit| GapProfile::<f64>::check(&Ball { radius, limit });
+    assert_eq!(checked(20.0, 10.0), Ok(()));
+    for radius in [0.0, f64::NAN] {
+        refused(checked(radius, 10.0), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "");
+    }
+    refused(checked(-20.0, 10.0), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.025");
+    refused(checked(20.0, 40.0), |e| matches!(e, ProfileError::NotAdmissible { .. }), "40");
+    for value in NOT_A_SIZE {
+        let is_limit = |e: &ProfileError| matches!(e, ProfileError::InvalidMaxRadius { .. });
+        refused(checked(20.0, value), is_limit, &value.to_string());
+    }
+    let contact = Contact::new(Ball { radius: -20.0, limit: 1.0 }, *paraboloid().medium(), Constant(1.0));
+    refused(contact, |e| matches!(e, ContactError::Profile(ProfileError::NotOpening { .. })), "-0.025");
+}
+
+#[test]
+fn load_integrals_are_finite_and_within_the_range() {
+    for case in cases() {
+        for value in NOT_AN_AMOUNT {
+            let is_expected = |e: &RadiusError| matches!(e, RadiusError::InvalidLoadIntegral { .. });
+            refused(case.double.radius(value), is_expected, &value.to_string());
+            refused(case.single.radius(value as f32), is_expected, &value.to_string());
+            refused(case.polynomial().radius(value), is_expected, &value.to_string());
+        }
+        if case.max_radius.is_some() {
+            let is_expected = |e: &RadiusError| matches!(e, RadiusError::BeyondRange { .. });
+            refused(case.double.radius(1e30), is_expected, "1e30");
+        }
+    }
+}
+
+#[test]
+fn times_are_finite_and_not_negative() {
+    for value in NOT_AN_AMOUNT {
+        let is_time = |e: &ContactError| matches!(e, ContactError::InvalidTime { .. });
+        refused(paraboloid().at(value), is_time, &value.to_string());
+        refused(paraboloid().radii(&[0.0, value], &mut [0.0; 2]), is_time, &value.to_string());
+        refused(paraboloid().pressure_field(&[value], &[0.0], &mut [0.0]), is_time, &value.to_string());
+    }
+}
+
+#[test]
+fn slices_fit_together() {
+    let contact = paraboloid();
+    let is_empty = |e: &ContactError| matches!(e, ContactError::Empty { .. });
+    refused(contact.radii(&[], &mut []), is_empty, "times");
+    refused(contact.pressure_field(&[], &[1.0], &mut []), is_empty, "times");
+    refused(contact.pressure_field(&[1.0], &[], &mut []), is_empty, "radii");
+    let is_length = |e: &ContactError| matches!(e, ContactError::Length { .. });
+    refused(contact.radii(&[1.0, 2.0], &mut [0.0; 3]), is_length, "3 elements, but 2");
+    refused(contact.pressure_field(&[1.0, 2.0], &[1.0, 2.0], &mut [0.0; 3]), is_length, "3 elements, but 4");
+    let is_unsorted = |e: &ContactError| matches!(e, ContactError::Unsorted { index: 1, .. });
+    refused(contact.pressure_field(&[2.0, 1.5], &[1.0], &mut [0.0; 2]), is_unsorted, "1.5");
+    refused(contact.pressure_matrix(&[2.0, 1.5], &[1.0]), is_unsorted, "1.5");
+}
+
+#[test]
+fn radii_of_a_field_are_finite_and_not_negative() {
+    for value in NOT_AN_AMOUNT {
+        let result = paraboloid().pressure_field(&[1.0], &[0.0, value], &mut [0.0; 2]);
+        refused(result, |e| matches!(e, ContactError::InvalidRadius { index: 1, .. }), &value.to_string());
+    }
+}
+
+#[test]
+fn a_pressure_anywhere_is_a_number_or_says_that_the_radius_is_none() -> Result<(), ContactError> {
+    let contact = paraboloid();
+    for t in [0.0, 200.0] {
+        let now = contact.at(t)?;
+        assert!(now.pressure(f64::NAN).is_nan());
+        for r in [f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 8.5] {
+            assert_eq!(now.pressure(r), 0.0);
+        }
+        assert_eq!(now.pressure(-0.0), now.peak_pressure());
+    }
+    Ok(())
+}
+
+#[test]
+fn a_contact_that_leaves_its_range_says_when() {
+    let contact = Contact::new(Oblate, *paraboloid().medium(), Constant(100.0));
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    assert!(contact.at(0.0).is_ok());
+    let Err(ContactError::BeyondRange { leaves_at, max_radius, .. }) = contact.at(1e5) else {
+        unreachable!("the range is not left");
+    };
+    assert_eq!(max_radius, 8.0);
+    assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-12));
+    refused(contact.at(1e5), |e| matches!(e, ContactError::BeyondRange { .. }), "radius reaches 8");
+}
+
+#[test]
+fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
+    let falling = PiecewiseLinear::new([(0.0, 100.0), (50.0, 100.0), (60.0, 0.0)])?;
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), falling);
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    assert!(contact.at(50.0).is_ok());
+    let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { .. });
+    refused(contact.at(55.0), is_receding, "at time 50");
+    refused(contact.at(1000.0), is_receding, "at time 50");
+    let mut radii = [0.0; 2];
+    refused(contact.radii(&[10.0, 70.0], &mut radii), is_receding, "at time 70");
+    Ok(())
+}
+
+/// A load of a user's own that is not one.
+struct Wrong {
+    force: f64,
+    impulse: f64,
+}
+
+impl Load<f64> for Wrong {
+    fn force(&self, _t: f64) -> f64 {
+        self.force
+    }
+
+    fn impulse(&self, _t: f64) -> f64 {
+        self.impulse
+    }
+}
+
+#[test]
+fn loads_of_a_users_own_are_checked_when_they_are_used() {
+    for value in NOT_AN_AMOUNT {
+        let at = |load| {
+            let contact = Contact::new(Paraboloid, *paraboloid().medium(), load);
+            contact.and_then(|contact| contact.at(1.0).map(|now| now.peak_pressure()))
+        };
+        let is_force = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidForce { .. }));
+        refused(at(Wrong { force: value, impulse: 1.0 }), is_force, &value.to_string());
+        let is_impulse = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidImpulse { .. }));
+        refused(at(Wrong { force: 1.0, impulse: value }), is_impulse, &value.to_string());
+    }
+}
+
+#[test]
+fn hereditary_loads_beyond_the_format_are_refused() {
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(f64::MAX));
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    assert!(matches!(contact.at(1e10), Err(ContactError::Load(_) | ContactError::Radius { .. })));
+}
+
+#[test]
+fn errors_lead_to_their_source() {
+    let error = ContactError::Profile(ProfileError::Empty);
+    assert!(core::error::Error::source(&error).is_some_and(|source| source.is::<ProfileError>()));
+}

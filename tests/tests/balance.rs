@@ -1,0 +1,98 @@
+//! The pressure carries the load: 2π ∫₀ᵃ P r dr = F, at every time, for every geometry and every load.
+
+use core::f64::consts::{FRAC_PI_4, TAU};
+
+use cartcontact::load::{Constant, Load};
+use cartcontact::{Contact, GapProfile, Medium};
+use tests::budget;
+use tests::loads::{Rise, Swing, histories};
+use tests::measure::Errors;
+use tests::profiles::{Case, cases};
+use tests::quadrature::Graded;
+
+const CHI: f64 = 0.02;
+/// In units of 1/χ.
+const TIMES: [f64; 7] = [0.0, 1e-3, 0.1, 0.7, 2.5, 30.0, 1000.0];
+/// Within the range of every geometry.
+const LAST_RADIUS: f64 = 5.0;
+
+#[test]
+fn pressure_carries_a_constant_load() {
+    check_load("constant", &Constant(70.0), &TIMES);
+}
+
+#[test]
+fn pressure_carries_piecewise_linear_loads() {
+    for (name, load) in histories(CHI) {
+        check_load(name, &load, &TIMES);
+    }
+}
+
+#[test]
+fn pressure_carries_a_slow_load_of_a_users_own() {
+    check_load("slow rise", &Rise { start: 0.0, rise: 90.0, rate: 0.01 }, &TIMES);
+}
+
+#[test]
+fn pressure_carries_a_quick_load_of_a_users_own() {
+    check_load("quick rise", &Rise { start: 10.0, rise: 90.0, rate: 0.1 }, &TIMES);
+}
+
+#[test]
+fn pressure_carries_a_swinging_load_of_a_users_own() {
+    // F′ ≥ −30 · 0.03, while χ F ≥ 0.02 · 70.
+    // Every step of the march costs a hundred evaluations of the load, so that a few geometries have to do.
+    let load = Swing { mean: 100.0, amplitude: 30.0, frequency: 0.03 };
+    check_load_on(cases().into_iter().step_by(6), "swing", &load, &[0.0, 2.5]);
+}
+
+fn check_load(name: &str, load: &dyn Load<f64>, times: &[f64]) {
+    check_load_on(cases(), name, load, times);
+}
+
+fn check_load_on(cases: impl IntoIterator<Item = Case>, name: &str, load: &dyn Load<f64>, times: &[f64]) {
+    let mut errors = Errors::of(budget::BALANCE);
+    let rule = Graded::new(16, 7);
+    for case in cases {
+        for &time in times {
+            let t = time / CHI;
+            if load.force(t) > 0.0 {
+                let carried = carried(case, load, t, &rule);
+                errors.add(carried, load.force(t), 1.0, &(name, case, time));
+            }
+        }
+    }
+    errors.check();
+}
+
+/// 2π ∫₀ᵃ P r dr, in a medium in which the contact radius at `t` is [`LAST_RADIUS`].
+fn carried(case: Case, load: &dyn Load<f64>, t: f64, rule: &Graded) -> f64 {
+    let stiffness = (load.force(t) + CHI * load.impulse(t)) / case.double.load_integral(LAST_RADIUS);
+    let solve = || {
+        let contact = Contact::new(case.double, Medium::from_constants(stiffness / FRAC_PI_4, CHI)?, load)?;
+        let now = contact.at(t)?;
+        let mut borders = vec![0.0];
+        borders.extend(knot_radii(case.double, load, t, stiffness));
+        borders.push(now.radius());
+        let shares = borders.windows(2).map(|ends| rule.integrate(ends[0], ends[1], |r| now.pressure(r) * r));
+        Ok(TAU * shares.sum::<f64>())
+    };
+    solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{case:?}, {t}: {error}"))
+}
+
+/// The contact radii at the times between which the pressure is smooth, on both sides of jumps.
+fn knot_radii(profile: &dyn GapProfile<f64>, load: &dyn Load<f64>, t: f64, stiffness: f64) -> Vec<f64> {
+    let mut times = vec![0.0];
+    if load.is_linear_between_knots() {
+        let knots = core::iter::successors(load.next_knot(0.0), |&knot| load.next_knot(knot));
+        times.extend(knots.take_while(|&knot| knot <= t));
+    } else {
+        times.extend((1..12).map(|part| t * f64::from(part) / 12.0));
+    }
+    let forces = |time: f64| [load.force_before(time), load.force(time)].map(|force| (time, force));
+    let radius = |(time, force)| profile.radius((force + CHI * load.impulse(time)) / stiffness).ok();
+    let mut radii: Vec<f64> = times.into_iter().flat_map(forces).filter_map(radius).collect();
+    radii.retain(|&radius| radius > 0.0);
+    radii.dedup();
+    radii
+}

@@ -1,0 +1,164 @@
+//! Dual numbers carry exact derivatives through a whole contact.
+
+use core::f64::consts::PI;
+
+use cartcontact::load::{Constant, PiecewiseLinear};
+use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, Scalar, gap_profile};
+use num_dual::Dual64;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// A ball that may be any scalar.
+#[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3))]
+struct Ball<T> {
+    radius: T,
+}
+
+/// A ball with a plain radius, used with any scalar.
+#[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
+struct Plain;
+
+/// x with the derivative 1.
+fn variable(x: f64) -> Dual64 {
+    Dual64::from(x).derivative()
+}
+
+/// The slope of `f` at `x` by central differences of fourth order, to about ten digits.
+fn slope(f: impl Fn(f64) -> f64, x: f64) -> f64 {
+    let h = 1e-3 * x;
+    (8.0 * (f(x + h) - f(x - h)) - (f(x + 2.0 * h) - f(x - 2.0 * h))) / (12.0 * h)
+}
+
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} instead of {expected}");
+}
+
+/// a = (48 F (1 + χ t)/(π m C))^(1/6) with respect to F.
+#[test]
+fn slope_of_a_radius_is_that_of_its_closed_form() -> Result<(), Failure> {
+    let profile = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
+    let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
+    let contact = Contact::new(profile, medium, Constant(variable(100.0)))?;
+    for t in [0.0, 200.0] {
+        let now = contact.at(Dual64::from(t))?;
+        let a = (48.0 * 100.0 * (1.0 + 0.0015 * t) / (PI * 0.375 * 0.025)).powf(1.0 / 6.0);
+        assert_close(now.radius().re, a, 1e-14);
+        assert_close(now.radius().eps, a / 600.0, 1e-13);
+        // δ₀ = C a²/2 grows with F^(1/3).
+        assert_close(now.approach().eps, now.approach().re / 300.0, 1e-13);
+    }
+    Ok(())
+}
+
+/// P(0, 0) = 3 F/(π a²) of a paraboloid, with respect to F, C and m.
+#[test]
+fn slope_of_the_first_peak_pressure_is_that_of_its_closed_form() -> Result<(), Failure> {
+    let peak = |c, m, force| -> Result<Dual64, Failure> {
+        let profile = Polynomial::new([(c, Dual64::from(2.0))])?;
+        let contact =
+            Contact::new(profile, Medium::from_constants(m, Dual64::from(0.0015))?, Constant(force))?;
+        Ok(contact.at(Dual64::from(0.0))?.peak_pressure())
+    };
+    let [c, m, force] = [0.025, 0.375, 100.0];
+    let plain = Dual64::from;
+    // P ∝ F^(2/3) (m C)^(1/3).
+    for (found, share, x) in [
+        (peak(plain(c), plain(m), variable(force))?, 2.0 / 3.0, force),
+        (peak(variable(c), plain(m), plain(force))?, 1.0 / 3.0, c),
+        (peak(plain(c), variable(m), plain(force))?, 1.0 / 3.0, m),
+    ] {
+        assert_close(found.eps, share * found.re / x, 1e-13);
+    }
+    Ok(())
+}
+
+/// What a problem gives: radius, approach, and pressure at 3 mm, after a ramp and a hold.
+fn results<T: Scalar>(profile: impl GapProfile<T>, permeability: T, force: T) -> Result<[T; 3], Failure> {
+    let constant = T::constant;
+    let layer = Layer { thickness: constant(1.0), shear_modulus: constant(0.25), permeability };
+    let load = PiecewiseLinear::new([(constant(0.0), force * constant(0.2)), (constant(30.0), force)])?;
+    let contact = Contact::new(profile, Medium::between(layer, layer)?, load)?;
+    let now = contact.at(constant(200.0))?;
+    Ok([now.radius(), now.approach(), now.pressure(constant(3.0))])
+}
+
+/// Compares the derivatives in `dual` with differences of `plain` about `x`.
+fn compare(dual: [Dual64; 3], plain: impl Fn(f64) -> [f64; 3], x: f64) {
+    for (index, dual) in dual.into_iter().enumerate() {
+        assert_close(dual.re, plain(x)[index], 1e-13);
+        assert_close(dual.eps, slope(|x| plain(x)[index], x), 1e-9);
+    }
+}
+
+fn or_nan(results: Result<[f64; 3], Failure>) -> [f64; 3] {
+    results.unwrap_or([f64::NAN; 3])
+}
+
+#[test]
+fn slopes_with_respect_to_the_geometry_are_those_of_differences() -> Result<(), Failure> {
+    let dual = results(Ball { radius: variable(20.0) }, Dual64::from(2e-3), Dual64::from(100.0))?;
+    compare(dual, |radius| or_nan(results(Ball { radius }, 2e-3, 100.0)), 20.0);
+    Ok(())
+}
+
+#[test]
+fn slopes_with_respect_to_the_medium_are_those_of_differences() -> Result<(), Failure> {
+    let dual = results(Plain, variable(2e-3), Dual64::from(100.0))?;
+    let plain = |permeability| or_nan(results(Plain, permeability, 100.0));
+    // The radius depends on the permeability weakly, so differences lose digits.
+    for (index, dual) in dual.into_iter().enumerate() {
+        assert_close(dual.eps, slope(|x| plain(x)[index], 2e-3), 1e-8);
+    }
+    Ok(())
+}
+
+#[test]
+fn slopes_with_respect_to_the_load_are_those_of_differences() -> Result<(), Failure> {
+    let dual = results(Plain, Dual64::from(2e-3), variable(100.0))?;
+    compare(dual, |force| or_nan(results(Plain, 2e-3, force)), 100.0);
+    Ok(())
+}
+
+/// The slopes of a snapshot with respect to time are those that the model's equations give.
+#[test]
+fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), Failure> {
+    let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
+    let contact = Contact::new(Plain, medium, Constant(Dual64::from(100.0)))?;
+    let now = contact.at(variable(200.0))?;
+    let a = now.radius();
+    // F′ + χ F = (π m/8) a⁴ δ₀′(t).
+    let fluid = PI * 0.375 / 8.0 * a.re.powi(4) * now.approach().eps;
+    assert_close(fluid, 0.0015 * 100.0, 1e-13);
+    // P_t + χ P = (m/4) δ₀′(t) (a² − r²).
+    let r = 2.0;
+    let pressure = now.pressure(Dual64::from(r));
+    let expected = 0.375 / 4.0 * now.approach().eps * (a.re * a.re - r * r) - 0.0015 * pressure.re;
+    assert_close(pressure.eps, expected, 1e-12);
+    Ok(())
+}
+
+/// Φ = C rⁿ changes by Φ ln r with n, be n whole or not.
+#[test]
+fn slope_with_respect_to_an_exponent_is_that_of_the_power() -> Result<(), Failure> {
+    for n in [2.0, 2.5, 2.3] {
+        let profile = Polynomial::new([(Dual64::from(0.5), variable(n))])?;
+        let plain = |n: f64| Polynomial::new([(0.5, n)]);
+        let gap = profile.gap(Dual64::from(3.0));
+        assert_close(gap.eps, gap.re * 3.0_f64.ln(), 1e-13);
+        let radius = |n: f64| plain(n).map_or(f64::NAN, |profile| profile.radius(3.0).unwrap_or(f64::NAN));
+        assert_close(profile.radius(Dual64::from(3.0))?.eps, slope(radius, n), 1e-9);
+    }
+    Ok(())
+}
+
+/// A dual number whose derivative is zero is a plain number.
+#[test]
+fn values_are_those_of_plain_numbers() -> Result<(), Failure> {
+    let plain = results(Plain, 2e-3, 100.0)?;
+    let dual = results(Plain, Dual64::from(2e-3), Dual64::from(100.0))?;
+    for (plain, dual) in plain.into_iter().zip(dual) {
+        assert_close(dual.re, plain, 1e-14);
+        assert_eq!(dual.eps, 0.0);
+    }
+    Ok(())
+}

@@ -1,0 +1,18 @@
+//! The attribute works wherever a struct may stand, whatever names are in scope.
+
+mod colliding_names;
+mod generics;
+mod no_prelude;
+mod places;
+mod shadowed_names;
+mod single_precision;
+
+extern crate cartcontact as renamed;
+
+/// The radius that carries a load integral of 1, which every geometry here has.
+fn radius<T: cartcontact::Scalar>(profile: &impl cartcontact::GapProfile<T>) -> f64 {
+    profile.radius(T::constant(1.0)).map_or(f64::NAN, T::value)
+}
+
+/// That of the paraboloid r²/(2 · 20), the sixth root of 480.
+const OF_BALL: f64 = 2.798_166_414_339_527_3;

@@ -1,0 +1,119 @@
+//! Laws that tie the functions of a geometry to each other, and generated solvers to polynomials.
+
+use cartcontact::GapProfile;
+use proptest::prelude::*;
+use tests::budget::{self, Allowance};
+use tests::measure::relative_error;
+use tests::profiles::{Case, cases};
+use tests::quadrature::Graded;
+use tests::random::{self, magnitude};
+
+/// A function of a radius and a share of it.
+type Kernel = (Allowance, fn(&dyn GapProfile<f64>, f64, f64) -> f64);
+
+const KERNELS: [Kernel; 6] = [
+    (budget::GAP, |profile, a, _| profile.gap(a)),
+    (budget::APPROACH, |profile, a, _| profile.approach(a)),
+    (budget::APPROACH_SLOPE, |profile, a, _| profile.approach_slope(a)),
+    (budget::LOAD_INTEGRAL, |profile, a, _| profile.load_integral(a)),
+    (budget::LOG_KERNEL, |profile, a, _| profile.log_kernel(a)),
+    (budget::PRESSURE_KERNEL, |profile, a, q| profile.pressure_kernel(a, q * a)),
+];
+
+/// Σ|terms|/|sum| of a kernel.
+fn condition(case: Case, kernel: fn(&dyn GapProfile<f64>, f64, f64) -> f64, a: f64, q: f64) -> f64 {
+    let sum = kernel(case.double, a, q);
+    if sum == 0.0 { 1.0 } else { kernel(&case.of_sizes(), a, q) / sum }
+}
+
+proptest! {
+    #![proptest_config(random::cases(400))]
+
+    #[test]
+    fn generated_solvers_agree_with_polynomials(index in 0..11_usize, share in 0.0..1.0, q in 0.0..1.0) {
+        let case = cases()[index];
+        let a = share * case.max_radius.unwrap_or(20.0);
+        for (allowance, kernel) in KERNELS {
+            let (generated, polynomial) = (kernel(case.double, a, q), kernel(&case.polynomial(), a, q));
+            let error = relative_error(generated, polynomial, f64::EPSILON);
+            let allowed = 2.0 * allowance.double * condition(case, kernel, a, q);
+            prop_assert!(error <= allowed, "{} of {case:?} at {a}, {q}: {error}", allowance.quantity);
+        }
+    }
+
+    /// The factored kernel keeps its digits up to the edge: G = ¼ ∫ δ₀′(s) (s² − r²) ds over s from r to a.
+    #[test]
+    fn pressure_kernel_is_accurate_up_to_the_edge(
+        index in 0..11_usize,
+        share in 0.01..1.0,
+        depth in magnitude(-12.0..-0.5),
+    ) {
+        let case = cases()[index];
+        let a = share * case.max_radius.unwrap_or(16.0);
+        let r = a * (1.0 - depth);
+        // From the inside out, because a − r is exact and r is not a (1 − depth).
+        let depth = a - r;
+        let integral = Graded::new(40, 0).integrate(0.0, depth, |h| {
+            case.double.approach_slope(r + h) * h * (r + (r + h)) / 4.0
+        });
+        let error = relative_error(case.double.pressure_kernel(a, r), integral, f64::EPSILON);
+        let allowed = 16.0 * condition(case, KERNELS[5].1, a, r / a).max(1.0);
+        prop_assert!(error <= allowed, "{case:?} at {a}, {depth:e}: {error}");
+    }
+
+    /// δ₀′ = (2/a) (Φ − δ₀).
+    #[test]
+    fn slope_of_approach_is_what_the_gap_exceeds_its_mean_by(index in 0..11_usize, share in 1e-3..1.0) {
+        let case = cases()[index];
+        let a = share * case.max_radius.unwrap_or(20.0);
+        let (gap, approach) = (case.double.gap(a), case.double.approach(a));
+        let difference = 2.0 * (gap - approach) / a;
+        let allowed = 8.0 * f64::EPSILON * case.of_sizes().gap(a) / a;
+        prop_assert!((case.double.approach_slope(a) - difference).abs() <= allowed, "{case:?} at {a}");
+    }
+
+    /// J(a) − J(a − depth) keeps its digits at any depth.
+    #[test]
+    fn drop_of_load_integral_is_accurate_at_any_depth(
+        index in 0..11_usize,
+        share in 0.01..1.0,
+        depth in magnitude(-15.0..0.0),
+    ) {
+        let case = cases()[index];
+        let a = share * case.max_radius.unwrap_or(16.0);
+        let depth = a * depth;
+        // J′ = a⁴ δ₀′/2.
+        let slope = |s: f64| s * s * s * s * case.double.approach_slope(s) / 2.0;
+        let integral = Graded::new(40, 2).integrate(0.0, depth, |h| slope(a - h));
+        let of_sizes = case.of_sizes().load_integral_drop(a, depth);
+        for found in [case.double.load_integral_drop(a, depth), case.polynomial().load_integral_drop(a, depth)] {
+            let allowed = budget::LOAD_INTEGRAL_DROP.double * f64::EPSILON * of_sizes;
+            prop_assert!((found - integral).abs() <= allowed, "{case:?} at {a}, {depth:e}: {found} {integral}");
+        }
+    }
+}
+
+#[test]
+fn all_kernels_vanish_at_the_centre() {
+    for case in cases() {
+        for (allowance, kernel) in KERNELS {
+            let found = kernel(case.double, 0.0, 0.0);
+            // The approach of a cone has a slope there.
+            let expected = if allowance.quantity == "approach slope" { found } else { 0.0 };
+            assert_eq!(found, expected, "{} of {case:?}", allowance.quantity);
+        }
+        assert!(case.double.approach_slope(0.0).is_finite(), "{case:?}");
+    }
+}
+
+#[test]
+fn pressure_kernel_is_zero_outside() {
+    for case in cases() {
+        for a in [1e-3, 1.0, 7.0] {
+            for r in [a, a * (1.0 + f64::EPSILON), 2.0 * a, 1e300, f64::INFINITY] {
+                assert_eq!(case.double.pressure_kernel(a, r), 0.0, "{case:?} at {a}, {r}");
+                assert_eq!(case.polynomial().pressure_kernel(a, r), 0.0, "{case:?} at {a}, {r}");
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Laws of the pressure: not negative, falling outwards, zero outside, fading at the rate χ.
+
+use core::f64::consts::FRAC_PI_4;
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, ContactError, GapProfile, Medium};
+use proptest::prelude::*;
+use tests::budget;
+use tests::loads::{histories, through};
+use tests::measure::{Errors, relative_error};
+use tests::profiles::{Case, cases};
+use tests::random;
+
+const CHI: f64 = 0.02;
+
+/// A contact whose radius is `a` at `t`.
+fn contact<L: Load<f64>>(
+    case: Case,
+    load: L,
+    a: f64,
+    t: f64,
+) -> Result<Contact<f64, &'static dyn GapProfile<f64>, L>, ContactError> {
+    let stiffness = (load.force(t) + CHI * load.impulse(t)) / case.double.load_integral(a);
+    let medium = Medium::from_constants(stiffness / FRAC_PI_4, CHI).unwrap_or_else(|e| unreachable!("{e}"));
+    Contact::new(case.double, medium, load)
+}
+
+proptest! {
+    #![proptest_config(random::cases(300))]
+
+    #[test]
+    fn pressure_falls_outwards_to_zero(
+        (index, history) in (0..11_usize, 0..6_usize),
+        time in 1e-3..10.0,
+        (inner, outer) in (0.0..1.0, 0.0..1.0),
+    ) {
+        let (name, load) = histories(CHI).swap_remove(history);
+        let now = contact(cases()[index], load, 5.0, time / CHI);
+        let contact = now.map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let now = contact.at(time / CHI).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let (inner, outer) = (f64::min(inner, outer) * now.radius(), f64::max(inner, outer) * now.radius());
+        let (high, low) = (now.pressure(inner), now.pressure(outer));
+        let rounding = 1.0 + budget::PRESSURE.double * f64::EPSILON;
+        prop_assert!(high.is_finite() && low >= 0.0 && low <= high * rounding, "{name}: {high} {low}");
+        prop_assert!(high <= now.peak_pressure() * rounding, "{name}");
+        prop_assert_eq!(now.pressure(now.radius() * (1.0 + f64::EPSILON)), 0.0);
+        prop_assert_eq!(now.pressure(-inner), high);
+    }
+}
+
+/// F = F₀ e^(−χ t), the load under which the approach does not change.
+struct Relaxation;
+
+impl Load<f64> for Relaxation {
+    fn force(&self, t: f64) -> f64 {
+        100.0 * (-CHI * t).exp()
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        -100.0 * (-CHI * t).exp_m1() / CHI
+    }
+}
+
+#[test]
+fn pressure_relaxes_like_the_load_at_a_constant_approach() -> Result<(), ContactError> {
+    for case in cases() {
+        let contact = contact(case, Relaxation, 5.0, 0.0)?;
+        let first = contact.at(0.0)?;
+        for t in [1.0, 30.0, 500.0] {
+            let now = contact.at(t)?;
+            assert!(relative_error(now.radius(), first.radius(), f64::EPSILON) <= 2.0, "{case:?}");
+            for r in [0.0, 2.0, 4.0] {
+                let expected = first.pressure(r) * (-CHI * t).exp();
+                // One rounding of the hereditary load, which stays what it was, is e^(χ t) of the pressure now.
+                let allowed = 64.0 * (CHI * t).exp();
+                let error = relative_error(now.pressure(r), expected, f64::EPSILON);
+                assert!(error <= allowed, "{case:?}, {t}, {r}: {error:.1} of {allowed:.1} ε");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn there_is_no_memory_without_drainage() -> Result<(), ContactError> {
+    let load = through(&[(0.0, 10.0), (5.0, 100.0)]);
+    for case in cases() {
+        let medium = Medium::from_constants(1e3, 0.0).unwrap_or_else(|e| unreachable!("{e}"));
+        let contact = Contact::new(case.double, medium, &load)?;
+        let (now, later) = (contact.at(5.0)?, contact.at(1e9)?);
+        assert_eq!((now.radius(), now.pressure(0.3)), (later.radius(), later.pressure(0.3)), "{case:?}");
+        let undrained = 1e3 * case.double.pressure_kernel(now.radius(), 0.3);
+        let error = relative_error(now.pressure(0.3), undrained, f64::EPSILON);
+        assert!(error <= 2.0 * budget::PRESSURE.double, "{case:?}: {error}");
+    }
+    Ok(())
+}
+
+#[test]
+fn knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
+    let plain = [(0.0, 100.0)];
+    for last in [0.5, 10.0, 200.0, 1000.0].map(|time| time / CHI) {
+        let split: Vec<(f64, f64)> = (0..=20).map(|part| (last * f64::from(part) / 20.0, 100.0)).collect();
+        let mut errors = Errors::of(budget::PRESSURE);
+        for case in cases() {
+            for (split, t) in [(&split[..], last), (&split[..], last + 1.0), (&split[..20], last)] {
+                let (plain, split) = (PiecewiseLinear::new(&plain[..]), PiecewiseLinear::new(split));
+                let (plain, split) = (plain.map_err(ContactError::Load)?, split.map_err(ContactError::Load)?);
+                let (plain, split) = (contact(case, plain, 5.0, t)?, contact(case, split, 5.0, t)?);
+                let (plain, split) = (plain.at(t)?, split.at(t)?);
+                for r in [0.0, 2.0, 4.0, 4.9] {
+                    let edge = 1.0 + 2.0 * plain.radius() / (plain.radius() - r);
+                    errors.add(split.pressure(r), plain.pressure(r), edge, &(case, t, r));
+                }
+            }
+        }
+        errors.check();
+    }
+    Ok(())
+}
+
+/// A history that the load goes through again, slower, in a medium that drains slower.
+#[test]
+fn time_is_measured_in_units_of_the_memory() -> Result<(), ContactError> {
+    for case in cases() {
+        for ((name, quick), (_, slow)) in histories(CHI).into_iter().zip(histories(CHI / 8.0)) {
+            let medium = |chi| Medium::from_constants(1e3, chi).unwrap_or_else(|e| unreachable!("{e}"));
+            let quick = Contact::new(case.double, medium(CHI), quick)?;
+            let slow = Contact::new(case.double, medium(CHI / 8.0), slow)?;
+            for time in [0.01, 0.1, 2.0, 5.0].map(|time| time / CHI) {
+                let (quick, slow) = (quick.at(time)?, slow.at(8.0 * time)?);
+                assert!(
+                    relative_error(slow.radius(), quick.radius(), f64::EPSILON) <= 4.0,
+                    "{case:?}, {name}"
+                );
+                let error = slow.pressure(0.2) / quick.pressure(0.2) - 1.0;
+                assert!(error.abs() < 1e-13, "{case:?}, {name}, {time}: {error:e}");
+            }
+        }
+    }
+    Ok(())
+}

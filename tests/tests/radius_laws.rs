@@ -1,0 +1,113 @@
+//! Laws of the contact radius: it inverts the load integral, for any load.
+
+use cartcontact::load::Constant;
+use cartcontact::{Contact, GapProfile, Medium};
+use proptest::prelude::*;
+use tests::budget;
+use tests::measure::relative_error;
+use tests::profiles::cases;
+use tests::random::{self, degree, magnitude, positive_sums};
+
+/// In units of ε; J is rounded twice, and its error divided by its degree.
+const ALLOWED: f64 = budget::RADIUS.double + 2.0 * budget::LOAD_INTEGRAL.double / 4.0;
+
+fn failure(error: impl core::fmt::Display) -> TestCaseError {
+    TestCaseError::fail(error.to_string())
+}
+
+proptest! {
+    #![proptest_config(random::cases(300))]
+
+    #[test]
+    fn a_planted_radius_is_recovered(profile in positive_sums(), a in magnitude(-4.0..4.0)) {
+        let found = profile.radius(profile.load_integral(a)).unwrap_or(f64::NAN);
+        prop_assert!(relative_error(found, a, f64::EPSILON) <= ALLOWED, "{found} instead of {a}");
+    }
+
+    #[test]
+    fn a_planted_radius_is_recovered_by_generated_solvers(index in 0..11_usize, share in 1e-6..1.0) {
+        let case = cases()[index];
+        let a = share * case.max_radius.unwrap_or(20.0);
+        let condition = case.of_sizes().load_integral(a) / case.double.load_integral(a);
+        let found = case.double.radius(case.double.load_integral(a)).unwrap_or(f64::NAN);
+        let error = relative_error(found, a, f64::EPSILON);
+        prop_assert!(error <= ALLOWED * condition, "{case:?}: {found} instead of {a}");
+    }
+
+    #[test]
+    fn a_larger_load_makes_a_larger_contact(
+        profile in positive_sums(),
+        load in magnitude(-9.0..9.0),
+        growth in magnitude(-11.0..1.0),
+    ) {
+        let radius = |load| profile.radius(load).unwrap_or(f64::NAN);
+        prop_assert!(radius(load) < radius(load * (1.0 + growth)));
+    }
+
+    #[test]
+    fn no_load_is_too_small_or_too_large(
+        profile in positive_sums(),
+        force in magnitude(-300.0..300.0),
+        m in magnitude(-3.0..3.0),
+    ) {
+        let medium = Medium::from_constants(m, 0.0).map_err(failure)?;
+        let contact = Contact::new(&profile, medium, Constant(force)).map_err(failure)?;
+        let now = contact.at(1.0).map_err(failure)?;
+        let a = now.radius();
+        let carried = profile.load_integral(a) * m * core::f64::consts::FRAC_PI_4;
+        let allowed = budget::LOAD_INTEGRAL.double + ALLOWED * degree(&profile, a);
+        prop_assert!(relative_error(carried, force, f64::EPSILON) <= allowed, "{a}: {carried:e}, {force:e}");
+        prop_assert!(now.approach() > 0.0 && now.approach().is_finite());
+        prop_assert!(now.peak_pressure() > 0.0 && now.peak_pressure().is_finite());
+    }
+}
+
+/// Whether J of the radius that is found is `load_integral`, as far as the degree of J lets a radius be rounded.
+fn is_recovered(profile: &dyn GapProfile<f64>, load_integral: f64) -> bool {
+    let a = profile.radius(load_integral).unwrap_or(f64::NAN);
+    let allowed = budget::LOAD_INTEGRAL.double + ALLOWED * degree(profile, a);
+    relative_error(profile.load_integral(a), load_integral, f64::EPSILON) <= allowed
+}
+
+#[test]
+fn radii_reach_both_ends_of_the_format() {
+    for case in cases().into_iter().filter(|case| case.max_radius.is_none()) {
+        for load_integral in [f64::MIN_POSITIVE, 1e-300, 1e-200, 1e200, 1e300, 1e305] {
+            assert!(is_recovered(case.double, load_integral), "{case:?}, {load_integral:e}");
+            assert!(is_recovered(&case.polynomial(), load_integral), "{case:?}, {load_integral:e}");
+        }
+    }
+}
+
+/// Where a J′, its degree times J, no longer fits into an `f64`, a radius is right or refused.
+#[test]
+fn radii_are_not_wrong_where_the_slope_overflows() {
+    for case in cases().into_iter().filter(|case| case.max_radius.is_none()) {
+        for load_integral in [3e307, 1e308, 1.7e308] {
+            let profile: &dyn GapProfile<f64> = &case.polynomial();
+            for profile in [case.double, profile] {
+                let refused = profile.radius(load_integral).is_err();
+                assert!(refused || is_recovered(profile, load_integral), "{case:?}, {load_integral:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_load_makes_no_contact() {
+    for case in cases() {
+        assert_eq!(case.double.radius(0.0), Ok(0.0), "{case:?}");
+        assert_eq!(case.single.radius(0.0), Ok(0.0), "{case:?}");
+        assert_eq!(case.polynomial().radius(0.0), Ok(0.0), "{case:?}");
+    }
+}
+
+#[test]
+fn the_end_of_the_range_is_reached_and_not_passed() {
+    for case in cases() {
+        let Some(end) = case.max_radius else { continue };
+        let largest = case.double.load_integral(end);
+        assert!(case.double.radius(largest * (1.0 - 1e-12)).is_ok_and(|a| a <= end), "{case:?}");
+        assert!(case.double.radius(largest * (1.0 + 1e-12)).is_err(), "{case:?}");
+    }
+}

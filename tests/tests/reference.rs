@@ -1,0 +1,170 @@
+//! Every reference value, against generated solvers and run-time polynomials.
+
+use cartcontact::load::Constant;
+use cartcontact::{Contact, GapProfile, Medium, gap_profile};
+use tests::budget::{self, Allowance};
+use tests::loads::through;
+use tests::measure::Errors;
+use tests::profiles::{Case, cases};
+use tests::reference::{self, ContactRow, KernelRow};
+
+/// A quantity of the kernels: its allowance, how it is computed, and what it should be.
+type Quantity = (Allowance, fn(&dyn GapProfile<f64>, &KernelRow) -> f64, fn(&KernelRow) -> f64);
+
+const QUANTITIES: [Quantity; 6] = [
+    (budget::GAP, |profile, row| profile.gap(row.a), |row| row.gap),
+    (budget::APPROACH, |profile, row| profile.approach(row.a), |row| row.approach),
+    (budget::APPROACH_SLOPE, |profile, row| profile.approach_slope(row.a), |row| row.approach_slope),
+    (budget::LOAD_INTEGRAL, |profile, row| profile.load_integral(row.a), |row| row.load_integral),
+    (budget::LOG_KERNEL, |profile, row| profile.log_kernel(row.a), |row| row.log_kernel),
+    (
+        budget::PRESSURE_KERNEL,
+        |profile, row| profile.pressure_kernel(row.a, row.r),
+        |row| row.pressure_kernel,
+    ),
+];
+
+/// Which form of a geometry is compared.
+type Form = fn(Case, &mut dyn FnMut(&dyn GapProfile<f64>));
+
+const FORMS: [(&str, Form); 2] = [
+    ("generated", |case, visit| visit(case.double)),
+    ("polynomial", |case, visit| visit(&case.polynomial())),
+];
+
+#[test]
+fn kernels_are_those_of_the_reference() {
+    let rows = reference::kernels();
+    for (form, visit) in FORMS {
+        for (allowance, compute, expected) in QUANTITIES {
+            let mut errors = Errors::of(allowance);
+            for row in &rows {
+                let condition = match compute(&row.case.of_sizes(), row) {
+                    0.0 => 1.0,
+                    sizes => sizes / expected(row),
+                };
+                visit(row.case, &mut |profile| {
+                    errors.add(
+                        compute(profile, row),
+                        expected(row),
+                        condition,
+                        &(form, row.case, row.a, row.r),
+                    );
+                });
+            }
+            errors.check();
+        }
+    }
+}
+
+#[test]
+fn radii_are_those_of_the_reference() {
+    for (form, visit) in FORMS {
+        let mut errors = Errors::of(budget::RADIUS);
+        for row in reference::radii() {
+            let load_integral = row.y / (row.m * core::f64::consts::FRAC_PI_4);
+            visit(row.case, &mut |profile| {
+                let found = profile.radius(load_integral).unwrap_or(f64::NAN);
+                errors.add(found, row.a, condition_of_radius(row.case, row.a), &(form, row.case, row.y));
+            });
+        }
+        errors.check();
+    }
+}
+
+#[test]
+fn contacts_are_those_of_the_reference() {
+    let rows = reference::contacts();
+    for (form, visit) in FORMS {
+        let (mut radius, mut approach) =
+            (Errors::of(budget::CONTACT_RADIUS), Errors::of(budget::CONTACT_APPROACH));
+        let (mut pressure, mut peak) = (Errors::of(budget::PRESSURE), Errors::of(budget::PEAK_PRESSURE));
+        for row in &rows {
+            let place = (form, row.case, row.chi, &row.knots, row.t, row.r);
+            visit(row.case, &mut |profile| {
+                let (a, delta, p, p0) = solved(profile, row);
+                let condition = condition_of_radius(row.case, row.radius);
+                radius.add(a, row.radius, condition, &place);
+                approach.add(
+                    delta,
+                    row.approach,
+                    condition * (1.0 + degree_of_approach(row.case, row.radius)),
+                    &place,
+                );
+                pressure.add(p, row.pressure, 1.0 + 2.0 * row.radius / (row.radius - row.r), &place);
+                peak.add(p0, row.peak_pressure, 1.0, &place);
+            });
+        }
+        radius.check();
+        approach.check();
+        pressure.check();
+        peak.check();
+    }
+}
+
+/// a, δ₀, P(r) and P(0) of a row.
+fn solved(profile: &dyn GapProfile<f64>, row: &ContactRow) -> (f64, f64, f64, f64) {
+    let solve = || {
+        let medium = Medium::from_constants(row.m, row.chi)?;
+        let contact = Contact::new(profile, medium, through(&row.knots))?;
+        let now = contact.at(row.t)?;
+        Ok((now.radius(), now.approach(), now.pressure(row.r), now.peak_pressure()))
+    };
+    solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
+}
+
+/// How much larger than that of positive terms the error of a radius may be: Σ|terms of J|/(a J′).
+fn condition_of_radius(case: Case, a: f64) -> f64 {
+    let slope = a.powi(5) * case.double.approach_slope(a) / 2.0;
+    (case.of_sizes().load_integral(a) / slope).max(1.0)
+}
+
+/// a δ₀′/δ₀, by which an error of the radius is multiplied.
+fn degree_of_approach(case: Case, a: f64) -> f64 {
+    a * case.double.approach_slope(a) / case.double.approach(a)
+}
+
+/// The gap of the finite-element run.
+#[gap_profile(r^2 + 0.01 * r^4)]
+struct FiniteElement;
+
+/// While the load is held, the model follows the full poroelastic solution as far as a thin-layer model can: approach
+/// and peak pressure relative to their first values within 1.1 % and 1.6 %.
+#[test]
+fn creep_is_that_of_finite_elements() -> Result<(), Box<dyn core::error::Error>> {
+    let rows = reference::finite_elements();
+    let start = rows.first().ok_or("no rows")?;
+    let contact = Contact::new(FiniteElement, Medium::from_constants(3.0, 1.0)?, Constant(start.load))?;
+    let first = contact.at(0.0)?;
+    let held = rows.iter().filter(|row| row.t <= 0.4);
+    for row in held {
+        let now = contact.at(row.t)?;
+        let growth = now.approach() / first.approach() / (row.approach / start.approach);
+        let fading = now.peak_pressure() / first.peak_pressure() / (row.peak_pressure / start.peak_pressure);
+        assert!((growth - 1.0).abs() < 0.011, "{row:?}: {growth}");
+        assert!((fading - 1.0).abs() < 0.016, "{row:?}: {fading}");
+    }
+    Ok(())
+}
+
+/// The eleven structs are the eleven geometries of `profiles.json`.
+#[test]
+fn geometries_are_those_of_the_reference() {
+    let json = include_str!("../reference/profiles.json");
+    let numbers =
+        |text: &str| text.split('"').filter_map(|part| part.trim().parse().ok()).collect::<Vec<f64>>();
+    let records: Vec<&str> = json.split("\"name\": ").skip(1).collect();
+    assert_eq!(records.len(), cases().len());
+    for (record, case) in records.into_iter().zip(cases()) {
+        let (name, record) = record.split_once(',').unwrap_or_default();
+        let (expression, record) = record.split_once("\"terms\": ").unwrap_or_default();
+        let (terms, max_radius) = record.split_once("\"max_radius\": ").unwrap_or_default();
+        assert_eq!(name, format!("{:?}", case.name));
+        assert!(expression.contains(&format!("{:?}", case.expression)), "{expression}");
+        let flat: Vec<f64> = case.terms.iter().flat_map(|&(c, n)| [c, n]).collect();
+        assert_eq!(numbers(terms), flat, "{name}");
+        let max_radius = max_radius.split_whitespace().next().and_then(|text| text.parse::<f64>().ok());
+        assert_eq!(max_radius, case.max_radius, "{name}");
+        assert_eq!(case.double.max_radius(), max_radius.unwrap_or(f64::INFINITY), "{name}");
+    }
+}

@@ -1,0 +1,99 @@
+//! Single precision against double precision, at inputs that both hold exactly.
+
+use cartcontact::{Contact, GapProfile, Medium, Scalar};
+use tests::budget::{self, Allowance};
+use tests::measure::Errors;
+use tests::profiles::Case;
+use tests::reference::{self, ContactRow};
+
+/// What single precision holds with all its digits.
+const NORMAL: core::ops::Range<f64> = f32::MIN_POSITIVE as f64..f32::MAX as f64;
+
+/// A quantity of the kernels in both precisions, and whether it is linear in the gap.
+type Quantity = (Allowance, fn(Case, f32, f32) -> f32, fn(&dyn GapProfile<f64>, f64, f64) -> f64);
+
+const QUANTITIES: [Quantity; 6] = [
+    (budget::GAP, |case, a, _| case.single.gap(a), |profile, a, _| profile.gap(a)),
+    (budget::APPROACH, |case, a, _| case.single.approach(a), |profile, a, _| profile.approach(a)),
+    (
+        budget::APPROACH_SLOPE,
+        |case, a, _| case.single.approach_slope(a),
+        |profile, a, _| profile.approach_slope(a),
+    ),
+    (
+        budget::LOAD_INTEGRAL,
+        |case, a, _| case.single.load_integral(a),
+        |profile, a, _| profile.load_integral(a),
+    ),
+    (budget::LOG_KERNEL, |case, a, _| case.single.log_kernel(a), |profile, a, _| profile.log_kernel(a)),
+    (
+        budget::PRESSURE_KERNEL,
+        |case, a, r| case.single.pressure_kernel(a, r),
+        |profile, a, r| profile.pressure_kernel(a, r),
+    ),
+];
+
+/// Whether the coefficients have all their digits in single precision; those of the flat-ended geometry have not.
+fn is_representable(case: Case) -> bool {
+    case.terms.iter().all(|&(c, _)| NORMAL.contains(&c.abs()))
+}
+
+#[test]
+fn kernels_in_single_precision_agree_with_double() {
+    let rows = reference::kernels();
+    for (allowance, single, double) in QUANTITIES {
+        let mut errors = Errors::of_single(allowance);
+        for row in rows.iter().filter(|row| is_representable(row.case)) {
+            let (a, r) = (row.a as f32, row.r as f32);
+            let expected = double(row.case.double, f64::from(a), f64::from(r));
+            if NORMAL.contains(&expected) {
+                let condition = double(&row.case.of_sizes(), f64::from(a), f64::from(r)) / expected;
+                errors.add(single(row.case, a, r).value(), expected, condition, &(row.case, a, r));
+            }
+        }
+        errors.check();
+    }
+}
+
+#[test]
+fn radii_in_single_precision_agree_with_double() {
+    let mut errors = Errors::of_single(budget::RADIUS);
+    for row in reference::radii().into_iter().filter(|row| is_representable(row.case)) {
+        let load_integral = (row.y / row.m) as f32;
+        if let (true, Ok(expected)) =
+            (load_integral.is_normal(), row.case.double.radius(f64::from(load_integral)))
+        {
+            let found = row.case.single.radius(load_integral).map_or(f64::NAN, f64::from);
+            errors.add(found, expected, 1.0, &(row.case, load_integral));
+        }
+    }
+    errors.check();
+}
+
+#[test]
+fn pressures_in_single_precision_agree_with_double() {
+    let (mut pressure, mut peak) =
+        (Errors::of_single(budget::PRESSURE), Errors::of_single(budget::PEAK_PRESSURE));
+    for row in reference::contacts().into_iter().filter(|row| is_representable(row.case)) {
+        let single = solved::<f32>(row.case.single, &row);
+        let double = solved::<f64>(row.case.double, &row);
+        let edge = 1.0 + 2.0 * double.0 / (double.0 - f64::from(row.r as f32));
+        pressure.add(single.1, double.1, edge, &row);
+        peak.add(single.2, double.2, 1.0, &row);
+    }
+    pressure.check();
+    peak.check();
+}
+
+/// a, P(r) and P(0) of a row whose inputs are rounded to single precision.
+fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> (f64, f64, f64) {
+    let rounded = |x: f64| T::constant(f64::from(x as f32));
+    let solve = || {
+        let knots: Vec<(T, T)> = row.knots.iter().map(|&(t, force)| (rounded(t), rounded(force))).collect();
+        let medium = Medium::from_constants(rounded(row.m), rounded(row.chi))?;
+        let contact = Contact::new(profile, medium, cartcontact::load::PiecewiseLinear::new(knots)?)?;
+        let now = contact.at(rounded(row.t))?;
+        Ok((now.radius().value(), now.pressure(rounded(row.r)).value(), now.peak_pressure().value()))
+    };
+    solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
+}

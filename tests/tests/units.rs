@@ -1,0 +1,130 @@
+//! A change of units changes the numbers, not the result; by powers of two not even the last bit.
+//!
+//! Lengths are multiplied by L, forces by Q and times by T: a coefficient of rⁿ by L^(1−n), m by Q/L⁵, χ by 1/T,
+//! pressures by Q/L².
+
+use cartcontact::load::PiecewiseLinear;
+use cartcontact::{Contact, ContactError, GapProfile, Medium, gap_profile};
+use proptest::prelude::*;
+use tests::random::{self, magnitude, sum};
+
+/// Two powers of any size.
+#[gap_profile(square * r^2 + cube * r^3)]
+struct SquareAndCube {
+    square: f64,
+    cube: f64,
+}
+
+/// One power of any size.
+#[gap_profile(fourth * r^4)]
+struct Fourth {
+    fourth: f64,
+}
+
+/// The factors of lengths, forces and times.
+#[derive(Clone, Copy, Debug)]
+struct Units {
+    length: f64,
+    force: f64,
+    time: f64,
+}
+
+/// Coefficients of r², r³ and r⁴, m, χ and the knots of a load.
+#[derive(Clone, Debug)]
+struct Problem {
+    coefficients: [f64; 3],
+    m: f64,
+    chi: f64,
+    knots: [(f64, f64); 3],
+}
+
+impl Problem {
+    fn new([square, cube, fourth]: [f64; 3]) -> Self {
+        let knots = [(0.0, 30.0), (20.0, 90.0), (60.0, 80.0)];
+        Self { coefficients: [square, cube, fourth], m: 0.375, chi: 0.02, knots }
+    }
+
+    fn in_units(&self, units: Units) -> Self {
+        let Units { length, force, time } = units;
+        let [square, cube, fourth] = self.coefficients;
+        Self {
+            coefficients: [square / length, cube / (length * length), fourth / (length * length * length)],
+            m: self.m * force / (length * length * length * length * length),
+            chi: self.chi / time,
+            knots: self.knots.map(|(t, f)| (t * time, f * force)),
+        }
+    }
+
+    /// Radius, approach, and pressures on the axis and at some radii, at three times.
+    fn results(&self, profile: &dyn GapProfile<f64>, units: Units) -> Result<Vec<f64>, ContactError> {
+        let medium = Medium::from_constants(self.m, self.chi).unwrap_or_else(|e| unreachable!("{e}"));
+        let load = PiecewiseLinear::new(self.knots).map_err(ContactError::Load)?;
+        let contact = Contact::new(profile, medium, load)?;
+        let pressure = units.force / (units.length * units.length);
+        let mut results = Vec::new();
+        for t in [0.0, 15.0, 50.0, 500.0] {
+            let now = contact.at(t * units.time)?;
+            results.extend([now.radius() / units.length, now.approach() / units.length]);
+            results.extend([0.0, 0.5, 3.0, 7.0].map(|r| now.pressure(r * units.length) / pressure));
+        }
+        Ok(results)
+    }
+
+    fn all_results(&self, units: Units) -> Result<Vec<Vec<f64>>, ContactError> {
+        let here = self.in_units(units);
+        let [square, cube, fourth] = here.coefficients;
+        let polynomial = sum(vec![(square, 2.0), (cube, 3.0), (fourth, 4.0)]);
+        let profiles: [&dyn GapProfile<f64>; 3] =
+            [&polynomial, &SquareAndCube { square, cube }, &Fourth { fourth }];
+        profiles.into_iter().map(|profile| here.results(profile, units)).collect()
+    }
+}
+
+const SAME: Units = Units { length: 1.0, force: 1.0, time: 1.0 };
+
+fn problems() -> impl Strategy<Value = Problem> {
+    [magnitude(-3.0..0.0), magnitude(-4.0..-1.0), magnitude(-5.0..-2.0)].prop_map(Problem::new)
+}
+
+fn power_of_two() -> impl Strategy<Value = f64> {
+    (-20..20).prop_map(|k| 2_f64.powi(k))
+}
+
+proptest! {
+    #![proptest_config(random::cases(40))]
+
+    #[test]
+    fn powers_of_two_change_no_bit(
+        problem in problems(),
+        (length, force, time) in (power_of_two(), power_of_two(), power_of_two()),
+    ) {
+        let results = problem.all_results(Units { length, force, time }).ok();
+        prop_assert!(results.is_some());
+        prop_assert_eq!(results, problem.all_results(SAME).ok());
+    }
+
+    #[test]
+    fn other_factors_change_only_the_last_digits(
+        problem in problems(),
+        (length, force, time) in (magnitude(-6.0..6.0), magnitude(-6.0..6.0), magnitude(-6.0..6.0)),
+    ) {
+        let results = problem.all_results(Units { length, force, time });
+        let [results, expected] = [results, problem.all_results(SAME)]
+            .map(|results| results.map(|results| results.concat()).unwrap_or_default());
+        prop_assert_eq!(results.len(), 72);
+        for (found, expected) in results.chunks(6).zip(expected.chunks(6)) {
+            // Pressures in units of that on the axis: next to the edge they are small differences.
+            let scales = [expected[0], expected[1]].into_iter().chain([expected[2]; 4]);
+            for ((found, expected), scale) in found.iter().zip(expected).zip(scales) {
+                prop_assert!((found - expected).abs() <= 1e-13 * scale, "{} {}", found, expected);
+            }
+        }
+    }
+
+    /// Twice the stiffness under twice the load is the same contact at twice the pressure.
+    #[test]
+    fn pressure_is_proportional_to_load_and_stiffness(problem in problems(), factor in power_of_two()) {
+        let results = problem.all_results(Units { force: factor, ..SAME }).ok();
+        prop_assert_eq!(results, problem.all_results(SAME).ok());
+    }
+}
