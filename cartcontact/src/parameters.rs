@@ -50,9 +50,6 @@ impl fmt::Display for Parameters {
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-    use std::string::ToString;
-
     use super::*;
 
     #[test]

@@ -51,7 +51,7 @@ pub const PRESSURE: Allowance =
     allow("pressure", 8.0, 8.0, "dozens of nodes, whose ages are rounded before they go into exponentials");
 /// P(0, t).
 pub const PEAK_PRESSURE: Allowance =
-    allow("peak pressure", 48.0, 48.0, "as the pressure, with the factor 3 that it has at r = 0");
+    allow("peak pressure", 16.0, 16.0, "as the pressure, with the factor 3 that it has at r = 0");
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance = allow("pressure field", 16.0, 16.0, "both have the error of a pressure");
 /// 2π ∫ P r dr against F: 1e-13.

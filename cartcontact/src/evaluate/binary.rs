@@ -59,7 +59,7 @@ fn power_of_two<T: Scalar>(e: i32) -> T {
 /// Error: that of `powf`, plus 1.5 ε/p from the product, plus 0.35 ε from 1/p, if p is a small dyadic number.
 pub(crate) fn root_of_product<T: Scalar>(x: T, y: T, p: T) -> T {
     let ((x, exponent_x), (y, exponent_y)) = (split(x), split(y));
-    let (whole, rest) = divide(exponent_x + exponent_y, p);
+    let (whole, rest) = divide(exponent_x + exponent_y, p, p.recip());
     scale(root(x * y, rest, p), whole)
 }
 
@@ -88,15 +88,18 @@ pub(crate) fn estimated_root_of_product<T: Scalar>(x: T, y: T, p: T) -> T {
     let third = T::constant(1.0 / 3.0);
     let logarithm = |f: T| T::constant(2.0) * f - f * f * third - T::constant(5.0 / 3.0);
     let ((x, exponent_x), (y, exponent_y)) = (split(x), split(y));
-    let (whole, rest) = divide(exponent_x + exponent_y, p);
-    let u = (rest + logarithm(x) + logarithm(y)) / p;
+    let inverse = p.recip();
+    let (whole, rest) = divide(exponent_x + exponent_y, p, inverse);
+    let u = (rest + logarithm(x) + logarithm(y)) * inverse;
     scale(T::one() + u * (T::constant(2.0) + u) * third, whole)
 }
 
 /// The whole part of e/p and what remains, e = whole · p + rest with 0 ≤ rest < p.
-fn divide<T: Scalar>(e: i32, p: T) -> (i32, T) {
+fn divide<T: Scalar>(e: i32, p: T, inverse: T) -> (i32, T) {
     let total = T::constant(f64::from(e));
-    let whole = floor(total / p);
+    // A product instead of a quotient, nudged so that multiples of p stay what they are: fractions of e/p are
+    // multiples of 1/(4 p), or of no consequence.
+    let whole = floor(total * inverse + T::constant(1e-6));
     (whole, total - T::constant(f64::from(whole)) * p)
 }
 
