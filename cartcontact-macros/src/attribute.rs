@@ -1,4 +1,7 @@
 //! The tokens in `#[gap_profile(...)]` -> [`Attribute`]: the gap and its options, as written.
+//!
+//! A gap is one expression or two bodies, `upper = ...` and `lower = ...`: each the height by which a surface falls
+//! away from the common tangent plane toward its own bone, so that the gap is their sum.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -7,23 +10,31 @@ use syn::parse::Parser;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::parse;
-use crate::syntax::Expression;
+use crate::syntax::{Expression, Kind, Summand};
 
 #[derive(Default)]
 pub(crate) struct Attribute {
+    /// Where there are two bodies, their sum.
     pub(crate) gap: Option<Expression>,
     pub(crate) max_radius: Option<Expression>,
+    pub(crate) order: Option<Expression>,
+    pub(crate) tolerance: Option<Expression>,
     pub(crate) crate_path: Option<TokenStream>,
 }
 
 /// Reads the gap and the options behind it, which stand between commas.
 pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attribute {
     let mut attribute = Attribute::default();
+    let mut bodies: Vec<(Ident, Expression)> = Vec::new();
     let mut names: Vec<Ident> = Vec::new();
     for entry in entries(tokens, diagnostics) {
         match entry.option() {
             Some((name, _, _)) if names.contains(&name) => {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
+            }
+            Some((name, equals, value)) if name == "upper" || name == "lower" => {
+                names.push(name.clone());
+                bodies.push((name, parse::expression(value, equals, diagnostics)));
             }
             Some((name, equals, value)) => {
                 attribute.set(&name, equals, value, diagnostics);
@@ -36,17 +47,54 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
             None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
         }
     }
-    if attribute.gap.is_none() {
-        let message = "the gap is missing; write it first, as in `#[gap_profile(0.025 * r^2)]`";
-        diagnostics.report(Span::call_site(), message);
-    }
+    attribute.gap = whole(attribute.gap.take(), bodies, diagnostics);
     attribute
+}
+
+/// The gap, from one expression or two bodies in the order in which they were written.
+fn whole(
+    gap: Option<Expression>,
+    bodies: Vec<(Ident, Expression)>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Expression> {
+    match (gap, bodies.as_slice()) {
+        (gap @ Some(_), []) => gap,
+        (Some(_), [(name, _), ..]) => {
+            let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
+            diagnostics.report(name.span(), message);
+            None
+        }
+        (None, []) => {
+            let message = "the gap is missing; write it first, as in `#[gap_profile(0.025 * r^2)]`";
+            diagnostics.report(Span::call_site(), message);
+            None
+        }
+        (None, [(name, _)]) => {
+            let other = if name == "upper" { "lower" } else { "upper" };
+            let message = format!(
+                "a gap lies between two bodies, and `{other}` is missing; a flat one is written `{other} = 0`"
+            );
+            diagnostics.report(name.span(), message);
+            None
+        }
+        (None, [(_, first), .., (_, last)]) => {
+            let extent = Extent::between(first.extent, last.extent);
+            let summand = |(_, expression)| Summand { subtracted: false, expression };
+            Some(Expression { kind: Kind::Sum(bodies.into_iter().map(summand).collect()), extent })
+        }
+    }
 }
 
 impl Attribute {
     fn set(&mut self, name: &Ident, equals: Span, value: TokenStream, diagnostics: &mut Diagnostics) {
-        if name == "max_radius" {
-            self.max_radius = Some(parse::expression(value, equals, diagnostics));
+        let slot = match name.to_string().as_str() {
+            "max_radius" => Some(&mut self.max_radius),
+            "order" => Some(&mut self.order),
+            "tolerance" => Some(&mut self.tolerance),
+            _ => None,
+        };
+        if let Some(slot) = slot {
+            *slot = Some(parse::expression(value, equals, diagnostics));
         } else if name == "crate" {
             let place = Extent::of(value.clone().into_iter().map(|token| token.span()), equals);
             match Path::parse_mod_style.parse2(value) {
@@ -57,7 +105,9 @@ impl Attribute {
         } else {
             diagnostics.report(
                 name.span(),
-                format!("`{name}` is not an option; there are `max_radius` and `crate`"),
+                format!(
+                    "`{name}` is not an option; there are `upper`, `lower`, `max_radius`, `order`, `tolerance` and `crate`"
+                ),
             );
         }
     }
@@ -138,6 +188,24 @@ mod tests {
             assert!(reported.iter().any(|message| message.contains(rule)), "{rule}");
         }
         assert_eq!(reported.len(), 5);
+    }
+
+    #[test]
+    fn two_bodies_are_a_gap() {
+        let mut diagnostics = Diagnostics::default();
+        let attribute = parse("lower = -r^2, order = 4, upper = 2*r^2".parse().unwrap(), &mut diagnostics);
+        assert!(diagnostics.is_empty() && attribute.order.is_some());
+        assert!(matches!(attribute.gap.unwrap().kind, Kind::Sum(summands) if summands.len() == 2));
+        for (text, rule) in [
+            ("upper = r^2", "`lower = 0`"),
+            ("lower = r^2", "`upper = 0`"),
+            ("upper = r^2, upper = r^2, lower = 0", "given twice"),
+            ("r^2, upper = r^2, lower = r^2", "remove `upper` or the expression"),
+            ("lower = r^2, r^4", "remove `lower` or the expression"),
+        ] {
+            assert!(messages(text).iter().any(|message| message.contains(rule)), "{text}");
+            assert_eq!(messages(text).len(), 1);
+        }
     }
 
     #[test]

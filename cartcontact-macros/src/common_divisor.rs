@@ -12,7 +12,7 @@
 //! one prime settles the common case, that there is no common divisor.
 //!
 //! W. S. Brown, On Euclid's algorithm and the computation of polynomial greatest common divisors, J. ACM 18 (1971)
-//! 478-504, doi 10.1145/321662.321664.
+//! 478-504.
 
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -1,16 +1,11 @@
-//! Syntax -> [`Gap`]: evaluates what was written and checks that it is a gap.
+//! [`Polynomial`] -> [`Gap`]: checks that a sum of powers is a gap.
 
-use std::collections::BTreeSet;
-
-use num_traits::{One, Signed, Zero};
-use proc_macro2::Ident;
+use num_traits::{Signed, Zero};
 
 use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::{Item, Meaning};
 use crate::number::{self, Rational};
 use crate::polynomial::{Monomial, Polynomial};
-use crate::syntax::{Expression, Factor, Kind, Summand};
 
 const MAXIMUM_EXPONENT: u32 = 1024;
 const MAXIMUM_TERMS: usize = 256;
@@ -33,165 +28,40 @@ pub(crate) struct Term {
 }
 
 impl Gap {
-    /// Whether no coefficient depends on a field.
-    pub(crate) fn is_constant(&self) -> bool {
-        self.terms.iter().all(|term| term.coefficient.as_constant().is_some())
-    }
-}
-
-/// Gives names their meaning and numbers their values. What it cannot evaluate it reports, and goes on beside it.
-pub(crate) struct Evaluator<'a> {
-    item: &'a Item,
-    diagnostics: &'a mut Diagnostics,
-    /// Fields whose type has been reported.
-    mistyped: BTreeSet<Ident>,
-}
-
-impl<'a> Evaluator<'a> {
-    pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, mistyped: BTreeSet::new() }
-    }
-
-    pub(crate) fn gap(&mut self, expression: &Expression) -> Option<Gap> {
-        let (polynomial, complete) = match &expression.kind {
-            Kind::Sum(summands) => self.summed(summands),
-            _ => self.polynomial(expression).map_or((Polynomial::default(), false), |all| (all, true)),
-        };
-        let mut terms = Vec::new();
-        let mut faulty = !complete;
-        for (exponent, monomial) in polynomial.into_terms() {
-            match term(exponent, monomial) {
-                Ok(term) => terms.push(term),
-                Err((extent, message)) => {
-                    self.diagnostics.report(extent, message);
-                    faulty = true;
-                }
-            }
-        }
-        if faulty {
+    /// The gap that a polynomial written at `extent` stands for. Every fault is reported.
+    pub(crate) fn new(polynomial: Polynomial, extent: Extent, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let terms = Gap::terms(polynomial, diagnostics)?;
+        if terms.is_empty() {
+            diagnostics
+                .report(extent, "the gap is zero everywhere: its terms cancel; write one that opens with r");
             return None;
         }
-        if terms.is_empty() {
-            return self.fault(
-                expression.extent,
-                "the gap is zero everywhere: its terms cancel; write one that opens with r",
-            );
-        }
         if terms.len() > MAXIMUM_TERMS {
-            return self.fault(expression.extent, "a gap may have at most 256 terms");
+            diagnostics.report(extent, "a gap may have at most 256 terms");
+            return None;
         }
         Some(Gap { terms })
     }
 
-    /// An expression without r, such as a radius.
-    pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
-        let coefficient = self.polynomial(expression)?.as_coefficient();
-        if coefficient.is_none() {
-            self.diagnostics.report(expression.extent, format!("{subject} must not depend on r"));
-        }
-        coefficient
-    }
-
-    fn polynomial(&mut self, expression: &Expression) -> Option<Polynomial> {
-        let extent = expression.extent;
-        let value = match &expression.kind {
-            Kind::Faulty => None,
-            Kind::Number(value) => Some(Polynomial::constant(Coefficient::constant(value.clone()), extent)),
-            Kind::Name(name) => self.name(name),
-            Kind::Negative(inner) => self.polynomial(inner).map(Polynomial::negated),
-            Kind::Sum(summands) => {
-                Some(self.summed(summands)).filter(|(_, complete)| *complete).map(|(sum, _)| sum)
-            }
-            Kind::Product(factors) => self.product(factors),
-            Kind::Power(base, exponent) => self.power(base, exponent),
-        };
-        value.map(|value| value.located(extent))
-    }
-
-    fn name(&mut self, name: &Ident) -> Option<Polynomial> {
-        let extent = name.span().into();
-        if name == "r" {
-            return Some(Polynomial::new(Coefficient::constant(Rational::one()), Rational::one(), extent));
-        }
-        match self.item.meaning(name) {
-            Meaning::Symbol(field) => Some(Polynomial::constant(Coefficient::field(field.clone()), extent)),
-            Meaning::Unknown { remedy } => self.fault(extent, format!("`{name}` is unknown; {remedy}")),
-            Meaning::WrongType(ty) => {
-                if self.mistyped.insert(name.clone()) {
-                    self.diagnostics.add(syn::Error::new_spanned(
-                        ty,
-                        format!("the field `{name}` of a gap must be a number; give it the type `f64`, `f32` or a type parameter"),
-                    ));
+    /// The terms, unless one cannot be part of a gap. Every fault is reported.
+    pub(crate) fn terms(polynomial: Polynomial, diagnostics: &mut Diagnostics) -> Option<Vec<Term>> {
+        let mut terms = Some(Vec::new());
+        for (exponent, monomial) in polynomial.into_terms() {
+            match (term(exponent, monomial), &mut terms) {
+                (Ok(term), Some(terms)) => terms.push(term),
+                (Ok(_), None) => {}
+                (Err((extent, message)), _) => {
+                    diagnostics.report(extent, message);
+                    terms = None;
                 }
-                None
             }
         }
+        terms
     }
 
-    /// The sum of what can be evaluated, and whether that is all.
-    fn summed(&mut self, summands: &[Summand]) -> (Polynomial, bool) {
-        let mut sum = Polynomial::default();
-        let mut complete = true;
-        for Summand { subtracted, expression } in summands {
-            match self.polynomial(expression) {
-                Some(value) if *subtracted => sum.add(value.negated()),
-                Some(value) => sum.add(value),
-                None => complete = false,
-            }
-        }
-        (sum, complete)
-    }
-
-    fn product(&mut self, factors: &[Factor]) -> Option<Polynomial> {
-        let mut product: Option<Polynomial> = None;
-        let mut faulty = false;
-        for Factor { divides, expression } in factors {
-            let value = self.polynomial(expression);
-            let value =
-                value.and_then(
-                    |value| if *divides { self.inverse(&value, expression.extent) } else { Some(value) },
-                );
-            let Some(value) = value else {
-                faulty = true;
-                continue;
-            };
-            let next = product.as_ref().map_or(Ok(value.clone()), |product| product.multiply(&value));
-            product = self.checked(next, expression.extent);
-            faulty |= product.is_none();
-        }
-        product.filter(|_| !faulty)
-    }
-
-    fn inverse(&mut self, divisor: &Polynomial, extent: Extent) -> Option<Polynomial> {
-        let inverse = divisor.power(&-Rational::one());
-        self.checked(inverse, extent)
-    }
-
-    fn power(&mut self, base: &Expression, exponent: &Expression) -> Option<Polynomial> {
-        let value = self.polynomial(base);
-        let number = self.exponent(exponent);
-        let power = value?.power(&number?);
-        self.checked(power, Extent::between(base.extent, exponent.extent))
-    }
-
-    fn exponent(&mut self, expression: &Expression) -> Option<Rational> {
-        let number = self.polynomial(expression)?.as_coefficient().and_then(|value| value.as_constant());
-        if number.is_none() {
-            self.diagnostics.report(
-                expression.extent,
-                "an exponent must be a number: which powers a gap has is fixed when it is compiled; write it out, as in `r^2`",
-            );
-        }
-        number
-    }
-
-    fn checked<T>(&mut self, result: Result<T, &'static str>, extent: Extent) -> Option<T> {
-        result.map_err(|message| self.diagnostics.report(extent, message)).ok()
-    }
-
-    fn fault<T>(&mut self, extent: Extent, message: impl core::fmt::Display) -> Option<T> {
-        self.diagnostics.report(extent, message);
-        None
+    /// Whether no coefficient depends on a field.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.terms.iter().all(|term| term.coefficient.as_constant().is_some())
     }
 }
 

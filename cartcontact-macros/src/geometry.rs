@@ -6,7 +6,9 @@ use crate::admissible::{self, Proof, Wanted};
 use crate::attribute::Attribute;
 use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::gap::{Evaluator, Gap};
+use crate::evaluate::Evaluator;
+use crate::expansion::{self, Options, Truncation};
+use crate::gap::Gap;
 use crate::item::Item;
 use crate::number::{self, Rational};
 
@@ -16,6 +18,8 @@ pub(crate) struct Geometry {
     pub(crate) gap: Gap,
     pub(crate) range: Range,
     pub(crate) proof: Proof,
+    /// How surfaces were expanded, if there were any.
+    pub(crate) truncation: Option<Truncation>,
 }
 
 /// The radii that the geometry is declared for.
@@ -35,22 +39,32 @@ pub(crate) fn geometry(
     diagnostics: &mut Diagnostics,
 ) -> Option<Geometry> {
     let mut evaluator = Evaluator::new(item, diagnostics);
-    let gap = attribute.gap.as_ref().and_then(|gap| evaluator.gap(gap));
+    let written = attribute.gap.as_ref()?;
+    let (shape, complete) = evaluator.gap(written);
     let limit = attribute.max_radius.as_ref();
     let range = match limit {
         None => Some(Range::Unbounded),
-        Some(limit) => evaluator
-            .coefficient(limit, "max_radius")
-            .and_then(|value| range(value).map_err(|message| diagnostics.report(limit.extent, message)).ok()),
+        Some(limit) => evaluator.coefficient(limit, "max_radius").and_then(|value| {
+            range(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
+        }),
     };
-    let (gap, range) = gap.zip(range)?;
+    let options = Options::read(attribute, &mut evaluator);
+    let place = limit.map(|limit| limit.extent);
+    let Some((range, options)) = range.zip(options).filter(|_| complete) else {
+        // What could be evaluated may have faults of its own.
+        Gap::terms(shape.powers, diagnostics);
+        return None;
+    };
+    let expanded = expansion::expand(shape, &options, &range, place);
+    let (powers, truncation) =
+        expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
+    let gap = Gap::new(powers, written.extent, diagnostics)?;
     item.mark_used(
         |field| uses(&gap, &range).any(|coefficient| coefficient.fields().contains(field)),
         diagnostics,
     );
-    let place = limit.map(|limit| limit.extent);
     match admissible::prove(&gap, &wanted(&range, place)) {
-        Ok(proof) => Some(Geometry { gap, range, proof }),
+        Ok(proof) => Some(Geometry { gap, range, proof, truncation }),
         Err((extent, message)) => {
             diagnostics.report(extent, message);
             None

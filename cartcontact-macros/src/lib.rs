@@ -8,8 +8,10 @@
 //! | `attribute` | the attribute's tokens | expressions and options, as written |
 //! | `item` | the struct's tokens | its name, generics, and fields that can be symbols |
 //! | `parse`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers |
-//! | `gap` | syntax and item | a sum of powers of r with exact coefficients (`polynomial`, `coefficient`), checked to be a gap |
-//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`first_root`, `end`) |
+//! | `evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
+//! | `expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
+//! | `gap` | powers of r | the same, checked to be a gap |
+//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `first_root`, `end`) |
 //! | `geometry` | attribute and item | gap, range and proof together |
 //! | `emit` | item and geometry | the solver |
 //!
@@ -23,6 +25,9 @@ mod common_divisor;
 mod diagnostics;
 mod emit;
 mod end;
+mod equation;
+mod evaluate;
+mod expansion;
 mod first_root;
 mod gap;
 mod geometry;
@@ -32,9 +37,12 @@ mod literal;
 mod number;
 mod parse;
 mod polynomial;
+mod shape;
+mod surface;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod truncation;
 
 use proc_macro2::TokenStream;
 use quote::quote;

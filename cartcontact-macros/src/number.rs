@@ -4,6 +4,7 @@
 //! generated code, so it is rounded once. Sizes are bounded wherever a short text could stand for a huge number.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use proc_macro2::Literal;
@@ -69,6 +70,15 @@ pub(crate) fn root(base: &Rational, index: &BigInt) -> Option<Rational> {
     exact.then_some(root)
 }
 
+/// The largest number of `digits` binary digits, or one more, that is not above a value; a fraction need not be reduced.
+pub(crate) fn floor(value: &Rational, digits: u64) -> Rational {
+    let (numerator, denominator) = (value.numer(), value.denom());
+    let excess = numerator.bits().saturating_sub(denominator.bits() + digits);
+    let shift = (denominator.bits() + digits).saturating_sub(numerator.bits());
+    let quotient = (numerator << shift).div_floor(&(denominator << excess));
+    Rational::new(quotient << excess, BigInt::one() << shift)
+}
+
 /// For people: a decimal if that is exact and short, else a short fraction, else the nearest `f64`.
 pub(crate) fn decimal(value: &Rational) -> String {
     let shortest = value.to_f64().unwrap_or(0.0);
@@ -123,6 +133,16 @@ mod tests {
         }
         assert_eq!(nearest(&tiny), None);
         assert_eq!(nearest(&tiny.recip()), None);
+    }
+
+    #[test]
+    fn floors_are_near_and_not_above() {
+        let third = Rational::new_raw(5.into(), 15.into());
+        for value in [third.clone(), -third, integer(10).pow(40) / integer(7), fraction(3, 4), integer(0)] {
+            let (below, unit) = (floor(&value, 20), integer(2).pow(-19));
+            assert!(below <= value && value - &below <= unit * below.abs() && below.numer().bits() <= 134);
+        }
+        assert_eq!(floor(&fraction(3, 4), 20), fraction(3, 4));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::literal;
-use crate::syntax::{Expression, Factor, Kind, Summand};
+use crate::syntax::{Expression, Factor, Kind, Summand, Surface};
 
 const MAXIMUM_DEPTH: usize = 64;
 
@@ -124,11 +124,7 @@ impl<'a> Parser<'a> {
         if let Some(TokenTree::Group(arguments)) = self.rest.first()
             && arguments.delimiter() == Delimiter::Parenthesis
         {
-            let message = format!(
-                "a gap is a sum of powers of r, without functions such as `{name}`; for a root write `r^0.5`, for a \
-                 product `*`"
-            );
-            return self.fault(name.span(), message);
+            return self.surface(name, arguments);
         }
         self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
     }
@@ -141,16 +137,44 @@ impl<'a> Parser<'a> {
             }
             // A macro_rules fragment such as `$e:expr` arrives in invisible parentheses.
             Delimiter::Parenthesis | Delimiter::None => {
-                let inside = self.deeper(|outer| {
-                    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
-                    let (previous, depth) = (group.span_open().into(), outer.depth);
-                    Parser { rest: &tokens, previous, depth, diagnostics: outer.diagnostics }.everything()
-                });
+                let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+                let inside = self.inside(&tokens, group.span_open());
                 let extent = if group.delimiter() == Delimiter::None { inside.extent } else { extent };
                 self.unless_method(Expression { kind: inside.kind, extent })
             }
             Delimiter::Brace | Delimiter::Bracket => self.fault(extent, "only parentheses `( )` group terms"),
         }
+    }
+
+    /// All of `tokens`, which stand behind `place` in parentheses.
+    fn inside(&mut self, tokens: &[TokenTree], place: Span) -> Expression {
+        self.deeper(|outer| {
+            let (previous, depth) = (place.into(), outer.depth);
+            Parser { rest: tokens, previous, depth, diagnostics: outer.diagnostics }.everything()
+        })
+    }
+
+    /// `sphere(R)` or `conic(R, k)`, its name having been read.
+    fn surface(&mut self, name: &Ident, group: &Group) -> Expression {
+        let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+        let mut arguments: Vec<&[TokenTree]> = tokens.split(is_comma).collect();
+        arguments.pop_if(|last| last.is_empty());
+        let (radius, conic_constant) = match (name.to_string().as_str(), arguments.as_slice()) {
+            ("sphere", [radius]) => (*radius, None),
+            ("conic", [radius, conic_constant]) => (*radius, Some(*conic_constant)),
+            (known @ ("sphere" | "conic"), _) => {
+                let place = Extent::between(self.previous, group.span().into());
+                return self.fault(place, wrong_arguments(known));
+            }
+            (other, _) => return self.fault(name.span(), not_a_surface(other)),
+        };
+        self.take_token();
+        let extent = Extent::between(name.span().into(), self.previous);
+        let place = group.span_open();
+        let radius = self.inside(radius, place);
+        let conic_constant = conic_constant.map(|tokens| self.inside(tokens, place));
+        let kind = Kind::Surface(Box::new(Surface { radius, conic_constant }));
+        self.unless_method(Expression { kind, extent })
     }
 
     /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
@@ -243,14 +267,38 @@ impl<'a> Parser<'a> {
     }
 
     fn skip_term(&mut self) {
-        while let Some((token, rest)) = self.rest.split_first() {
+        while let Some(token) = self.rest.first() {
             if matches!(token, TokenTree::Punct(sign) if sign.as_char() == '+' || sign.as_char() == '-') {
                 break;
             }
+            self.take_token();
+        }
+    }
+
+    fn take_token(&mut self) {
+        if let Some((token, rest)) = self.rest.split_first() {
             self.previous = token.span().into();
             self.rest = rest;
         }
     }
+}
+
+fn is_comma(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Punct(comma) if comma.as_char() == ',')
+}
+
+fn wrong_arguments(surface: &str) -> &'static str {
+    match surface {
+        "sphere" => "`sphere` takes the radius of the sphere; write `sphere(20)`",
+        _ => "`conic` takes the radius at the vertex and the conic constant; write `conic(20, -0.5)`",
+    }
+}
+
+fn not_a_surface(name: &str) -> String {
+    format!(
+        "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a root \
+         write `r^0.5`, for a product `*`"
+    )
 }
 
 fn is_double_star(first: &Punct, second: &Punct) -> bool {

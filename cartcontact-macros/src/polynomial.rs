@@ -37,6 +37,10 @@ impl Polynomial {
         Polynomial::new(coefficient, Rational::zero(), extent)
     }
 
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (&Rational, &Monomial)> {
+        self.terms.iter()
+    }
+
     pub(crate) fn into_terms(self) -> impl Iterator<Item = (Rational, Monomial)> {
         self.terms.into_iter()
     }
@@ -125,7 +129,7 @@ impl Polynomial {
         self.terms.iter().next().filter(|_| self.terms.len() == 1)
     }
 
-    fn accumulate(&mut self, exponent: Rational, monomial: Monomial) {
+    pub(crate) fn accumulate(&mut self, exponent: Rational, monomial: Monomial) {
         let sum = match self.terms.remove(&exponent) {
             Some(own) => Monomial { coefficient: own.coefficient.add(&monomial.coefficient), ..own },
             None => monomial,

@@ -5,7 +5,8 @@
 //! product = factor (("*" | "/") factor)*
 //! factor  = ("-" | "+") factor | power
 //! power   = atom ("^" factor)?
-//! atom    = number | name | "(" sum ")"
+//! atom    = number | name | surface | "(" sum ")"
+//! surface = "sphere" "(" sum ")" | "conic" "(" sum "," sum ")"
 //! ```
 //!
 //! So `^` binds tighter than a minus in front of it and is right-associative: `-r^2` is `-(r^2)`, `2^3^2` is `2^9`,
@@ -31,8 +32,16 @@ pub(crate) enum Kind {
     Sum(Vec<Summand>),
     Product(Vec<Factor>),
     Power(Box<Expression>, Box<Expression>),
+    Surface(Box<Surface>),
     /// Something that has been reported already.
     Faulty,
+}
+
+/// `sphere(R)` or, with a conic constant, `conic(R, k)`.
+#[derive(Clone, Debug)]
+pub(crate) struct Surface {
+    pub(crate) radius: Expression,
+    pub(crate) conic_constant: Option<Expression>,
 }
 
 #[derive(Clone, Debug)]

@@ -48,7 +48,7 @@ impl fmt::Display for Parameters {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "std"))]
 mod tests {
     use super::*;
 

@@ -7,6 +7,7 @@
 //! Products and powers of sums are *not* multiplied out: `(b - a) * (b + a)` is computed as written, since
 //! `b*b - a*a` loses digits where `a` and `b` are close, as the radii of congruent joint surfaces are.
 
+mod sign;
 mod write;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +17,7 @@ use num_traits::{One, Signed, Zero};
 use proc_macro2::Ident;
 
 use crate::number::{self, Rational};
+pub(crate) use sign::Sign;
 
 /// The largest power of a field: beyond it an `f64` is zero or infinite for nearly every value.
 const MAXIMUM_POWER: u32 = 1024;

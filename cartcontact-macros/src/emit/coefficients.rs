@@ -1,6 +1,8 @@
 //! The coefficients of the gap in generated code: literals where they are constants, otherwise computed once per
 //! call from the fields.
 
+use std::collections::BTreeSet;
+
 use num_traits::One;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -63,6 +65,7 @@ impl<'a> Coefficients<'a> {
     pub(super) fn function(&self) -> TokenStream {
         let values: Vec<TokenStream> =
             self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect();
+        let needed = self.symbolic().flat_map(|(_, coefficient)| coefficient.fields()).collect();
         if values.is_empty() {
             return TokenStream::new();
         }
@@ -71,8 +74,9 @@ impl<'a> Coefficients<'a> {
         let generics = bounded_generics(self.item, self.names);
         let (impl_generics, _, where_clause) = generics.split_for_impl();
         let profile = Ident::new("profile", Span::mixed_site());
-        let fields = self.fields(&quote!(#profile));
+        let fields = self.fields(&quote!(#profile), &needed);
         quote! {
+            #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
             #[inline]
             fn coefficients #impl_generics (#profile: &#ident #type_generics) -> [#scalar; #count] #where_clause {
                 #fields
@@ -86,10 +90,10 @@ impl<'a> Coefficients<'a> {
         coefficient.expression(&self.names.constant(), &self.names.generated("real_power"))
     }
 
-    /// Binds the used fields of `profile`, an expression, as scalars.
-    pub(super) fn fields(&self, profile: &TokenStream) -> TokenStream {
+    /// Binds the needed fields of `profile`, an expression, as scalars.
+    pub(super) fn fields(&self, profile: &TokenStream, needed: &BTreeSet<&Ident>) -> TokenStream {
         let constant = self.names.constant();
-        let bindings = self.item.fields.iter().filter(|field| field.used).map(|field| {
+        let bindings = self.item.fields.iter().filter(|field| needed.contains(&field.ident)).map(|field| {
             let ident = &field.ident;
             match field.kind {
                 FieldKind::TypeParameter(_) => quote!(let #ident = #profile.#ident;),

@@ -2,15 +2,17 @@
 
 use num_traits::{One, Signed};
 
+use super::operations::Operations;
 use crate::admissible::Proof;
 use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::coefficient::Coefficient;
+use crate::expansion::Truncation;
 use crate::gap::Gap;
 use crate::geometry::{Geometry, Range};
 use crate::number::{Rational, decimal, integer};
 
 /// The lines of the documentation, to stand behind the item's own.
-pub(super) fn lines(geometry: &Geometry) -> Vec<String> {
+pub(super) fn lines(geometry: &Geometry, operations: &[Operations], shared: Operations) -> Vec<String> {
     let gap = &geometry.gap;
     let forms = ClosedForms::of(gap);
     let sum = |sum: &PowerSum, variable: &str| written(sum, gap, variable);
@@ -30,6 +32,8 @@ pressure kernel, mm³  G(a,r) = {}    (28)
 contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 ```
 
+{}{}
+
 {}",
         sum(&forms.gap, "r"),
         sum(&forms.approach, "a"),
@@ -38,6 +42,8 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
         sum(&forms.log_kernel, "x"),
         kernel(gap),
         admissibility(geometry),
+        truncation(geometry),
+        effort(operations, shared),
     );
     // A space, as in a comment written by hand.
     text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") }).collect()
@@ -150,4 +156,33 @@ fn admissibility(geometry: &Geometry) -> String {
         }
         _ => "Admissibility depends on the fields and is checked when a `Contact` is made.".to_owned(),
     }
+}
+
+/// What the series of surfaces neglect.
+fn truncation(geometry: &Geometry) -> String {
+    let Some(Truncation { order, error }) = &geometry.truncation else { return String::new() };
+    let bound = match (error, &geometry.range) {
+        (Some(error), Range::Limited(end)) => format!(
+            "Up to r = {} mm this changes the gap by at most {} of its value.",
+            decimal(end),
+            decimal(error)
+        ),
+        _ => "How much this neglects depends on the radius and is not bounded here.".to_owned(),
+    };
+    format!("\n\nSurfaces are expanded in powers of r up to r{}. {bound}", power("", &integer(*order)))
+}
+
+/// The operations of one call of each evaluator, unless all are left to the run-time crate.
+fn effort(operations: &[Operations], shared: Operations) -> String {
+    if operations.iter().all(|count| count.calls_library) {
+        return String::new();
+    }
+    let names =
+        ["gap", "approach", "slope of the approach", "load integral", "log kernel", "pressure kernel"];
+    let lines = names.iter().zip(operations).map(|(name, count)| format!("{name:21} {count}\n"));
+    let beside = match shared == Operations::default() {
+        true => String::new(),
+        false => format!("coefficients          {shared}, in addition\n"),
+    };
+    format!("Operations of a call, as generated:\n\n```text\n{}{beside}```", lines.collect::<String>())
 }

@@ -8,11 +8,15 @@ use super::Names;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, pairs};
 use crate::closed_forms::ClosedForms;
+use crate::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{integer, literal};
 
-/// The longest dense polynomial; beyond, powers are formed term by term.
-const LONGEST_POLYNOMIAL: u32 = 80;
+/// The highest power of a dense polynomial; beyond, powers are formed term by term.
+const HIGHEST_DENSE_POWER: u32 = 80;
+
+/// The same for the drop of J, on which what lies between two times rests; its error is half the power times ε.
+const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
 pub(super) fn methods(
     gap: &Gap,
@@ -63,8 +67,11 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         (quote!(::core::iter::IntoIterator::into_iter([#(#positive),*])), quote!(#negative))
     } else {
         let (terms, of) = (coefficients.terms(), names.generated("positive_terms"));
-        let signs = all().map(|(index, _)| coefficients.times(index, &crate::number::Rational::one()));
-        (quote!(#of([#(#terms),*])), quote!(#(#signs < #zero)||*))
+        let uncertain = all().filter(|(_, term)| term.coefficient.certain_sign() != Some(Sign::NotNegative));
+        let signs: Vec<TokenStream> =
+            uncertain.map(|(index, _)| coefficients.times(index, &crate::number::Rational::one())).collect();
+        let has_negative = if signs.is_empty() { quote!(false) } else { quote!(#(#signs < #zero)||*) };
+        (quote!(#of([#(#terms),*])), has_negative)
     };
     quote!(#invert(load_integral, limit, #positive, #has_negative, |a| { #evaluate }))
 }
@@ -89,7 +96,7 @@ fn value_and_log_slope(
     names: &Names<'_>,
 ) -> TokenStream {
     let sum = &forms.load_integral;
-    let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= LONGEST_POLYNOMIAL) else {
+    let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER) else {
         let (function, pairs) = (names.generated("power_sum_and_log_slope"), pairs(sum, coefficients, names));
         return quote!(#function(a, [#(#pairs),*]));
     };
@@ -119,7 +126,7 @@ fn drop_of_load_integral(
 ) -> TokenStream {
     let sum = &forms.load_integral;
     match Whole::of(sum).filter(|whole| {
-        whole.highest() <= LONGEST_POLYNOMIAL && (whole.stride() == 1 || whole.lowest() % 2 == 0)
+        whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP && (whole.stride() == 1 || whole.lowest() % 2 == 0)
     }) {
         Some(whole) => {
             let (function, dense) =

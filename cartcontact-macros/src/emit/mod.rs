@@ -2,17 +2,21 @@
 
 mod coefficients;
 mod documentation;
+mod inherent;
 mod inversion;
+mod operations;
 mod power_sum;
 mod pressure_kernel;
+mod range;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::closed_forms::ClosedForms;
-use crate::geometry::{Geometry, Range};
+use crate::geometry::Geometry;
 use crate::item::{FieldKind, Item};
 use coefficients::Coefficients;
+use operations::Operations;
 
 /// What every part of the generated code refers to.
 struct Names<'a> {
@@ -55,22 +59,26 @@ pub(crate) fn solver(
         ("load_integral", "a", &forms.load_integral),
         ("log_kernel", "x", &forms.log_kernel),
     ];
-    let evaluators = sums.into_iter().map(|(name, variable, sum)| {
+    let mut operations: Vec<Operations> = Vec::new();
+    let evaluators = sums.map(|(name, variable, sum)| {
         let (name, variable) = (format_ident!("{name}"), format_ident!("{variable}"));
         let preamble = coefficients.preamble();
         let body = power_sum::value(sum, &variable, &coefficients, &names);
+        operations.push(Operations::of(&body));
         quote! {
             #[inline]
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
         }
     });
     let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
+    operations.push(Operations::of_function(&pressure_kernel));
     let inversion = inversion::methods(&geometry.gap, &forms, &coefficients, &names);
-    let range = range(geometry, &coefficients, &names);
-    let is_smooth = geometry.gap.terms.iter().all(|term| term.exponent.is_integer());
+    let range = range::methods(item, geometry, &coefficients, &names);
+    let inherent = inherent::block(item, geometry, &coefficients, &names);
+    let shape = shape(geometry, &names);
     let shared = coefficients.function();
     let header = implementation(item, &names);
-    let documented = documented(input, geometry);
+    let documented = documented(input, geometry, &operations, Operations::of_function(&shared));
     quote! {
         #documented
         const _: () = {
@@ -81,9 +89,9 @@ pub(crate) fn solver(
                 #pressure_kernel
                 #inversion
                 #range
-                #[inline]
-                fn is_smooth_at_centre(&self) -> bool { #is_smooth }
+                #shape
             }
+            #inherent
         };
     }
 }
@@ -98,8 +106,10 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
         let name = format_ident!("{name}");
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
+    let inherent = inherent::stub(item);
     quote! {
         #input
+        #inherent
         #[automatically_derived]
         #header {
             #(#evaluators)*
@@ -115,8 +125,13 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
 }
 
 /// The annotated item with documentation of what was derived behind its own.
-fn documented(item: &TokenStream, geometry: &Geometry) -> TokenStream {
-    let lines = documentation::lines(geometry);
+fn documented(
+    item: &TokenStream,
+    geometry: &Geometry,
+    operations: &[Operations],
+    shared: Operations,
+) -> TokenStream {
+    let lines = documentation::lines(geometry, operations, shared);
     let mut tokens = item.clone().into_iter().peekable();
     let mut attributes = TokenStream::new();
     while let Some(TokenTree::Punct(hash)) =
@@ -137,11 +152,12 @@ fn scalar_of(item: &Item) -> Ident {
     });
     own.unwrap_or_else(|| {
         let taken = |name: &str| {
-            item.generics.params.iter().any(|parameter| match parameter {
-                syn::GenericParam::Type(parameter) => parameter.ident == name,
-                syn::GenericParam::Const(parameter) => parameter.ident == name,
-                syn::GenericParam::Lifetime(_) => false,
-            })
+            item.ident == name
+                || item.generics.params.iter().any(|parameter| match parameter {
+                    syn::GenericParam::Type(parameter) => parameter.ident == name,
+                    syn::GenericParam::Const(parameter) => parameter.ident == name,
+                    syn::GenericParam::Lifetime(_) => false,
+                })
         };
         let mut names = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
         let name = names.find(|name| !taken(name)).unwrap_or_default();
@@ -170,54 +186,16 @@ fn bounded_generics(item: &Item, names: &Names<'_>) -> syn::Generics {
     generics
 }
 
-/// `max_radius`, and `check` where the values of fields decide.
-fn range(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let Names { krate, scalar } = names;
-    let constant = names.constant();
-    if geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_)) {
-        let end = match &geometry.range {
-            Range::Limited(end) => {
-                let end = crate::number::literal(end);
-                quote!(#constant(#end))
-            }
-            _ => quote!(<#scalar as #krate::Scalar>::infinity()),
-        };
-        return quote! {
-            #[inline]
-            fn max_radius(&self) -> #scalar { #end }
-        };
-    }
-    let requested = match &geometry.range {
-        Range::Unbounded => quote!(::core::option::Option::None),
-        Range::Limited(end) => {
-            let end = crate::number::literal(end);
-            quote!(::core::option::Option::Some(#constant(#end)))
-        }
-        Range::Symbolic(end) => {
-            let end = coefficients.expression(end);
-            let fields = coefficients.fields(&quote!(self));
-            quote!(::core::option::Option::Some({ #fields #end }))
-        }
-    };
-    let (preamble, terms) = (coefficients.preamble(), coefficients.terms());
-    let checked_range = names.generated("checked_range");
-    let into_iter = quote!(::core::iter::IntoIterator::into_iter);
-    // A geometry that `check` refuses has no admissible radius.
+/// What quadrature has to know of the exponents.
+fn shape(geometry: &Geometry, names: &Names<'_>) -> TokenStream {
+    let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
+    let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
+    let is_smooth = terms.iter().all(|term| term.exponent.is_integer());
     quote! {
-        fn max_radius(&self) -> #scalar {
-            #preamble
-            match #checked_range(#into_iter([#(#terms),*]), #requested) {
-                ::core::result::Result::Ok(end) => end,
-                ::core::result::Result::Err(_) => #constant(0.0f64),
-            }
-        }
+        #[inline]
+        fn highest_exponent(&self) -> #scalar { #constant(#highest) }
 
-        fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
-            #preamble
-            match #checked_range(#into_iter([#(#terms),*]), #requested) {
-                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
-            }
-        }
+        #[inline]
+        fn is_smooth_at_centre(&self) -> bool { #is_smooth }
     }
 }

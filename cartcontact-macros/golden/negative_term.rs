@@ -1,0 +1,180 @@
+///
+/// # Derived from the gap profile
+///
+/// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+///
+/// ```text
+/// gap, mm               Φ(r)   = 0.05 r² − 0.004 r³ + 2e-4 r⁴
+/// approach, mm          δ₀(a)  = 0.025 a² − 0.0016 a³ + 1/15000 a⁴    (10)
+/// slope of the approach δ₀′(a) = 0.05 a − 0.0048 a² + 1/3750 a³
+/// load integral, mm⁵    J(a)   = 1/240 a⁶ − 3/8750 a⁷ + 1/60000 a⁸    (14)
+/// log kernel, mm³       L(x)   = 0.003125 x⁴ − 1.6e-4 x⁵ + 1/180000 x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = 0.0015625 a⁴ K(2, r/a) − 8e-5 a⁵ K(3, r/a) + 1/360000 a⁶ K(4, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
+/// ```
+///
+/// Admissible for every contact radius (the slope of the approach has no positive root); used up to 20 mm.
+///
+/// Operations of a call, as generated:
+///
+/// ```text
+/// gap                   4 × or ÷, 2 + or −
+/// approach              4 × or ÷, 2 + or −
+/// slope of the approach 3 × or ÷, 2 + or −
+/// load integral         8 × or ÷, 2 + or −
+/// log kernel            6 × or ÷, 2 + or −
+/// pressure kernel       a routine of the run-time crate
+/// ```
+struct MixedSign;
+const _: () = {
+    #[automatically_derived]
+    impl<T> ::cartcontact::GapProfile<T> for MixedSign
+    where
+        T: ::cartcontact::Scalar,
+    {
+        #[inline]
+        fn gap(&self, r: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.05f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.004f64)
+                    + (<T as ::cartcontact::Scalar>::constant(0.0002f64)) * r) * r) * r
+                * r
+        }
+        #[inline]
+        fn approach(&self, a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.025f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
+                    + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
+                        * a) * a) * a * a
+        }
+        #[inline]
+        fn approach_slope(&self, a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.05f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.0048f64)
+                    + (<T as ::cartcontact::Scalar>::constant(0.0002666666666666667f64))
+                        * a) * a) * a
+        }
+        #[inline]
+        fn load_integral(&self, a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.004166666666666667f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64)
+                    + (<T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
+                        * a) * a) * a * a * a * a * a * a
+        }
+        #[inline]
+        fn log_kernel(&self, x: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.003125f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.00016f64)
+                    + (<T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64))
+                        * x) * x) * x * x * x * x
+        }
+        #[inline]
+        fn pressure_kernel(&self, a: T, r: T) -> T {
+            ::cartcontact::generated::pressure_kernel(
+                a,
+                r,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.05f64),
+                        <T as ::cartcontact::Scalar>::constant(2.0f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(-0.004f64),
+                        <T as ::cartcontact::Scalar>::constant(3.0f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                        <T as ::cartcontact::Scalar>::constant(4.0f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn radius_within(
+            &self,
+            load_integral: T,
+            limit: T,
+        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+            ::cartcontact::generated::invert(
+                load_integral,
+                limit,
+                ::core::iter::IntoIterator::into_iter([
+                    ::cartcontact::generated::PositiveTerm::of(
+                        <T as ::cartcontact::Scalar>::constant(0.05f64),
+                        <T as ::cartcontact::Scalar>::constant(2.0f64),
+                    ),
+                    ::cartcontact::generated::PositiveTerm::of(
+                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                        <T as ::cartcontact::Scalar>::constant(4.0f64),
+                    ),
+                ]),
+                true,
+                |a| {
+                    let x = a;
+                    let (value, slope) = ::cartcontact::generated::value_and_slope(
+                        x,
+                        [
+                            <T as ::cartcontact::Scalar>::constant(
+                                0.004166666666666667f64,
+                            ),
+                            <T as ::cartcontact::Scalar>::constant(
+                                -0.00034285714285714285f64,
+                            ),
+                            <T as ::cartcontact::Scalar>::constant(
+                                1.6666666666666667e-5f64,
+                            ),
+                        ],
+                    );
+                    let log_slope = <T as ::cartcontact::Scalar>::constant(6.0f64)
+                        * value
+                        + <T as ::cartcontact::Scalar>::constant(1.0f64) * x * slope;
+                    (value * x * x * x * x * x * x, log_slope * x * x * x * x * x * x)
+                },
+            )
+        }
+        #[inline]
+        fn load_integral_drop(&self, a: T, depth: T) -> T {
+            let s = a - depth;
+            depth
+                * (::cartcontact::generated::divided_difference(
+                    a,
+                    s,
+                    [
+                        <T as ::cartcontact::Scalar>::constant(0.0f64),
+                        <T as ::cartcontact::Scalar>::constant(0.0f64),
+                        <T as ::cartcontact::Scalar>::constant(0.0f64),
+                        <T as ::cartcontact::Scalar>::constant(0.0f64),
+                        <T as ::cartcontact::Scalar>::constant(0.0f64),
+                        <T as ::cartcontact::Scalar>::constant(0.0f64),
+                        <T as ::cartcontact::Scalar>::constant(0.004166666666666667f64),
+                        <T as ::cartcontact::Scalar>::constant(
+                            -0.00034285714285714285f64,
+                        ),
+                        <T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
+                    ],
+                ))
+        }
+        #[inline]
+        fn max_radius(&self) -> T {
+            <T as ::cartcontact::Scalar>::constant(20.0f64)
+        }
+        #[inline]
+        fn highest_exponent(&self) -> T {
+            <T as ::cartcontact::Scalar>::constant(4.0f64)
+        }
+        #[inline]
+        fn is_smooth_at_centre(&self) -> bool {
+            true
+        }
+    }
+    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    impl MixedSign {
+        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
+        pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); 3usize] = [
+            (0.05f64, 2.0f64),
+            (-0.004f64, 3.0f64),
+            (0.0002f64, 4.0f64),
+        ];
+        /// The largest contact radius that the geometry is proved for, in mm; infinity if there is no limit.
+        pub const MAX_RADIUS: ::core::primitive::f64 = 20.0f64;
+    }
+};

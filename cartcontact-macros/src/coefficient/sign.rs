@@ -1,0 +1,68 @@
+//! The sign that a coefficient has whatever the values of its fields.
+//!
+//! Even powers are not negative, and neither are powers that are no integers: of a negative base these are not a
+//! number at all, which is found when a value is there.
+
+use num_integer::Integer;
+use num_traits::Signed;
+
+use super::{Atom, Coefficient, Product};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    NotNegative,
+    NotPositive,
+}
+
+impl Coefficient {
+    /// Nothing if the sign depends on the fields.
+    pub(crate) fn certain_sign(&self) -> Option<Sign> {
+        let mut signs = self.products.iter().map(Product::certain_sign);
+        let first = signs.next()??;
+        signs.all(|sign| sign == Some(first)).then_some(first)
+    }
+}
+
+impl Product {
+    fn certain_sign(&self) -> Option<Sign> {
+        let mut negative = self.number.is_negative();
+        for (atom, exponent) in &self.powers {
+            if !exponent.is_integer() || exponent.numer().is_even() {
+                continue;
+            }
+            match atom {
+                Atom::Field(_) => return None,
+                Atom::Whole(inner) => negative ^= inner.certain_sign()? == Sign::NotPositive,
+            }
+        }
+        Some(if negative { Sign::NotPositive } else { Sign::NotNegative })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use num_traits::One;
+    use quote::format_ident;
+
+    use super::*;
+    use crate::number::{Rational, integer};
+
+    #[test]
+    fn even_powers_decide() {
+        let a = Coefficient::field(format_ident!("a"));
+        let one = Coefficient::constant(Rational::one());
+        let power = |of: &Coefficient, exponent: i64| of.power(&integer(exponent)).unwrap();
+        let sum = power(&a, 2).add(&one);
+        assert_eq!(a.certain_sign(), None);
+        assert_eq!(power(&a, -2).certain_sign(), Some(Sign::NotNegative));
+        assert_eq!(power(&a, 2).negated().certain_sign(), Some(Sign::NotPositive));
+        assert_eq!(power(&sum, -3).certain_sign(), Some(Sign::NotNegative));
+        assert_eq!(sum.add(&a).certain_sign(), None);
+        assert_eq!(power(&a, 2).add(&one.negated()).certain_sign(), None);
+        assert_eq!(
+            a.power(&Rational::new(1.into(), 2.into())).unwrap().certain_sign(),
+            Some(Sign::NotNegative)
+        );
+    }
+}

@@ -1,0 +1,77 @@
+//! How many operations an evaluator takes: counted in the code that was written, not in the formula.
+
+use core::fmt::{Display, Formatter, Result};
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// The binary operators of a piece of code, and whether it also calls the run-time crate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Operations {
+    /// Divisions among them.
+    multiplications: u32,
+    /// Subtractions among them.
+    additions: u32,
+    pub(super) calls_library: bool,
+}
+
+impl Operations {
+    pub(super) fn of(code: &TokenStream) -> Self {
+        let mut count = Operations::default();
+        count.add(code.clone());
+        count
+    }
+
+    /// Those in the body of a function, whose signature has arrows and bounds that look like operators.
+    pub(super) fn of_function(function: &TokenStream) -> Self {
+        let tokens = function.clone().into_iter();
+        let body = tokens.filter_map(|token| match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
+            _ => None,
+        });
+        body.last().map(|body| Operations::of(&body)).unwrap_or_default()
+    }
+
+    /// An operator stands behind an operand; a sign or a reference does not.
+    fn add(&mut self, code: TokenStream) {
+        let mut behind_operand = false;
+        for token in code {
+            match &token {
+                TokenTree::Group(group) => self.add(group.stream()),
+                TokenTree::Punct(operator) if behind_operand => match operator.as_char() {
+                    '*' | '/' => self.multiplications += 1,
+                    '+' | '-' => self.additions += 1,
+                    _ => {}
+                },
+                TokenTree::Ident(name) => self.calls_library |= name == "generated",
+                _ => {}
+            }
+            behind_operand = !matches!(token, TokenTree::Punct(_));
+        }
+    }
+}
+
+impl Display for Operations {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
+        if self.calls_library {
+            return formatter.write_str("a routine of the run-time crate");
+        }
+        write!(formatter, "{} × or ÷, {} + or −", self.multiplications, self.additions)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use super::*;
+
+    #[test]
+    fn binary_operators_are_counted_and_signs_are_not() {
+        let code = quote! { let s = r * r; (constant(-0.5f64) + (-c1) * s - c2 / s) * s };
+        assert_eq!(Operations::of(&code).to_string(), "4 × or ÷, 2 + or −");
+        assert_eq!(
+            Operations::of(&quote!(1 + krate::generated::sum(r))).to_string(),
+            "a routine of the run-time crate"
+        );
+    }
+}

@@ -1,0 +1,69 @@
+//! The first zero of a sum of powers of r, exactly.
+//!
+//! With n_1 the lowest exponent and g the greatest common divisor of the differences n_i - n_1, the sum is
+//! r^n_1 q(r^g), where q is a polynomial of the lowest degree possible.
+
+use num_integer::Integer;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use crate::end::End;
+use crate::first_root::{TooIntricate, first_root};
+use crate::integer_polynomial::{IntegerPolynomial, from_terms};
+use crate::number::Rational;
+
+/// Bounds the time that a proof takes; enough for all integer exponents up to 1024.
+const MAXIMUM_DEGREE: usize = 1024;
+const MAXIMUM_DENOMINATOR: u32 = 64;
+
+/// The smallest r > 0 at which a sum of coefficient * r^exponent is zero, if there is one.
+///
+/// The pairs (exponent, coefficient) ascend, no coefficient is zero, and the first is positive. An error says why the
+/// question is too hard.
+pub(crate) fn first_zero(terms: &[(Rational, Rational)]) -> Result<Option<End>, &'static str> {
+    if !terms.iter().any(|(_, coefficient)| coefficient.is_negative()) {
+        return Ok(None);
+    }
+    let Equation { polynomial, numerator, denominator } = Equation::new(terms)?;
+    let root = first_root(&polynomial).map_err(|TooIntricate| {
+        "this gap is too intricate to be proved: its terms differ too much in size; leave out those that do not matter \
+         at the radii in question"
+    })?;
+    Ok(root.map(|root| End::new(root, numerator, denominator)))
+}
+
+/// q(a^g) = 0 with g = numerator/denominator.
+struct Equation {
+    polynomial: IntegerPolynomial,
+    numerator: u32,
+    denominator: u32,
+}
+
+impl Equation {
+    fn new(terms: &[(Rational, Rational)]) -> Result<Self, &'static str> {
+        let lowest = terms.first().map_or_else(Rational::zero, |(exponent, _)| exponent.clone());
+        let shifted = || terms.iter().map(|(exponent, _)| exponent - &lowest);
+        let step = shifted().fold(Rational::zero(), |step, exponent| common_step(&step, &exponent));
+        let degrees = shifted().map(|exponent| (exponent / &step).to_usize());
+        let degrees: Option<Vec<usize>> = degrees.collect();
+        match (degrees, step.numer().to_u32(), step.denom().to_u32()) {
+            (Some(degrees), Some(numerator), Some(denominator))
+                if denominator <= MAXIMUM_DENOMINATOR
+                    && degrees.iter().all(|degree| *degree <= MAXIMUM_DEGREE) =>
+            {
+                let coefficients = terms.iter().map(|(_, coefficient)| coefficient);
+                let polynomial = from_terms(degrees.into_iter().zip(coefficients));
+                Ok(Equation { polynomial, numerator, denominator })
+            }
+            _ => Err(
+                "a gap with a negative term needs exponents with a small common denominator to be proved; round \
+                      them, as in `r^2.5`",
+            ),
+        }
+    }
+}
+
+/// The largest number that two others are integer multiples of.
+fn common_step(left: &Rational, right: &Rational) -> Rational {
+    let numerator = (left.numer() * right.denom()).gcd(&(right.numer() * left.denom()));
+    Rational::new(numerator, left.denom() * right.denom())
+}

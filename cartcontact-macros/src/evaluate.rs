@@ -1,0 +1,169 @@
+//! Syntax -> [`Shape`]: gives names their meaning and numbers their values.
+
+use std::collections::BTreeSet;
+
+use num_traits::One;
+use proc_macro2::Ident;
+
+use crate::coefficient::Coefficient;
+use crate::diagnostics::{Diagnostics, Extent};
+use crate::item::{Item, Meaning};
+use crate::number::Rational;
+use crate::polynomial::Polynomial;
+use crate::shape::Shape;
+use crate::surface::Surface;
+use crate::syntax::{self, Expression, Factor, Kind, Summand};
+
+/// What it cannot evaluate it reports, and goes on beside it.
+pub(crate) struct Evaluator<'a> {
+    item: &'a Item,
+    diagnostics: &'a mut Diagnostics,
+    /// Fields whose type has been reported.
+    mistyped: BTreeSet<Ident>,
+}
+
+impl<'a> Evaluator<'a> {
+    pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
+        Evaluator { item, diagnostics, mistyped: BTreeSet::new() }
+    }
+
+    /// What a gap is worth as far as it can be evaluated, and whether that is all.
+    pub(crate) fn gap(&mut self, expression: &Expression) -> (Shape, bool) {
+        match &expression.kind {
+            Kind::Sum(summands) => self.summed(summands),
+            _ => self.shape(expression).map_or((Shape::default(), false), |all| (all, true)),
+        }
+    }
+
+    /// An expression without r, such as a radius.
+    pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
+        let coefficient = self.shape(expression)?.as_coefficient();
+        if coefficient.is_none() {
+            self.diagnostics.report(expression.extent, format!("{subject} must not depend on r"));
+        }
+        coefficient
+    }
+
+    fn shape(&mut self, expression: &Expression) -> Option<Shape> {
+        let extent = expression.extent;
+        let value = match &expression.kind {
+            Kind::Faulty => None,
+            Kind::Number(value) => Some(constant(Coefficient::constant(value.clone()), extent)),
+            Kind::Name(name) => self.name(name),
+            Kind::Negative(inner) => self.shape(inner).map(Shape::negated),
+            Kind::Sum(summands) => {
+                Some(self.summed(summands)).filter(|(_, complete)| *complete).map(|(sum, _)| sum)
+            }
+            Kind::Product(factors) => self.product(factors),
+            Kind::Power(base, exponent) => self.power(base, exponent),
+            Kind::Surface(surface) => self.surface(surface, extent),
+        };
+        value.map(|value| value.located(extent))
+    }
+
+    fn name(&mut self, name: &Ident) -> Option<Shape> {
+        let extent = name.span().into();
+        if name == "r" {
+            let one = Coefficient::constant(Rational::one());
+            return Some(Polynomial::new(one, Rational::one(), extent).into());
+        }
+        match self.item.meaning(name) {
+            Meaning::Symbol(field) => Some(constant(Coefficient::field(field.clone()), extent)),
+            Meaning::Unknown { remedy } => self.fault(extent, format!("`{name}` is unknown; {remedy}")),
+            Meaning::WrongType(ty) => {
+                if self.mistyped.insert(name.clone()) {
+                    self.diagnostics.add(syn::Error::new_spanned(
+                        ty,
+                        format!("the field `{name}` of a gap must be a number; give it the type `f64`, `f32` or a type parameter"),
+                    ));
+                }
+                None
+            }
+        }
+    }
+
+    /// The sum of what can be evaluated, and whether that is all.
+    fn summed(&mut self, summands: &[Summand]) -> (Shape, bool) {
+        let mut sum = Shape::default();
+        let mut complete = true;
+        for Summand { subtracted, expression } in summands {
+            match self.shape(expression) {
+                Some(value) if *subtracted => sum.add(value.negated()),
+                Some(value) => sum.add(value),
+                None => complete = false,
+            }
+        }
+        (sum, complete)
+    }
+
+    fn product(&mut self, factors: &[Factor]) -> Option<Shape> {
+        let mut product: Option<Shape> = None;
+        let mut faulty = false;
+        for Factor { divides, expression } in factors {
+            let value = self.shape(expression);
+            let value =
+                value.and_then(
+                    |value| if *divides { self.inverse(&value, expression.extent) } else { Some(value) },
+                );
+            let Some(value) = value else {
+                faulty = true;
+                continue;
+            };
+            let next = product.as_ref().map_or(Ok(value.clone()), |product| product.multiply(&value));
+            product = self.checked(next, expression.extent);
+            faulty |= product.is_none();
+        }
+        product.filter(|_| !faulty)
+    }
+
+    fn inverse(&mut self, divisor: &Shape, extent: Extent) -> Option<Shape> {
+        let inverse = divisor.power(&-Rational::one());
+        self.checked(inverse, extent)
+    }
+
+    fn power(&mut self, base: &Expression, exponent: &Expression) -> Option<Shape> {
+        let value = self.shape(base);
+        let number = self.exponent(exponent);
+        let power = value?.power(&number?);
+        self.checked(power, Extent::between(base.extent, exponent.extent))
+    }
+
+    fn surface(&mut self, surface: &syntax::Surface, extent: Extent) -> Option<Shape> {
+        let radius = self.coefficient(&surface.radius, "the radius of a surface");
+        let conic_constant = match &surface.conic_constant {
+            None => Some(None),
+            Some(conic_constant) => self.coefficient(conic_constant, "a conic constant").map(Some),
+        };
+        let (radius, conic_constant) = radius.zip(conic_constant)?;
+        if radius.is_zero() {
+            let message = "the radius of a surface must not be zero; leave out a surface that is flat";
+            return self.fault(surface.radius.extent, message);
+        }
+        Some(Surface::new(radius, conic_constant, extent).into())
+    }
+
+    fn exponent(&mut self, expression: &Expression) -> Option<Rational> {
+        let number = self.shape(expression)?.as_coefficient().and_then(|value| value.as_constant());
+        if number.is_none() {
+            self.diagnostics.report(
+                expression.extent,
+                "an exponent must be a number: which powers a gap has is fixed when it is compiled; write it out, as in `r^2`",
+            );
+        }
+        number
+    }
+
+    fn checked<T>(&mut self, result: Result<T, &'static str>, extent: Extent) -> Option<T> {
+        result.map_err(|message| self.diagnostics.report(extent, message)).ok()
+    }
+
+    /// Reports a fault; there is no value.
+    pub(crate) fn fault<T>(&mut self, extent: Extent, message: impl core::fmt::Display) -> Option<T> {
+        self.diagnostics.report(extent, message);
+        None
+    }
+}
+
+fn constant(value: Coefficient, extent: Extent) -> Shape {
+    Polynomial::constant(value, extent).into()
+}

@@ -1,0 +1,244 @@
+//! [`Shape`] -> [`Polynomial`]: surfaces are expanded in even powers of r, up to the order that was asked for.
+//!
+//! `order = auto` takes the smallest order whose neglected terms are within the tolerance. An order without a surface
+//! is refused, as it would cut off nothing: powers of r are kept however high they are.
+
+use num_traits::{One, Signed, ToPrimitive};
+
+use crate::attribute::Attribute;
+use crate::diagnostics::Extent;
+use crate::evaluate::Evaluator;
+use crate::geometry::Range;
+use crate::number::{Rational, decimal, integer};
+use crate::polynomial::{Monomial, Polynomial};
+use crate::shape::Shape;
+use crate::syntax::{Expression, Kind};
+use crate::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
+
+/// A place and what is wrong there.
+type Fault = (Extent, String);
+
+/// How far surfaces were expanded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Truncation {
+    pub(crate) order: u32,
+    /// What is neglected at most, relative to the gap, if that can be told when the program is compiled.
+    pub(crate) error: Option<Rational>,
+}
+
+/// The options that govern the expansion.
+pub(crate) struct Options {
+    order: Option<(Order, Extent)>,
+    tolerance: Option<(Rational, Extent)>,
+}
+
+enum Order {
+    Fixed(u32),
+    Smallest,
+}
+
+impl Options {
+    /// The options of an attribute; nothing if one is faulty.
+    pub(crate) fn read(attribute: &Attribute, evaluator: &mut Evaluator<'_>) -> Option<Self> {
+        let order = attribute.order.as_ref().map(|written| read_order(written, evaluator));
+        let tolerance = attribute.tolerance.as_ref().map(|written| read_tolerance(written, evaluator));
+        Some(Options { order: transposed(order)?, tolerance: transposed(tolerance)? })
+    }
+}
+
+/// An option that is there must have a value.
+fn transposed<T>(option: Option<Option<T>>) -> Option<Option<T>> {
+    match option {
+        None => Some(None),
+        Some(value) => value.map(Some),
+    }
+}
+
+fn read_order(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Order, Extent)> {
+    let extent = written.extent;
+    if matches!(&written.kind, Kind::Name(name) if name == "auto") {
+        return Some((Order::Smallest, extent));
+    }
+    let Some(number) = evaluator.coefficient(written, "order")?.as_constant() else {
+        return evaluator.fault(extent, "order must be an even number, as in `order = 4`, or `auto`");
+    };
+    if number > integer(HIGHEST_ORDER) {
+        let message =
+            format!("order must be at most {HIGHEST_ORDER}; lower max_radius if less does not suffice");
+        return evaluator.fault(extent, message);
+    }
+    match (&number / integer(2)).to_u32().filter(|half| integer(2 * half) == number && *half > 0) {
+        Some(half) => Some((Order::Fixed(2 * half), extent)),
+        None => {
+            let next = (number.max(Rational::one()) / integer(2)).ceil() * integer(2);
+            let message =
+                format!("order must be even, as surfaces have even powers of r only; write `order = {next}`");
+            evaluator.fault(extent, message)
+        }
+    }
+}
+
+fn read_tolerance(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Rational, Extent)> {
+    let tolerance = evaluator.coefficient(written, "tolerance")?.as_constant();
+    match tolerance.filter(|value| value.is_positive() && *value < Rational::one()) {
+        Some(tolerance) => Some((tolerance, written.extent)),
+        None => {
+            let message =
+                "tolerance must be a number between 0 and 1, a fraction of the gap; write `tolerance = 1e-6`";
+            evaluator.fault(written.extent, message)
+        }
+    }
+}
+
+/// Expands the surfaces, if there are any; `limit` is where max_radius was written.
+pub(crate) fn expand(
+    shape: Shape,
+    options: &Options,
+    range: &Range,
+    limit: Option<Extent>,
+) -> Result<(Polynomial, Option<Truncation>), Fault> {
+    let Some(first) = shape.surfaces.first() else { return without_surfaces(shape.powers, options) };
+    let Some((order, place)) = &options.order else {
+        let message = "a surface is expanded in powers of r; say how far, as in `order = 4`, after a comma";
+        return Err((first.extent, message.to_owned()));
+    };
+    let wanted = Wanted { shape: &shape, range, limit };
+    let order = wanted.order(order, *place, options.tolerance.as_ref())?;
+    let too_hard = |message: &'static str| (*place, message.to_owned());
+    let error = match (wanted.neglected(order)?, limit) {
+        (Ok(neglected), Some(limit)) => match neglected.bound(order).map_err(too_hard)? {
+            None => return Err((limit, OVERWHELMED.to_owned())),
+            bound => bound,
+        },
+        _ => None,
+    };
+    Ok((expanded(shape, order)?, Some(Truncation { order, error })))
+}
+
+const OVERWHELMED: &str = "the terms that the order neglects are as large as the gap itself before max_radius; lower \
+                           max_radius, or raise the order";
+
+fn without_surfaces(
+    powers: Polynomial,
+    options: &Options,
+) -> Result<(Polynomial, Option<Truncation>), Fault> {
+    let order = options.order.as_ref().map(|(_, extent)| ("order", extent));
+    let tolerance = options.tolerance.as_ref().map(|(_, extent)| ("tolerance", extent));
+    match order.or(tolerance) {
+        None => Ok((powers, None)),
+        Some((name, extent)) => Err((
+            *extent,
+            format!("`{name}` is for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove it"),
+        )),
+    }
+}
+
+/// Surfaces and the range on which they are wanted; `limit` is where its end was written.
+struct Wanted<'a> {
+    shape: &'a Shape,
+    range: &'a Range,
+    limit: Option<Extent>,
+}
+
+impl Wanted<'_> {
+    /// The order that was asked for, which was written at `place`, if it is within the tolerance.
+    fn order(
+        &self,
+        order: &Order,
+        place: Extent,
+        tolerance: Option<&(Rational, Extent)>,
+    ) -> Result<u32, Fault> {
+        let too_hard = |message: &'static str| (place, message.to_owned());
+        let neglected =
+            |highest, extent: Extent| self.neglected(highest)?.map_err(|reason| (extent, reason.to_owned()));
+        match (order, tolerance) {
+            (Order::Fixed(order), None) => Ok(*order),
+            (Order::Smallest, None) => {
+                let message = "`order = auto` meets a tolerance; add one, as in `tolerance = 1e-6`";
+                Err((place, message.to_owned()))
+            }
+            (Order::Smallest, Some((tolerance, extent))) => {
+                let smallest = neglected(HIGHEST_ORDER, *extent)?.smallest_order(tolerance);
+                smallest.map_err(too_hard)?.ok_or_else(|| (*extent, unattainable()))
+            }
+            (Order::Fixed(order), Some((tolerance, extent))) => {
+                if neglected(*order, *extent)?.is_within(tolerance, *order).map_err(too_hard)? {
+                    return Ok(*order);
+                }
+                let message = too_low(*order, tolerance, &neglected(HIGHEST_ORDER, *extent)?);
+                Err((place, message.map_err(too_hard)?))
+            }
+        }
+    }
+
+    /// What orders up to the highest neglect, or why that cannot be bounded when the program is compiled.
+    fn neglected(&self, highest: u32) -> Result<Result<Neglected, &'static str>, Fault> {
+        let (radius, limit) = match (self.range, self.limit) {
+            (Range::Limited(radius), Some(limit)) => (radius, limit),
+            (Range::Symbolic(_), _) => return Ok(Err(RANGE_OF_FIELDS)),
+            _ => return Ok(Err(NO_RANGE)),
+        };
+        if self.shape.powers.terms().any(|(exponent, _)| !is_of_a_gap(exponent)) {
+            return Ok(Err(NOT_A_GAP));
+        }
+        match Neglected::new(self.shape, radius, highest) {
+            None => Ok(Err(GAP_OF_FIELDS)),
+            Some(Ok(neglected)) => Ok(Ok(neglected)),
+            Some(Err(BeyondRim(rim))) => Err((limit, beyond_rim(rim))),
+        }
+    }
+}
+
+/// Other exponents are reported when the gap is checked, and would take long to raise a radius to.
+fn is_of_a_gap(exponent: &Rational) -> bool {
+    exponent.is_positive() && *exponent <= integer(1024)
+}
+
+const NO_RANGE: &str = "a tolerance is met up to some radius; say which, as in `max_radius = 6.0`";
+const NOT_A_GAP: &str =
+    "a tolerance is relative to a gap that opens at r = 0; write one with positive powers";
+const GAP_OF_FIELDS: &str = "a tolerance is proved when the program is compiled, and this gap depends on fields; remove \
+                             it and write a number for the order";
+const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compiled, and max_radius depends on fields; \
+                               write a number there";
+
+fn beyond_rim(rim: f64) -> String {
+    let shown = three_digits(rim);
+    format!("max_radius must lie below r = {shown}, where the series of a surface ends; write a smaller one")
+}
+
+fn unattainable() -> String {
+    format!(
+        "no order up to {HIGHEST_ORDER} is within this tolerance; lower max_radius, or raise the tolerance"
+    )
+}
+
+fn too_low(order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<String, &'static str> {
+    let size = match neglected.bound(order)? {
+        Some(bound) => format!("up to {} of the gap", decimal(&bound)),
+        None => "terms as large as the gap".to_owned(),
+    };
+    let remedy = match neglected.smallest_order(tolerance)? {
+        Some(order) => format!("write `order = {order}`"),
+        None => unattainable(),
+    };
+    let tolerance = decimal(tolerance);
+    Ok(format!("order {order} neglects {size}, more than the tolerance of {tolerance}; {remedy}"))
+}
+
+fn three_digits(value: f64) -> String {
+    crate::literal::number(&format!("{value:.2e}"))
+        .map_or_else(|_| value.to_string(), |value| decimal(&value))
+}
+
+fn expanded(shape: Shape, order: u32) -> Result<Polynomial, Fault> {
+    let mut sum = shape.powers;
+    for surface in shape.surfaces {
+        let extent = surface.extent;
+        let series = surface.series(order / 2).map_err(|message| (extent, message.to_owned()))?;
+        for (j, coefficient) in (1_u32..).zip(series) {
+            sum.accumulate(integer(2 * j), Monomial { coefficient, extent });
+        }
+    }
+    Ok(sum)
+}

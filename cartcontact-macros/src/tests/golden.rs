@@ -1,0 +1,42 @@
+//! Whole expansions compared with those in `golden/`; `UPDATE_GOLDEN=1` renews them.
+
+#![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+
+use std::path::Path;
+use std::{env, fs};
+
+use crate::expand;
+
+/// Name, attribute and item.
+const CASES: [[&str; 3]; 7] = [
+    ["one_term", "0.025 * r^2", "/// A paraboloid.\npub struct Paraboloid;"],
+    ["even_powers", "0.025 * r^2 + 1.09375e-4 * r^4", "struct Patellofemoral;"],
+    ["negative_term", "0.05*r^2 - 0.004*r^3 + 2e-4*r^4, max_radius = 20.0", "struct MixedSign;"],
+    ["real_powers", "0.01*r^1.5 + 0.002*r^3.25", "struct RealPowers;"],
+    [
+        "fields",
+        "r^2 / (2 * radius) + r^4 / (8 * radius^3), max_radius = limit, crate = crate::renamed",
+        "struct Ball { radius: f64, limit: f32, name: String }",
+    ],
+    ["generics", "c * r^2 + r^2.5 / c^0.5", "struct Any<'a, S: Copy, T> where T: Clone { c: S, tag: &'a T }"],
+    ["faulty", "2r^2 + x", "struct Knee<T> { radius: T }"],
+];
+
+#[test]
+fn expansions_are_the_golden_ones() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
+    for [name, attribute, item] in CASES {
+        let file = folder.join(name).with_extension("rs");
+        let expansion = expand(attribute.parse().unwrap(), item.parse().unwrap());
+        let expansion = prettyplease::unparse(&syn::parse2(expansion).unwrap());
+        if env::var_os("UPDATE_GOLDEN").is_some() {
+            fs::write(&file, &expansion).unwrap();
+        }
+        let golden = fs::read_to_string(&file).unwrap_or_default();
+        assert!(
+            expansion == golden,
+            "{name} differs; UPDATE_GOLDEN=1 renews {}:\n{expansion}",
+            file.display()
+        );
+    }
+}

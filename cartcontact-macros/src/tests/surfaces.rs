@@ -1,0 +1,147 @@
+//! Surfaces in a gap: their expansion, its order, and the bound of what it neglects.
+
+use num_traits::{Signed, Zero};
+use proc_macro2::Span;
+
+use super::{on_ball, on_unit, shown};
+use crate::coefficient::Coefficient;
+use crate::number::{Rational, integer};
+use crate::surface::Surface;
+
+fn exact(text: &str) -> Rational {
+    crate::literal::number(text).unwrap()
+}
+
+fn order(text: &str) -> u32 {
+    on_unit(text).unwrap().truncation.unwrap().order
+}
+
+fn bound(text: &str) -> Rational {
+    on_unit(text).unwrap().truncation.unwrap().error.unwrap()
+}
+
+/// The sag of `conic(radius, k)` at `r` between two powers of r, as a sum of its series.
+fn partial_sum(radius: &str, k: &str, r: &Rational, powers: core::ops::RangeInclusive<u32>) -> Rational {
+    let [radius, k] = [radius, k].map(|text| Coefficient::constant(exact(text)));
+    let terms = Surface::new(radius, Some(k), Span::call_site().into()).series(powers.end() / 2).unwrap();
+    let terms = (1_u32..).zip(&terms).filter(|(j, _)| powers.contains(&(2 * j)));
+    terms.map(|(j, c)| c.as_constant().unwrap() * r.pow(2 * j as i32)).sum()
+}
+
+#[test]
+fn surfaces_are_expanded_exactly() {
+    for (text, meaning) in [
+        ("sphere(10) - sphere(20), order = 4", "0.025 r^2 + 1.09375e-4 r^4"),
+        ("conic(10, 0) + conic(-20, 0), order = 4", "0.025 r^2 + 1.09375e-4 r^4"),
+        ("conic(2, -1), order = 128", "0.25 r^2"),
+        ("upper = sphere(10), lower = -sphere(20), order = 4", "0.025 r^2 + 1.09375e-4 r^4"),
+        ("2*sphere(10) - sphere(20)*2 - 0.05*r^2, order = 4", "2.1875e-4 r^4"),
+        ("sphere(2)/4 + r^3, order = 2", "0.0625 r^2 + 1 r^3"),
+        ("sphere(1 + 1) + 0*sphere(3)^1, order = 6", "0.25 r^2 + 0.015625 r^4 + 0.001953125 r^6"),
+    ] {
+        assert_eq!(on_unit(text).as_ref().map(shown), Ok(meaning.to_owned()), "{text}");
+    }
+    let ball = on_ball("sphere(radius) - conic(2 * radius, radius - 1), order = 4").unwrap();
+    assert_eq!(shown(&ball), "1/(4·radius) r^2 + 1/(8·radius^3) - 1/(64·radius^2) r^4");
+}
+
+#[test]
+fn the_bound_holds_and_is_sharp() {
+    for (radius, k, range, order) in [
+        ("20", "0", "10", 4),
+        ("20", "0", "18", 6),
+        ("7.3", "2", "3.5", 8),
+        ("20", "-0.75", "19", 2),
+        ("5", "0", "4.5", 64),
+    ] {
+        let bound = bound(&format!("conic({radius}, {k}), order = {order}, max_radius = {range}"));
+        let range = exact(range);
+        let total = partial_sum(radius, k, &range, 2..=300);
+        let ratio = partial_sum(radius, k, &range, order + 2..=300) / total;
+        assert!(
+            bound >= ratio && bound <= &ratio * exact("1.1"),
+            "{radius} {k} {range} {order}: {bound} {ratio}"
+        );
+    }
+}
+
+/// The largest ratio lies inside the range, and the terms of the hyperboloid alternate.
+#[test]
+fn the_bound_covers_the_whole_range() {
+    let bound = bound("conic(5, -2) - 0.06*r^2 + 2e-5*r^6, order = 4, max_radius = 4.5");
+    for step in [1, 20, 45, 60, 70, 75, 80, 85, 90] {
+        let r = integer(step) / integer(20);
+        let gap = partial_sum("5", "-2", &r, 2..=300) - exact("0.06") * r.pow(2) + exact("2e-5") * r.pow(6);
+        let error = partial_sum("5", "-2", &r, 6..=300);
+        assert!(gap.is_positive() && error.abs() <= &bound * gap, "{r}");
+    }
+    assert!(self::bound("conic(7, -1), order = 2, max_radius = 100").is_zero());
+}
+
+#[test]
+fn the_smallest_order_is_found() {
+    for tolerance in ["0.1", "1e-3", "1e-6", "1e-12"] {
+        let gap = format!("sphere(10) - sphere(20), max_radius = 8, tolerance = {tolerance}");
+        let found = order(&format!("{gap}, order = auto"));
+        assert!(bound(&format!("{gap}, order = auto")) <= exact(tolerance) * exact("1.02"));
+        assert_eq!(order(&format!("{gap}, order = {}", found + 2)), found + 2);
+        if found > 2 {
+            let messages = on_unit(&format!("{gap}, order = {}", found - 2)).unwrap_err();
+            assert!(messages.iter().all(|message| message.ends_with(&format!("write `order = {found}`"))));
+        }
+    }
+}
+
+#[test]
+fn each_fault_of_a_surface_is_named() {
+    for (text, rule) in [
+        ("sphere(10)", "say how far, as in `order = 4`"),
+        ("r^2, order = 4", "has no `sphere(R)`"),
+        ("r^2, tolerance = 1e-6", "has no `sphere(R)`"),
+        ("sphere(10), order = 3", "write `order = 4`"),
+        ("sphere(10), order = 0", "write `order = 2`"),
+        ("sphere(10), order = -7", "write `order = 2`"),
+        ("sphere(10), order = 2.5", "write `order = 4`"),
+        ("sphere(10), order = 130", "at most 128"),
+        ("sphere(10), order = r", "must not depend on r"),
+        ("sphere(0), order = 4", "must not be zero"),
+        ("sphere(1 - 1), order = 4", "must not be zero"),
+        ("-sphere(10), order = 4", "falls from the centre"),
+        ("sphere(-10), order = 4", "falls from the centre"),
+        ("r*sphere(10), order = 4", "does not depend on r"),
+        ("sphere(10)*sphere(20), order = 4", "does not depend on r"),
+        ("sphere(10)^2, order = 4", "raised to a power"),
+        ("r^2/sphere(10), order = 4", "nor be a divisor"),
+        ("r^sphere(10), order = 4", "an exponent must be a number"),
+        ("sphere(r), order = 4", "must not depend on r"),
+        ("sphere(sphere(2)), order = 4", "must not depend on r"),
+        ("conic(10, r), order = 4", "must not depend on r"),
+        ("sphere(), order = 4", "write `sphere(20)`"),
+        ("sphere(1, 2), order = 4", "write `sphere(20)`"),
+        ("conic(1), order = 4", "write `conic(20, -0.5)`"),
+        ("conic(, 1), order = 4", "something is missing here"),
+        ("sphere(10), order = 4, max_radius = 10", "below r = 10"),
+        ("conic(10, -5), order = 4, max_radius = 5", "below r = 5"),
+        ("sphere(10), order = 4, tolerance = 0", "between 0 and 1"),
+        ("sphere(10), order = 4, tolerance = 1e-6", "as in `max_radius = 6.0`"),
+        ("sphere(10), order = auto, max_radius = 6", "add one, as in `tolerance = 1e-6`"),
+        ("sphere(10), order = auto, max_radius = 9.99, tolerance = 1e-9", "no order up to 128"),
+        ("sphere(10) - sphere(9) + 0.01*r^2, order = 2, max_radius = 8.9", "as large as the gap itself"),
+    ] {
+        let messages = on_unit(text).unwrap_err();
+        assert!(
+            messages.len() == 1 && messages.iter().all(|message| message.contains(rule)),
+            "{text}: {messages:?}"
+        );
+    }
+    for (text, rule) in [
+        ("sphere(radius), order = 4, max_radius = 1, tolerance = 1e-6", "this gap depends on fields"),
+        ("sphere(radius), order = auto, max_radius = 1, tolerance = 1e-6", "write a number for the order"),
+        ("sphere(10), order = auto, max_radius = radius, tolerance = 1e-6", "max_radius depends on fields"),
+        ("sphere(radius - radius), order = 4", "must not be zero"),
+        ("sphere(10), order = radius", "an even number"),
+    ] {
+        let messages = on_ball(text).unwrap_err();
+        assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
+    }
+}

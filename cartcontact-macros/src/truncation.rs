@@ -1,0 +1,244 @@
+//! What a series cut off at r^N neglects, bounded relative to the gap.
+//!
+//! Let Φ be the gap with its surfaces exact, and E what is cut off. Surface by surface, the terms c_j r^(2j) of a
+//! series ([`crate::surface`]) shrink at least by
+//!
+//! ```text
+//! |c_(j+1)| r² / |c_j| = |κ| r²/R² (2j−1)/(2j+2) < q,    q = |κ| ρ²/R² < 1,    r ≤ ρ
+//! ```
+//!
+//! on the range up to ρ, so all behind r^(2J) add up to at most M r^(2J+2) with M = Σ |w c_(J+1)| / (1 − q), summed
+//! over the surfaces with their weights w. The terms before that are added up with their signs, e_j = Σ w c_j:
+//!
+//! ```text
+//! |E(r)| ≤ B(r) = Σ |e_j| r^(2j) + M r^(2J+2),    N < 2j ≤ 2J
+//!  Φ(r)  ≥ D(r) = the gap with its series up to r^(2J), − M r^(2J+2)
+//! ```
+//!
+//! |E| ≤ ε Φ on (0, ρ] if ε D − B, a sum of powers with rational coefficients, has no zero there, which is decided
+//! exactly; only to keep them short, the coefficients of B are rounded up and those of D down. B is as sharp as the
+//! series itself while the e_j have one sign, as those of two spheres have.
+
+use core::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::coefficient::Coefficient;
+use crate::equation::first_zero;
+use crate::number::{Rational, floor, integer};
+use crate::shape::Shape;
+use crate::surface::Surface;
+
+/// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
+pub(crate) const HIGHEST_ORDER: u32 = 128;
+/// J − N/2: with it, M is small next to the first term that is cut off unless the range ends near the rim.
+const TERMS_AHEAD: u32 = 24;
+/// Of the coefficients in B and D, binary: the surfaces of a joint share far fewer.
+const DIGITS: u64 = 256;
+/// How many radii a bound is estimated at before it is proved.
+const SAMPLES: u32 = 16;
+
+/// The terms of a series that an order asks for.
+fn count(order: u32) -> usize {
+    (order / 2 + TERMS_AHEAD + 1) as usize
+}
+
+type Powers = BTreeMap<Rational, Rational>;
+
+/// A gap with constant surfaces on a range that ends inside all of them.
+pub(crate) struct Neglected {
+    powers: Powers,
+    surfaces: Vec<Series>,
+    /// For j = 1, 2, ..., as many as the highest order asks for.
+    sums: Vec<Bounds>,
+    highest_order: u32,
+    /// ρ
+    radius: Rational,
+}
+
+/// e_j and |e_j|, rounded to few digits in the direction that keeps D and B bounds.
+struct Bounds {
+    /// Not above e_j.
+    below: Rational,
+    /// Not below |e_j|.
+    size: Rational,
+}
+
+/// A weighted surface: w c_j for j = 1, 2, ..., and q.
+struct Series {
+    terms: Vec<Rational>,
+    ratio: Rational,
+}
+
+/// The range reaches the radius, given here, where a series no longer converges.
+pub(crate) struct BeyondRim(pub(crate) f64);
+
+impl Neglected {
+    /// What orders up to the highest neglect; nothing if a coefficient is no number.
+    pub(crate) fn new(
+        shape: &Shape,
+        radius: &Rational,
+        highest_order: u32,
+    ) -> Option<Result<Self, BeyondRim>> {
+        let powers = shape
+            .powers
+            .terms()
+            .map(|(exponent, monomial)| Some((exponent.clone(), monomial.coefficient.as_constant()?)));
+        let powers = powers.collect::<Option<Powers>>()?;
+        let surfaces = shape.surfaces.iter().map(|surface| Series::new(surface, radius, highest_order));
+        let surfaces = surfaces.collect::<Option<Result<Vec<Series>, BeyondRim>>>()?;
+        Some(surfaces.map(|surfaces| {
+            let sums = (0..count(highest_order)).map(|index| Bounds::of(&surfaces, index)).collect();
+            Neglected { powers, surfaces, sums, highest_order, radius: radius.clone() }
+        }))
+    }
+
+    /// Whether |E| ≤ ε Φ on the whole range.
+    pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, &'static str> {
+        let (below, above) = self.bounds(order);
+        let mut difference = above;
+        difference.values_mut().for_each(|value| *value = -&*value);
+        for (exponent, value) in below {
+            *difference.entry(exponent).or_insert_with(Rational::zero) += value * tolerance;
+        }
+        let terms: Vec<(Rational, Rational)> =
+            difference.into_iter().filter(|(_, value)| !value.is_zero()).collect();
+        if !terms.first().is_some_and(|(_, value)| value.is_positive()) {
+            return Ok(false);
+        }
+        let end = first_zero(&terms)?;
+        Ok(end.is_none_or(|mut end| end.compare(&self.radius) == Ordering::Greater))
+    }
+
+    /// A proved bound of |E|/Φ, an `f64` of three digits; nothing if that is above 1.
+    pub(crate) fn bound(&self, order: u32) -> Result<Option<Rational>, &'static str> {
+        let (below, above) = self.bounds(order);
+        if above.is_empty() {
+            return Ok(Some(Rational::zero()));
+        }
+        let mut estimate = self.estimate(&below, &above);
+        let mut margin = 0.005;
+        while estimate.is_finite() && estimate > 0.0 && estimate < 1.0 {
+            let rounded = three_digits(estimate * (1.0 + margin));
+            if let Some(rounded) = rounded
+                && self.is_within(&rounded, order)?
+            {
+                return Ok(Some(rounded));
+            }
+            estimate *= 1.0 + margin;
+            margin *= 2.0;
+        }
+        Ok(None)
+    }
+
+    /// The smallest order within a tolerance, if there is one.
+    ///
+    /// Bisection finds it, as every order is within what a lower one is: what M stands for includes the next term and
+    /// the next M, so B falls and D rises with the order.
+    pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, &'static str> {
+        let (mut too_low, mut within) = (0, self.highest_order);
+        if !self.is_within(tolerance, within)? {
+            return Ok(None);
+        }
+        while within - too_low > 2 {
+            let middle = (too_low + within) / 4 * 2;
+            match self.is_within(tolerance, middle)? {
+                true => within = middle,
+                false => too_low = middle,
+            }
+        }
+        Ok(Some(within))
+    }
+
+    /// D and B.
+    fn bounds(&self, order: u32) -> (Powers, Powers) {
+        let last = order / 2 + TERMS_AHEAD;
+        let (mut below, mut above) = (self.powers.clone(), Powers::new());
+        for (j, sum) in (1..=last).zip(&self.sums) {
+            let exponent = integer(2 * j);
+            *below.entry(exponent.clone()).or_insert_with(Rational::zero) += &sum.below;
+            if 2 * j > order && !sum.size.is_zero() {
+                above.insert(exponent, sum.size.clone());
+            }
+        }
+        let rest = rest(&self.surfaces, last as usize);
+        if !rest.is_zero() {
+            let exponent = integer(2 * last + 2);
+            *below.entry(exponent.clone()).or_insert_with(Rational::zero) -= &rest;
+            above.insert(exponent, rest);
+        }
+        (below, above)
+    }
+
+    /// The largest B/D at some radii, in `f64`: not a bound, but near the smallest.
+    fn estimate(&self, below: &Powers, above: &Powers) -> f64 {
+        let scaled = |powers: &Powers| -> Vec<(f64, f64)> {
+            powers.iter().map(|(exponent, value)| self.at_end(exponent, value)).collect()
+        };
+        let (below, above) = (scaled(below), scaled(above));
+        let ratio = |sample: u32| {
+            let x = f64::from(sample) / f64::from(SAMPLES);
+            let value = |terms: &[(f64, f64)]| terms.iter().map(|(n, term)| term * x.powf(*n)).sum::<f64>();
+            value(&above) / value(&below)
+        };
+        (1..=SAMPLES)
+            .map(ratio)
+            .fold(0.0, |most, ratio| if ratio >= 0.0 { most.max(ratio) } else { f64::NAN })
+    }
+
+    /// The exponent, and the term at the end of the range: exact until it is rounded, as powers of lengths in metres
+    /// would leave the range of an `f64`.
+    fn at_end(&self, exponent: &Rational, value: &Rational) -> (f64, f64) {
+        let whole = exponent.floor();
+        let term = value * self.radius.pow(whole.to_i32().unwrap_or(0));
+        let fraction = (exponent - whole).to_f64().unwrap_or(0.0);
+        let rest = self.radius.to_f64().unwrap_or(0.0).powf(fraction);
+        (exponent.to_f64().unwrap_or(0.0), term.to_f64().unwrap_or(f64::NAN) * rest)
+    }
+}
+
+impl Series {
+    fn new(surface: &Surface, range: &Rational, highest_order: u32) -> Option<Result<Self, BeyondRim>> {
+        let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
+        let relative = range / &radius;
+        let ratio = shape.abs() * &relative * &relative;
+        if ratio >= Rational::one() {
+            let rim = radius.abs().to_f64().unwrap_or(0.0) / shape.abs().to_f64().unwrap_or(1.0).sqrt();
+            return Some(Err(BeyondRim(rim)));
+        }
+        let terms = surface.series(count(highest_order) as u32).ok()?;
+        let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
+        Some(Ok(Series { terms, ratio }))
+    }
+}
+
+impl Bounds {
+    /// Those for j = index + 1.
+    fn of(surfaces: &[Series], index: usize) -> Self {
+        let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
+        Bounds { below: floor(&sum, DIGITS), size: -floor(&-sum.abs(), DIGITS) }
+    }
+}
+
+/// Not below M, where the first term that is not summed has this index.
+fn rest(surfaces: &[Series], index: usize) -> Rational {
+    let geometric = |series: &Series| {
+        let first = series.terms.get(index)?;
+        Some(-floor(&-first.abs(), DIGITS) / (Rational::one() - &series.ratio))
+    };
+    unreduced_sum(surfaces.iter().filter_map(geometric))
+}
+
+/// Without the greatest common divisors that take most of the time of such a sum.
+fn unreduced_sum(terms: impl Iterator<Item = Rational>) -> Rational {
+    terms.fold(Rational::zero(), |sum, term| {
+        let numerator = sum.numer() * term.denom() + term.numer() * sum.denom();
+        Rational::new_raw(numerator, sum.denom() * term.denom())
+    })
+}
+
+/// The number rounded to three digits, as the exact value of the `f64` that they are read as.
+fn three_digits(value: f64) -> Option<Rational> {
+    format!("{value:.2e}").parse::<f64>().ok().and_then(Rational::from_float)
+}
