@@ -28,11 +28,14 @@ where
     let negligible = T::default_epsilon() * T::constant(0.0625);
     let most = Rule::FINEST.folds::<T>();
 
+    // Whatever the rate, some thousand panels are the most there can be.
+    let shortest = deepest * T::constant(1.0 / 4096.0);
     let mut sum = Increment::zero();
     let (mut depth, mut age) = (T::zero(), T::zero());
     while depth < core {
         let rate = folds_per_length(stretch, depth, age);
-        let end = if rate * (core - depth) <= most { core } else { depth + most / rate };
+        let end =
+            if rate * (core - depth) <= most { core } else { (depth + most / rate).max(depth + shortest) };
         for (h, weight) in Rule::for_folds(rate * (end - depth)).nodes(depth, end) {
             sum.add(weight * stretch.density(h), high - h, low);
         }
