@@ -86,39 +86,79 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            ::cartcontact::generated::invert(
-                load_integral,
-                limit,
-                ::core::iter::IntoIterator::into_iter([
-                    ::cartcontact::generated::PositiveTerm::of(
-                        <T as ::cartcontact::Scalar>::constant(0.025f64),
-                        <T as ::cartcontact::Scalar>::constant(2.0f64),
-                    ),
-                    ::cartcontact::generated::PositiveTerm::of(
-                        <T as ::cartcontact::Scalar>::constant(0.000109375f64),
-                        <T as ::cartcontact::Scalar>::constant(4.0f64),
-                    ),
-                ]),
-                false,
-                |a| {
-                    let x = a * a;
-                    let (value, slope) = ::cartcontact::generated::value_and_slope(
-                        x,
-                        [
-                            <T as ::cartcontact::Scalar>::constant(
-                                0.0020833333333333333f64,
+            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+                first: -168,
+                single: true,
+                rows: [/* 256 cubics */],
+            };
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    |a| {
+                        let s = a * a;
+                        ::cartcontact::generated::Steepness {
+                            power: ::cartcontact::generated::integer_power(s, 3),
+                            value: <T as ::cartcontact::Scalar>::constant(
+                                228.57142857142858f64,
+                            ) + s,
+                            first: <T as ::cartcontact::Scalar>::constant(
+                                171.42857142857142f64,
+                            ) + s,
+                            half_second: <T as ::cartcontact::Scalar>::constant(
+                                53.57142857142857f64,
+                            ) + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * s,
+                            per_unit: <T as ::cartcontact::Scalar>::constant(
+                                109714.28571428571f64,
                             ),
-                            <T as ::cartcontact::Scalar>::constant(
-                                9.114583333333334e-6f64,
-                            ),
-                        ],
-                    );
-                    let log_slope = <T as ::cartcontact::Scalar>::constant(6.0f64)
-                        * value
-                        + <T as ::cartcontact::Scalar>::constant(2.0f64) * x * slope;
-                    (value * x * x * x, log_slope * x * x * x)
-                },
-            )
+                            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
+                        }
+                    },
+                )
+            {
+                ::core::option::Option::Some(radius) => {
+                    ::core::result::Result::Ok(radius)
+                }
+                ::core::option::Option::None => {
+                    ::cartcontact::generated::elsewhere(move || {
+                        ::cartcontact::generated::invert(
+                            load_integral,
+                            limit,
+                            ::core::iter::IntoIterator::into_iter([
+                                ::cartcontact::generated::PositiveTerm::of(
+                                    <T as ::cartcontact::Scalar>::constant(0.025f64),
+                                    <T as ::cartcontact::Scalar>::constant(2.0f64),
+                                ),
+                                ::cartcontact::generated::PositiveTerm::of(
+                                    <T as ::cartcontact::Scalar>::constant(0.000109375f64),
+                                    <T as ::cartcontact::Scalar>::constant(4.0f64),
+                                ),
+                            ]),
+                            false,
+                            |a| {
+                                let x = a * a;
+                                let (value, slope) = ::cartcontact::generated::value_and_slope(
+                                    x,
+                                    [
+                                        <T as ::cartcontact::Scalar>::constant(
+                                            0.0020833333333333333f64,
+                                        ),
+                                        <T as ::cartcontact::Scalar>::constant(
+                                            9.114583333333334e-6f64,
+                                        ),
+                                    ],
+                                );
+                                let log_slope = <T as ::cartcontact::Scalar>::constant(
+                                    6.0f64,
+                                ) * value
+                                    + <T as ::cartcontact::Scalar>::constant(2.0f64) * x
+                                        * slope;
+                                (value * x * x * x, log_slope * x * x * x)
+                            },
+                        )
+                    })
+                }
+            }
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

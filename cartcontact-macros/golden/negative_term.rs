@@ -94,42 +94,86 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            ::cartcontact::generated::invert(
-                load_integral,
-                limit,
-                ::core::iter::IntoIterator::into_iter([
-                    ::cartcontact::generated::PositiveTerm::of(
-                        <T as ::cartcontact::Scalar>::constant(0.05f64),
-                        <T as ::cartcontact::Scalar>::constant(2.0f64),
-                    ),
-                    ::cartcontact::generated::PositiveTerm::of(
-                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
-                        <T as ::cartcontact::Scalar>::constant(4.0f64),
-                    ),
-                ]),
-                true,
-                |a| {
-                    let x = a;
-                    let (value, slope) = ::cartcontact::generated::value_and_slope(
-                        x,
-                        [
-                            <T as ::cartcontact::Scalar>::constant(
-                                0.004166666666666667f64,
-                            ),
-                            <T as ::cartcontact::Scalar>::constant(
-                                -0.00034285714285714285f64,
-                            ),
-                            <T as ::cartcontact::Scalar>::constant(
-                                1.6666666666666667e-5f64,
-                            ),
-                        ],
-                    );
-                    let log_slope = <T as ::cartcontact::Scalar>::constant(6.0f64)
-                        * value
-                        + <T as ::cartcontact::Scalar>::constant(1.0f64) * x * slope;
-                    (value * x * x * x * x * x * x, log_slope * x * x * x * x * x * x)
-                },
-            )
+            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+                first: -176,
+                single: true,
+                rows: [/* 256 cubics */],
+            };
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    |a| {
+                        ::cartcontact::generated::Steepness {
+                            power: ::cartcontact::generated::integer_power(a, 6),
+                            value: <T as ::cartcontact::Scalar>::constant(250.0f64)
+                                + (<T as ::cartcontact::Scalar>::constant(
+                                    -20.571428571428573f64,
+                                ) + a) * a,
+                            first: <T as ::cartcontact::Scalar>::constant(187.5f64)
+                                + (<T as ::cartcontact::Scalar>::constant(-18.0f64) + a)
+                                    * a,
+                            half_second: <T as ::cartcontact::Scalar>::constant(
+                                58.59375f64,
+                            )
+                                + (<T as ::cartcontact::Scalar>::constant(-6.75f64)
+                                    + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * a)
+                                    * a,
+                            per_unit: <T as ::cartcontact::Scalar>::constant(60000.0f64),
+                            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
+                        }
+                    },
+                )
+            {
+                ::core::option::Option::Some(radius) => {
+                    ::core::result::Result::Ok(radius)
+                }
+                ::core::option::Option::None => {
+                    ::cartcontact::generated::elsewhere(move || {
+                        ::cartcontact::generated::invert(
+                            load_integral,
+                            limit,
+                            ::core::iter::IntoIterator::into_iter([
+                                ::cartcontact::generated::PositiveTerm::of(
+                                    <T as ::cartcontact::Scalar>::constant(0.05f64),
+                                    <T as ::cartcontact::Scalar>::constant(2.0f64),
+                                ),
+                                ::cartcontact::generated::PositiveTerm::of(
+                                    <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                                    <T as ::cartcontact::Scalar>::constant(4.0f64),
+                                ),
+                            ]),
+                            true,
+                            |a| {
+                                let x = a;
+                                let (value, slope) = ::cartcontact::generated::value_and_slope(
+                                    x,
+                                    [
+                                        <T as ::cartcontact::Scalar>::constant(
+                                            0.004166666666666667f64,
+                                        ),
+                                        <T as ::cartcontact::Scalar>::constant(
+                                            -0.00034285714285714285f64,
+                                        ),
+                                        <T as ::cartcontact::Scalar>::constant(
+                                            1.6666666666666667e-5f64,
+                                        ),
+                                    ],
+                                );
+                                let log_slope = <T as ::cartcontact::Scalar>::constant(
+                                    6.0f64,
+                                ) * value
+                                    + <T as ::cartcontact::Scalar>::constant(1.0f64) * x
+                                        * slope;
+                                (
+                                    value * x * x * x * x * x * x,
+                                    log_slope * x * x * x * x * x * x,
+                                )
+                            },
+                        )
+                    })
+                }
+            }
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

@@ -72,14 +72,48 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            ::cartcontact::generated::invert_one_term(
-                load_integral,
-                ::cartcontact::generated::PositiveTerm::of(
-                    <T as ::cartcontact::Scalar>::constant(0.025f64),
-                    <T as ::cartcontact::Scalar>::constant(2.0f64),
-                ),
-                limit,
-            )
+            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+                first: -148,
+                single: true,
+                rows: [/* 256 cubics */],
+            };
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    |a| {
+                        let s = a * a;
+                        ::cartcontact::generated::Steepness {
+                            power: ::cartcontact::generated::integer_power(s, 3),
+                            value: <T as ::cartcontact::Scalar>::constant(1.0f64),
+                            first: <T as ::cartcontact::Scalar>::constant(1.0f64),
+                            half_second: <T as ::cartcontact::Scalar>::constant(
+                                0.4166666666666667f64,
+                            ),
+                            per_unit: <T as ::cartcontact::Scalar>::constant(480.0f64),
+                            per_degree: <T as ::cartcontact::Scalar>::constant(
+                                0.16666666666666666f64,
+                            ),
+                        }
+                    },
+                )
+            {
+                ::core::option::Option::Some(radius) => {
+                    ::core::result::Result::Ok(radius)
+                }
+                ::core::option::Option::None => {
+                    ::cartcontact::generated::elsewhere(move || {
+                        ::cartcontact::generated::invert_one_term(
+                            load_integral,
+                            ::cartcontact::generated::PositiveTerm::of(
+                                <T as ::cartcontact::Scalar>::constant(0.025f64),
+                                <T as ::cartcontact::Scalar>::constant(2.0f64),
+                            ),
+                            limit,
+                        )
+                    })
+                }
+            }
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

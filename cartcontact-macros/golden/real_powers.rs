@@ -127,40 +127,78 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            ::cartcontact::generated::invert(
-                load_integral,
-                limit,
-                ::core::iter::IntoIterator::into_iter([
-                    ::cartcontact::generated::PositiveTerm::of(
-                        <T as ::cartcontact::Scalar>::constant(0.01f64),
-                        <T as ::cartcontact::Scalar>::constant(1.5f64),
-                    ),
-                    ::cartcontact::generated::PositiveTerm::of(
-                        <T as ::cartcontact::Scalar>::constant(0.002f64),
-                        <T as ::cartcontact::Scalar>::constant(3.25f64),
-                    ),
-                ]),
-                false,
-                |a| {
-                    ::cartcontact::generated::power_sum_and_log_slope(
-                        a,
-                        [
-                            (
-                                <T as ::cartcontact::Scalar>::constant(
-                                    0.0007792207792207792f64,
+            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+                first: -176,
+                single: true,
+                rows: [/* 256 cubics */],
+            };
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    |a| {
+                        ::cartcontact::generated::power_sum_steepness(
+                            a,
+                            [
+                                (
+                                    <T as ::cartcontact::Scalar>::constant(
+                                        0.0007792207792207792f64,
+                                    ),
+                                    <T as ::cartcontact::Scalar>::constant(5.5f64),
                                 ),
-                                <T as ::cartcontact::Scalar>::constant(5.5f64),
-                            ),
-                            (
-                                <T as ::cartcontact::Scalar>::constant(
-                                    0.00017077175697865354f64,
+                                (
+                                    <T as ::cartcontact::Scalar>::constant(
+                                        0.00017077175697865354f64,
+                                    ),
+                                    <T as ::cartcontact::Scalar>::constant(7.25f64),
                                 ),
-                                <T as ::cartcontact::Scalar>::constant(7.25f64),
-                            ),
-                        ],
-                    )
-                },
-            )
+                            ],
+                        )
+                    },
+                )
+            {
+                ::core::option::Option::Some(radius) => {
+                    ::core::result::Result::Ok(radius)
+                }
+                ::core::option::Option::None => {
+                    ::cartcontact::generated::elsewhere(move || {
+                        ::cartcontact::generated::invert(
+                            load_integral,
+                            limit,
+                            ::core::iter::IntoIterator::into_iter([
+                                ::cartcontact::generated::PositiveTerm::of(
+                                    <T as ::cartcontact::Scalar>::constant(0.01f64),
+                                    <T as ::cartcontact::Scalar>::constant(1.5f64),
+                                ),
+                                ::cartcontact::generated::PositiveTerm::of(
+                                    <T as ::cartcontact::Scalar>::constant(0.002f64),
+                                    <T as ::cartcontact::Scalar>::constant(3.25f64),
+                                ),
+                            ]),
+                            false,
+                            |a| {
+                                ::cartcontact::generated::power_sum_and_log_slope(
+                                    a,
+                                    [
+                                        (
+                                            <T as ::cartcontact::Scalar>::constant(
+                                                0.0007792207792207792f64,
+                                            ),
+                                            <T as ::cartcontact::Scalar>::constant(5.5f64),
+                                        ),
+                                        (
+                                            <T as ::cartcontact::Scalar>::constant(
+                                                0.00017077175697865354f64,
+                                            ),
+                                            <T as ::cartcontact::Scalar>::constant(7.25f64),
+                                        ),
+                                    ],
+                                )
+                            },
+                        )
+                    })
+                }
+            }
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

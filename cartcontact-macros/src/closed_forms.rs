@@ -47,6 +47,16 @@ impl ClosedForms {
 }
 
 impl PowerSum {
+    /// The same sum with every summand multiplied by a function of its exponent.
+    pub(crate) fn weighted(&self, factor: impl Fn(&Rational) -> Rational) -> Self {
+        let summands = self.summands.iter().map(|Summand { term, weight, exponent }| Summand {
+            term: *term,
+            weight: weight * factor(exponent),
+            exponent: exponent.clone(),
+        });
+        Self { summands: summands.collect() }
+    }
+
     /// The sum with the exponents n + `shift` and the weights that `weight` gives for n.
     fn of(gap: &Gap, shift: i32, weight: impl Fn(&Rational) -> Rational) -> Self {
         let summands = gap.terms.iter().enumerate().map(|(term, Term { exponent, .. })| Summand {

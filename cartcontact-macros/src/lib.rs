@@ -13,6 +13,7 @@
 //! | `gap` | powers of r | the same, checked to be a gap |
 //! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `first_root`, `end`) |
 //! | `geometry` | attribute and item | gap, range and proof together |
+//! | `seeds` | a gap with constant coefficients | a table from which one step leads to the contact radius |
 //! | `emit` | item and geometry | the solver |
 //!
 //! Faults are collected on the way (`diagnostics`) and reported together.
@@ -37,6 +38,7 @@ mod literal;
 mod number;
 mod parse;
 mod polynomial;
+mod seeds;
 mod shape;
 mod surface;
 mod syntax;

@@ -78,6 +78,7 @@ mod parameters;
 mod polynomial;
 mod profile;
 mod scalar;
+mod seeds;
 mod snapshot;
 
 #[doc = include_str!("profile_language.md")]

@@ -8,6 +8,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::{Names, bounded_generics};
+use crate::closed_forms::Summand;
 use crate::coefficient::Coefficient;
 use crate::geometry::Geometry;
 use crate::item::{FieldKind, Item};
@@ -38,6 +39,12 @@ impl<'a> Coefficients<'a> {
         }
         let literal = number::literal(weight);
         quote!(#variable * #constant(#literal))
+    }
+
+    /// The factor of a power in a sum, if it is a constant.
+    pub(super) fn constant(&self, summand: &Summand) -> Option<Rational> {
+        let term = self.geometry.gap.terms.get(summand.term)?;
+        Some(term.coefficient.as_constant()? * &summand.weight)
     }
 
     /// All terms of the gap as pairs (coefficient, exponent).

@@ -1,6 +1,6 @@
 //! The contact radius from the load integral, and what else the solver asks of J.
 
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, ToPrimitive};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -10,7 +10,9 @@ use super::power_sum::{Whole, pairs};
 use crate::closed_forms::ClosedForms;
 use crate::coefficient::Sign;
 use crate::gap::{Gap, Term};
+use crate::geometry::{Geometry, Range};
 use crate::number::{integer, literal};
+use crate::seeds;
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -19,12 +21,13 @@ const HIGHEST_DENSE_POWER: u32 = 80;
 const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
 pub(super) fn methods(
-    gap: &Gap,
+    geometry: &Geometry,
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
     let Names { krate, scalar } = names;
+    let gap = &geometry.gap;
     let preamble = coefficients.preamble();
     let radius = match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
@@ -33,6 +36,14 @@ pub(super) fn methods(
             quote!(#invert(load_integral, #term, limit))
         }
         _ => newton(gap, forms, coefficients, names),
+    };
+    let end = match &geometry.range {
+        Range::Limited(end) => end.to_f64(),
+        Range::Unbounded | Range::Symbolic(_) => None,
+    };
+    let radius = match seeds::seeds(gap, end, &forms.load_integral) {
+        Some(table) => super::seeds::step(&table, &forms.load_integral, coefficients, names, &radius),
+        None => radius,
     };
     let drop = drop_of_load_integral(forms, coefficients, names);
     quote! {

@@ -8,6 +8,7 @@ mod operations;
 mod power_sum;
 mod pressure_kernel;
 mod range;
+mod seeds;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
@@ -72,7 +73,7 @@ pub(crate) fn solver(
     });
     let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
     operations.push(Operations::of_function(&pressure_kernel));
-    let inversion = inversion::methods(&geometry.gap, &forms, &coefficients, &names);
+    let inversion = inversion::methods(geometry, &forms, &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let shape = shape(geometry, &names);

@@ -10,7 +10,7 @@
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
 //! multiplication, with the same effect.
 
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -45,7 +45,16 @@ impl Whole {
         if self.exponents.iter().all(|exponent| exponent % 2 == self.lowest() % 2) { 2 } else { 1 }
     }
 
-    fn largest_gap(&self) -> u32 {
+    /// What the sum is a polynomial in, and the binding of r² if it is that.
+    pub(super) fn variable(&self, x: &Ident) -> (Option<TokenStream>, TokenStream) {
+        if self.stride() == 2 && self.highest() > 1 {
+            (Some(quote!(let s = #x * #x;)), quote!(s))
+        } else {
+            (None, quote!(#x))
+        }
+    }
+
+    pub(super) fn largest_gap(&self) -> u32 {
         self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
     }
 
@@ -95,26 +104,41 @@ pub(super) fn value(
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
 fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
-    let stride = whole.stride();
-    let variable = if stride == 2 && whole.highest() > 1 { quote!(s) } else { quote!(#x) };
+    let (square, variable) = whole.variable(x);
+    let nested = nested(sum, whole, &variable, coefficients);
+    let lowest = whole.lowest();
+    let factors = (0..lowest / whole.stride()).map(|_| &variable);
+    let odd = (lowest % whole.stride() == 1).then(|| quote!(* #x));
+    quote!(#square (#nested) #(* #factors)* #odd)
+}
+
+/// Horner's rule for the sum divided by its lowest power; a leading coefficient of 1 takes no multiplication.
+pub(super) fn nested(
+    sum: &PowerSum,
+    whole: &Whole,
+    variable: &TokenStream,
+    coefficients: &Coefficients<'_>,
+) -> TokenStream {
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
+    let mut is_one = false;
     for (summand, &exponent) in sum.summands.iter().zip(&whole.exponents).rev() {
         let own = coefficients.times(summand.term, &summand.weight);
         nested = match above {
-            None => own,
+            None => {
+                is_one = coefficients.constant(summand).is_some_and(|value| value.is_one());
+                own
+            }
             Some(above) => {
-                let factors = (0..(above - exponent) / stride).map(|_| &variable);
-                quote!(#own + (#nested) #(* #factors)*)
+                let steps = (above - exponent) / whole.stride();
+                let further = (1..steps).map(|_| variable);
+                let first = (!core::mem::take(&mut is_one)).then(|| quote!((#nested) *));
+                quote!(#own + #first #variable #(* #further)*)
             }
         };
         above = Some(exponent);
     }
-    let lowest = whole.lowest();
-    let factors = (0..lowest / stride).map(|_| &variable);
-    let odd = (lowest % stride == 1).then(|| quote!(* #x));
-    let square = (stride == 2 && whole.highest() > 1).then(|| quote!(let s = #x * #x;));
-    quote!(#square (#nested) #(* #factors)* #odd)
+    nested
 }
 
 fn precise(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {

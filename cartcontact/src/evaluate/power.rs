@@ -3,10 +3,11 @@
 use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::scalar::{floor, is_plain};
+use crate::seeds::Steepness;
 
 /// x^k by binary powering.
 #[inline]
-pub(crate) fn integer_power<T: Scalar>(x: T, k: u32) -> T {
+pub fn integer_power<T: Scalar>(x: T, k: u32) -> T {
     let (mut power, mut square, mut rest) = (T::one(), x, k);
     while rest > 1 {
         if rest & 1 == 1 {
@@ -36,6 +37,24 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
         let value = quick_term(c, x, n);
         (sum + value, slope + n * value)
+    })
+}
+
+/// The load integral Σ c x^n with its derivatives, as [`power_sum_and_log_slope`].
+#[inline]
+pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> Steepness<T> {
+    let (zero, one, half) = (T::zero(), T::one(), T::constant(0.5));
+    let none =
+        Steepness { power: one, value: zero, first: zero, half_second: zero, per_unit: one, per_degree: one };
+    terms.into_iter().fold(none, |sum, (c, n)| {
+        let value = quick_term(c, x, n);
+        let slope = n * value;
+        Steepness {
+            value: sum.value + value,
+            first: sum.first + slope,
+            half_second: sum.half_second + half * (n - one) * slope,
+            ..sum
+        }
     })
 }
 

@@ -1,0 +1,83 @@
+//! The step from the table of seeds to the contact radius.
+
+use num_traits::One;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use super::Names;
+use super::coefficients::Coefficients;
+use super::power_sum::{Whole, nested, pairs};
+use crate::closed_forms::PowerSum;
+use crate::number::{Rational, integer, literal};
+use crate::seeds::Seeds;
+
+/// The widest gap between powers that is written out as a product.
+const WIDEST_GAP: u32 = 8;
+
+/// An attempt to find the radius of `load_integral` in the table, before `general` finds it.
+pub(super) fn step(
+    seeds: &Seeds,
+    load_integral: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+    general: &TokenStream,
+) -> TokenStream {
+    let [table, elsewhere] = ["Seeds", "elsewhere"].map(|name| names.generated(name));
+    let (count, first, single) = (seeds.rows.len(), seeds.first, seeds.single);
+    let rows = seeds.rows.iter().map(|row| {
+        let [c0, c1, c2, c3] = row.map(shortest);
+        quote!([#c0, #c1, #c2, #c3])
+    });
+    let [count, first] = [Literal::usize_unsuffixed(count), Literal::i32_unsuffixed(first)];
+    let steepness = steepness(load_integral, coefficients, names);
+    quote! {
+        static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: [#(#rows),*] };
+        match SEEDS.radius(load_integral, limit, |a| { #steepness }) {
+            ::core::option::Option::Some(radius) => ::core::result::Result::Ok(radius),
+            ::core::option::Option::None => #elsewhere(move || { #general }),
+        }
+    }
+}
+
+/// A `Steepness` at the radius `a`: J, a J′/p and a² J″/(2 p²) with the highest power a^p of J for unit.
+///
+/// Its coefficient is then 1 in the first two, which spares their multiplication.
+fn steepness(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
+    let leading =
+        load_integral.summands.last().and_then(|last| Some((coefficients.constant(last)?, &last.exponent)));
+    let (Some(whole), Some((leading, degree))) = (whole, leading) else {
+        let (function, pairs) =
+            (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
+        return quote!(#function(a, [#(#pairs),*]));
+    };
+    let (unit, two) = (leading.recip(), integer(2));
+    let value = load_integral.weighted(|_| unit.clone());
+    let first = value.weighted(|p| p / degree);
+    let half_second = first.weighted(|p| (p - Rational::one()) / (&two * degree));
+    let a = Ident::new("a", Span::call_site());
+    let (square, variable) = whole.variable(&a);
+    let [value, first, half_second] =
+        [&value, &first, &half_second].map(|sum| nested(sum, &whole, &variable, coefficients));
+    let (lowest, stride) = (whole.lowest(), whole.stride());
+    let exponent = Literal::u32_unsuffixed(lowest / stride);
+    let odd = (lowest % stride == 1).then(|| quote!(* #a));
+    let [power, steepness] = ["integer_power", "Steepness"].map(|name| names.generated(name));
+    let (constant, per_unit, per_degree) = (names.constant(), literal(&unit), literal(&degree.recip()));
+    quote! {
+        #square
+        #steepness {
+            power: #power(#variable, #exponent) #odd,
+            value: #value,
+            first: #first,
+            half_second: #half_second,
+            per_unit: #constant(#per_unit),
+            per_degree: #constant(#per_degree),
+        }
+    }
+}
+
+/// The shortest literal of a number of single precision.
+fn shortest(value: f32) -> Literal {
+    format!("{value:?}f32").parse().unwrap_or_else(|_| Literal::f32_suffixed(value))
+}

@@ -1,0 +1,252 @@
+//! [`Gap`] with constant coefficients -> [`Seeds`]: the contact radius to six digits as a table of cubics.
+//!
+//! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4,
+//! a(y) is so smooth within a quarter of an octave of y that a cubic meets it to 5 · 10⁻⁷. Rows of single precision
+//! hold such a cubic in the fraction u of y = u · 2^e, 1 ≤ u < 2; 256 of them, 4 KiB, span 64 octaves of y.
+//!
+//! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more; y from
+//! 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ) are contacts from ℓ/200 upward for a sphere. Outside it, the radius is iterated.
+//!
+//! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
+//! radii: no equation is solved but for the ends of the rows.
+//!
+//! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. Every row is
+//! evaluated as the solver will, in single precision, between its points and at its ends; the longest run
+//! of rows that stay below ε/8 is kept, and none if it is shorter than eight octaves.
+
+use num_traits::ToPrimitive;
+
+use crate::closed_forms::PowerSum;
+use crate::gap::Gap;
+
+/// Rows per octave of the load integral.
+const ROWS_PER_OCTAVE: i32 = 4;
+const OCTAVES: i32 = 64;
+/// How much of the window lies above J(ℓ).
+const OCTAVES_ABOVE: i32 = 4;
+/// A shorter table is not worth its code.
+const FEWEST_ROWS: usize = 32;
+/// Logarithms of y, of the powers of a, and of their coefficients, up to which no product of the step overflows.
+const LARGEST_DOUBLE: f64 = 300.0;
+const LARGEST_SINGLE: f64 = 100.0;
+/// ε/8.
+const ALLOWED_ERROR: f64 = f64::EPSILON / 8.0;
+/// Beyond the measured error, for what lies between the points of the check.
+const MARGIN: f64 = 1.25;
+
+/// The contact radius a(y) ≈ Σ rows\[k\]\[i\] uⁱ with y = u · 2^e, 1 ≤ u < 2, and k = 4 e + ⌊4 (u − 1)⌋ − first.
+#[derive(Clone, Debug)]
+pub(crate) struct Seeds {
+    pub(crate) first: i32,
+    /// Whether single precision holds everything that the step computes.
+    pub(crate) single: bool,
+    pub(crate) rows: Vec<[f32; 4]>,
+}
+
+/// The table of a gap with constant coefficients up to `end`, if its rows are near enough to the radius.
+pub(crate) fn seeds(gap: &Gap, end: Option<f64>, load_integral: &PowerSum) -> Option<Seeds> {
+    let terms = load_integral.summands.iter().map(|summand| {
+        let coefficient = gap.terms.get(summand.term)?.coefficient.as_constant()? * &summand.weight;
+        Some((coefficient.to_f64()?, summand.exponent.to_f64()?))
+    });
+    let load_integral = LoadIntegral { terms: terms.collect::<Option<_>>()? };
+    let steepest = load_integral.at(length(gap)?.min(end.unwrap_or(f64::INFINITY))).value.log2().floor();
+    if !(steepest.abs() < LARGEST_DOUBLE) {
+        return None;
+    }
+    let top = (steepest as i32 + OCTAVES_ABOVE) * ROWS_PER_OCTAVE;
+    let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
+    let mut low = load_integral.radius(lower_end(bottom));
+    let rows = (bottom..top).map(|index| {
+        let high = load_integral.radius(lower_end(index + 1));
+        let ends = core::mem::replace(&mut low, high).zip(high)?;
+        load_integral.row(index, ends)
+    });
+    let (first, rows) = longest_run(bottom, rows)?;
+    let ends = [first, first + i32::try_from(rows.len()).ok()?].map(lower_end);
+    let single = ends.into_iter().all(|y| load_integral.largest_logarithm(y) < LARGEST_SINGLE);
+    (rows.len() >= FEWEST_ROWS).then_some(Seeds { first, single, rows })
+}
+
+/// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
+fn length(gap: &Gap) -> Option<f64> {
+    let alone = gap.terms.iter().filter_map(|term| {
+        let (c, n) = (term.coefficient.as_constant()?.to_f64()?, term.exponent.to_f64()?);
+        (c > 0.0 && n > 1.0).then(|| c.powf(-1.0 / (n - 1.0)))
+    });
+    alone.reduce(f64::min)
+}
+
+/// The load integral at which a row begins.
+fn lower_end(index: i32) -> f64 {
+    let (octave, quarter) = (index.div_euclid(ROWS_PER_OCTAVE), index.rem_euclid(ROWS_PER_OCTAVE));
+    2f64.powi(octave) * (1.0 + f64::from(quarter) / f64::from(ROWS_PER_OCTAVE))
+}
+
+/// The longest run of rows without a gap, and the index of its first.
+fn longest_run(first: i32, rows: impl Iterator<Item = Option<[f32; 4]>>) -> Option<(i32, Vec<[f32; 4]>)> {
+    let mut runs: Vec<(i32, Vec<[f32; 4]>)> = Vec::new();
+    let mut open = false;
+    for (row, index) in rows.zip(first..) {
+        match (row, runs.last_mut().filter(|_| open)) {
+            (Some(row), Some((_, run))) => run.push(row),
+            (Some(row), None) => runs.push((index, vec![row])),
+            (None, _) => {}
+        }
+        open = row.is_some();
+    }
+    runs.into_iter().max_by_key(|(_, run)| run.len())
+}
+
+/// J(a) = Σ j a^p as pairs (j, p).
+struct LoadIntegral {
+    terms: Vec<(f64, f64)>,
+}
+
+/// J with a J′, a² J″ and a³ J‴.
+struct Derivatives {
+    value: f64,
+    first: f64,
+    second: f64,
+    third: f64,
+}
+
+impl LoadIntegral {
+    fn at(&self, a: f64) -> Derivatives {
+        let mut sums = Derivatives { value: 0.0, first: 0.0, second: 0.0, third: 0.0 };
+        for &(j, p) in &self.terms {
+            let term = j * a.powf(p);
+            sums.value += term;
+            sums.first += p * term;
+            sums.second += p * (p - 1.0) * term;
+            sums.third += p * (p - 1.0) * (p - 2.0) * term;
+        }
+        sums
+    }
+
+    /// The radius by Newton's method on logarithms, in which J is nearly linear, from above.
+    ///
+    /// Without an admissible radius for `y` it finds none, or one that no row passes the check with.
+    fn radius(&self, y: f64) -> Option<f64> {
+        let alone = self.terms.iter().filter(|(j, _)| *j > 0.0).map(|&(j, p)| (y / j).powf(1.0 / p));
+        let mut a = alone.reduce(f64::min)?;
+        for _ in 0..50 {
+            let Derivatives { value, first, .. } = self.at(a);
+            let step = (value / y).ln() * value / first;
+            a *= (-step).exp();
+            // Of the second order: what this step leaves is below the rounding.
+            if step.abs() < 1e-9 {
+                return Some(a);
+            }
+        }
+        None
+    }
+
+    /// The largest of the logarithms of y, of the powers of its radius and of their coefficients.
+    fn largest_logarithm(&self, y: f64) -> f64 {
+        let Some(a) = self.radius(y) else { return f64::INFINITY };
+        let sizes = self.terms.iter().flat_map(|&(j, p)| [j.abs().log2(), p * a.log2()]);
+        sizes.fold(y.log2(), |largest, size| if size.abs() > largest.abs() { size } else { largest }).abs()
+    }
+
+    /// The cubic for the row between two radii, if it passes the check.
+    fn row(&self, index: i32, (low, high): (f64, f64)) -> Option<[f32; 4]> {
+        let unit = 2f64.powi(index.div_euclid(ROWS_PER_OCTAVE));
+        let between = |share: f64| low * (high / low).powf(share);
+        let points = [0.961_94, 0.691_34, 0.308_66, 0.038_06].map(|share| {
+            let a = between(share);
+            (self.at(a).value / unit, a)
+        });
+        let row = interpolate(points).map(|coefficient| coefficient as f32);
+        let passes = |share: f64| {
+            let a = between(share);
+            let at = self.at(a);
+            let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
+            let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
+            let left = (half_second * half_second - third).abs() * error * error * error;
+            left <= ALLOWED_ERROR && self.largest_logarithm(at.value) < LARGEST_DOUBLE
+        };
+        [1e-3, 0.15, 0.3, 0.5, 0.7, 0.85, 0.999].into_iter().all(passes).then_some(row)
+    }
+}
+
+/// The cubic as the solver evaluates it at y, whose fraction it cuts off after 23 bits.
+fn value(row: [f32; 4], y: f64) -> f32 {
+    let u = f32::from_bits((y.to_bits() >> 29) as u32 & 0x007f_ffff | 0x3f80_0000);
+    (row[0] + row[1] * u) + (row[2] + row[3] * u) * (u * u)
+}
+
+/// The coefficients of the cubic through four points (u, a), by divided differences.
+fn interpolate(points: [(f64, f64); 4]) -> [f64; 4] {
+    let nodes = points.map(|(u, _)| u);
+    let mut differences = points.map(|(_, a)| a);
+    for order in 1..4 {
+        for index in (order..4).rev() {
+            differences[index] =
+                (differences[index] - differences[index - 1]) / (nodes[index] - nodes[index - order]);
+        }
+    }
+    // Newton's form multiplied out, from the innermost bracket.
+    let mut cubic = [0.0; 4];
+    for (node, difference) in nodes.into_iter().zip(differences).rev() {
+        for power in (1..4).rev() {
+            cubic[power] = cubic[power - 1] - node * cubic[power];
+        }
+        cubic[0] = difference - node * cubic[0];
+    }
+    cubic
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+
+    fn table(load_integral: &LoadIntegral, octave: i32) -> Option<Vec<[f32; 4]>> {
+        let rows = octave * ROWS_PER_OCTAVE..(octave + 1) * ROWS_PER_OCTAVE;
+        let ends =
+            |index| load_integral.radius(lower_end(index)).zip(load_integral.radius(lower_end(index + 1)));
+        rows.map(|index| load_integral.row(index, ends(index)?)).collect()
+    }
+
+    /// Against the radius from which the load integral was computed, at other points than the check's.
+    #[test]
+    fn seeds_have_six_digits() {
+        let two_terms = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)] };
+        for octave in -20..30 {
+            let rows = table(&two_terms, octave).unwrap();
+            for k in 0..1000 {
+                let y = 2f64.powi(octave) * (1.0 + f64::from(k) / 1000.0);
+                let seed = f64::from(value(rows[k as usize / 250], y));
+                let error = seed / two_terms.radius(y).unwrap() - 1.0;
+                assert!(error.abs() < 1e-6, "{y}: {error:e}");
+            }
+        }
+    }
+
+    /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
+    #[test]
+    fn rows_that_are_too_coarse_are_left_out() {
+        let oblate = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)] };
+        let end = 187.5_f64.sqrt();
+        let last = oblate.at(end).value.log2().floor() as i32;
+        assert!(table(&oblate, last).is_none());
+        assert!(table(&oblate, last - 3).is_some());
+    }
+
+    #[test]
+    fn cubics_are_reproduced() {
+        let points = [1.0, 1.1, 1.2, 1.5].map(|u: f64| (u, 3.0 - u + 2.0 * u.powi(3)));
+        let expected = [3.0, -1.0, 0.0, 2.0];
+        let found = interpolate(points);
+        assert!(found.iter().zip(expected).all(|(c, e)| (c - e).abs() < 1e-11), "{found:?}");
+    }
+
+    #[test]
+    fn the_longest_run_is_kept() {
+        let row = Some([0.0; 4]);
+        let rows = [row, None, row, row, None, None, row];
+        assert!(longest_run(-3, rows.into_iter()).is_some_and(|(first, run)| first == -1 && run.len() == 2));
+        assert!(longest_run(0, [None, None].into_iter()).is_none());
+    }
+}
