@@ -51,20 +51,20 @@ pub(crate) fn seeds(gap: &Gap, end: Option<f64>, load_integral: &PowerSum) -> Op
     });
     let load_integral = LoadIntegral { terms: terms.collect::<Option<_>>()? };
     let steepest = load_integral.at(length(gap)?.min(end.unwrap_or(f64::INFINITY))).value.log2().floor();
-    if !(steepest.abs() < LARGEST_DOUBLE) {
-        return None;
-    }
+    let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
     let top = (steepest as i32 + OCTAVES_ABOVE) * ROWS_PER_OCTAVE;
     let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
     let mut low = load_integral.radius(lower_end(bottom));
     let rows = (bottom..top).map(|index| {
-        let high = load_integral.radius(lower_end(index + 1));
+        let high = low.and_then(|low| load_integral.radius_near(low, lower_end(index + 1)));
         let ends = core::mem::replace(&mut low, high).zip(high)?;
         load_integral.row(index, ends)
     });
     let (first, rows) = longest_run(bottom, rows)?;
     let ends = [first, first + i32::try_from(rows.len()).ok()?].map(lower_end);
-    let single = ends.into_iter().all(|y| load_integral.largest_logarithm(y) < LARGEST_SINGLE);
+    let holds =
+        |y| load_integral.radius(y).is_some_and(|a| load_integral.largest_logarithm(y, a) < LARGEST_SINGLE);
+    let single = ends.into_iter().all(holds);
     (rows.len() >= FEWEST_ROWS).then_some(Seeds { first, single, rows })
 }
 
@@ -124,12 +124,17 @@ impl LoadIntegral {
         sums
     }
 
-    /// The radius by Newton's method on logarithms, in which J is nearly linear, from above.
-    ///
-    /// Without an admissible radius for `y` it finds none, or one that no row passes the check with.
+    /// The radius of `y`, from that of the positive term which is largest there.
     fn radius(&self, y: f64) -> Option<f64> {
         let alone = self.terms.iter().filter(|(j, _)| *j > 0.0).map(|&(j, p)| (y / j).powf(1.0 / p));
-        let mut a = alone.reduce(f64::min)?;
+        self.radius_near(alone.reduce(f64::min)?, y)
+    }
+
+    /// The radius of `y` by Newton's method on logarithms, in which J is nearly linear.
+    ///
+    /// Without an admissible radius it finds none, or one that no row passes the check with.
+    fn radius_near(&self, start: f64, y: f64) -> Option<f64> {
+        let mut a = start;
         for _ in 0..50 {
             let Derivatives { value, first, .. } = self.at(a);
             let step = (value / y).ln() * value / first;
@@ -142,11 +147,10 @@ impl LoadIntegral {
         None
     }
 
-    /// The largest of the logarithms of y, of the powers of its radius and of their coefficients.
-    fn largest_logarithm(&self, y: f64) -> f64 {
-        let Some(a) = self.radius(y) else { return f64::INFINITY };
+    /// The largest of the logarithms of y, of the powers of its radius a and of their coefficients.
+    fn largest_logarithm(&self, y: f64, a: f64) -> f64 {
         let sizes = self.terms.iter().flat_map(|&(j, p)| [j.abs().log2(), p * a.log2()]);
-        sizes.fold(y.log2(), |largest, size| if size.abs() > largest.abs() { size } else { largest }).abs()
+        sizes.fold(y.log2().abs(), |largest, size| largest.max(size.abs()))
     }
 
     /// The cubic for the row between two radii, if it passes the check.
@@ -164,7 +168,7 @@ impl LoadIntegral {
             let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
             let left = (half_second * half_second - third).abs() * error * error * error;
-            left <= ALLOWED_ERROR && self.largest_logarithm(at.value) < LARGEST_DOUBLE
+            left <= ALLOWED_ERROR && self.largest_logarithm(at.value, a) < LARGEST_DOUBLE
         };
         [1e-3, 0.15, 0.3, 0.5, 0.7, 0.85, 0.999].into_iter().all(passes).then_some(row)
     }
@@ -202,19 +206,20 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
 
-    fn table(load_integral: &LoadIntegral, octave: i32) -> Option<Vec<[f32; 4]>> {
-        let rows = octave * ROWS_PER_OCTAVE..(octave + 1) * ROWS_PER_OCTAVE;
-        let ends =
-            |index| load_integral.radius(lower_end(index)).zip(load_integral.radius(lower_end(index + 1)));
-        rows.map(|index| load_integral.row(index, ends(index)?)).collect()
+    impl LoadIntegral {
+        fn octave(&self, octave: i32) -> Option<Vec<[f32; 4]>> {
+            let rows = octave * ROWS_PER_OCTAVE..(octave + 1) * ROWS_PER_OCTAVE;
+            let ends = |index| self.radius(lower_end(index)).zip(self.radius(lower_end(index + 1)));
+            rows.map(|index| self.row(index, ends(index)?)).collect()
+        }
     }
 
-    /// Against the radius from which the load integral was computed, at other points than the check's.
+    /// At other points than the check's.
     #[test]
     fn seeds_have_six_digits() {
         let two_terms = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)] };
         for octave in -20..30 {
-            let rows = table(&two_terms, octave).unwrap();
+            let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
                 let y = 2f64.powi(octave) * (1.0 + f64::from(k) / 1000.0);
                 let seed = f64::from(value(rows[k as usize / 250], y));
@@ -230,8 +235,8 @@ mod tests {
         let oblate = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)] };
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
-        assert!(table(&oblate, last).is_none());
-        assert!(table(&oblate, last - 3).is_some());
+        assert!(oblate.octave(last).is_none());
+        assert!(oblate.octave(last - 3).is_some());
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(super) fn step(
     let [table, elsewhere] = ["Seeds", "elsewhere"].map(|name| names.generated(name));
     let (count, first, single) = (seeds.rows.len(), seeds.first, seeds.single);
     let rows = seeds.rows.iter().map(|row| {
-        let [c0, c1, c2, c3] = row.map(shortest);
+        let [c0, c1, c2, c3] = row.map(Literal::f32_unsuffixed);
         quote!([#c0, #c1, #c2, #c3])
     });
     let [count, first] = [Literal::usize_unsuffixed(count), Literal::i32_unsuffixed(first)];
@@ -75,9 +75,4 @@ fn steepness(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &
             per_degree: #constant(#per_degree),
         }
     }
-}
-
-/// The shortest literal of a number of single precision.
-fn shortest(value: f32) -> Literal {
-    format!("{value:?}f32").parse().unwrap_or_else(|_| Literal::f32_suffixed(value))
 }
