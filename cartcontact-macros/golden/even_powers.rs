@@ -27,6 +27,26 @@
 /// ```
 struct Patellofemoral;
 const _: () = {
+    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+        first: -168,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<T: ::cartcontact::Scalar>(
+        a: T,
+    ) -> ::cartcontact::generated::Steepness<T> {
+        let s = a * a;
+        ::cartcontact::generated::Steepness {
+            power: ::cartcontact::generated::integer_power(s, 3),
+            value: <T as ::cartcontact::Scalar>::constant(228.57142857142858f64) + s,
+            first: <T as ::cartcontact::Scalar>::constant(171.42857142857142f64) + s,
+            half_second: <T as ::cartcontact::Scalar>::constant(53.57142857142857f64)
+                + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * s,
+            per_unit: <T as ::cartcontact::Scalar>::constant(109714.28571428571f64),
+            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
+        }
+    }
     #[automatically_derived]
     impl<T> ::cartcontact::GapProfile<T> for Patellofemoral
     where
@@ -86,36 +106,7 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
-                first: -168,
-                single: true,
-                rows: [/* 256 cubics */],
-            };
-            match SEEDS
-                .radius(
-                    load_integral,
-                    limit,
-                    |a| {
-                        let s = a * a;
-                        ::cartcontact::generated::Steepness {
-                            power: ::cartcontact::generated::integer_power(s, 3),
-                            value: <T as ::cartcontact::Scalar>::constant(
-                                228.57142857142858f64,
-                            ) + s,
-                            first: <T as ::cartcontact::Scalar>::constant(
-                                171.42857142857142f64,
-                            ) + s,
-                            half_second: <T as ::cartcontact::Scalar>::constant(
-                                53.57142857142857f64,
-                            ) + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * s,
-                            per_unit: <T as ::cartcontact::Scalar>::constant(
-                                109714.28571428571f64,
-                            ),
-                            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
-                        }
-                    },
-                )
-            {
+            match SEEDS.radius(load_integral, limit, steepness) {
                 ::core::option::Option::Some(radius) => {
                     ::core::result::Result::Ok(radius)
                 }
@@ -159,6 +150,19 @@ const _: () = {
                     })
                 }
             }
+        }
+        fn radii_within(
+            &self,
+            load_integrals: &[T],
+            limit: T,
+            radii: &mut [T],
+        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
+                self,
+                load_integral,
+                limit,
+            );
+            SEEDS.radii(load_integrals, limit, radii, steepness, general)
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

@@ -27,6 +27,29 @@
 /// ```
 struct MixedSign;
 const _: () = {
+    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+        first: -176,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<T: ::cartcontact::Scalar>(
+        a: T,
+    ) -> ::cartcontact::generated::Steepness<T> {
+        ::cartcontact::generated::Steepness {
+            power: ::cartcontact::generated::integer_power(a, 6),
+            value: <T as ::cartcontact::Scalar>::constant(250.0f64)
+                + (<T as ::cartcontact::Scalar>::constant(-20.571428571428573f64) + a)
+                    * a,
+            first: <T as ::cartcontact::Scalar>::constant(187.5f64)
+                + (<T as ::cartcontact::Scalar>::constant(-18.0f64) + a) * a,
+            half_second: <T as ::cartcontact::Scalar>::constant(58.59375f64)
+                + (<T as ::cartcontact::Scalar>::constant(-6.75f64)
+                    + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * a) * a,
+            per_unit: <T as ::cartcontact::Scalar>::constant(60000.0f64),
+            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
+        }
+    }
     #[automatically_derived]
     impl<T> ::cartcontact::GapProfile<T> for MixedSign
     where
@@ -94,37 +117,7 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
-                first: -176,
-                single: true,
-                rows: [/* 256 cubics */],
-            };
-            match SEEDS
-                .radius(
-                    load_integral,
-                    limit,
-                    |a| {
-                        ::cartcontact::generated::Steepness {
-                            power: ::cartcontact::generated::integer_power(a, 6),
-                            value: <T as ::cartcontact::Scalar>::constant(250.0f64)
-                                + (<T as ::cartcontact::Scalar>::constant(
-                                    -20.571428571428573f64,
-                                ) + a) * a,
-                            first: <T as ::cartcontact::Scalar>::constant(187.5f64)
-                                + (<T as ::cartcontact::Scalar>::constant(-18.0f64) + a)
-                                    * a,
-                            half_second: <T as ::cartcontact::Scalar>::constant(
-                                58.59375f64,
-                            )
-                                + (<T as ::cartcontact::Scalar>::constant(-6.75f64)
-                                    + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * a)
-                                    * a,
-                            per_unit: <T as ::cartcontact::Scalar>::constant(60000.0f64),
-                            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
-                        }
-                    },
-                )
-            {
+            match SEEDS.radius(load_integral, limit, steepness) {
                 ::core::option::Option::Some(radius) => {
                     ::core::result::Result::Ok(radius)
                 }
@@ -174,6 +167,19 @@ const _: () = {
                     })
                 }
             }
+        }
+        fn radii_within(
+            &self,
+            load_integrals: &[T],
+            limit: T,
+            radii: &mut [T],
+        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
+                self,
+                load_integral,
+                limit,
+            );
+            SEEDS.radii(load_integrals, limit, radii, steepness, general)
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

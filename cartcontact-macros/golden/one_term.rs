@@ -28,6 +28,25 @@
 /// ```
 pub struct Paraboloid;
 const _: () = {
+    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+        first: -148,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<T: ::cartcontact::Scalar>(
+        a: T,
+    ) -> ::cartcontact::generated::Steepness<T> {
+        let s = a * a;
+        ::cartcontact::generated::Steepness {
+            power: ::cartcontact::generated::integer_power(s, 3),
+            value: <T as ::cartcontact::Scalar>::constant(1.0f64),
+            first: <T as ::cartcontact::Scalar>::constant(1.0f64),
+            half_second: <T as ::cartcontact::Scalar>::constant(0.4166666666666667f64),
+            per_unit: <T as ::cartcontact::Scalar>::constant(480.0f64),
+            per_degree: <T as ::cartcontact::Scalar>::constant(0.16666666666666666f64),
+        }
+    }
     #[automatically_derived]
     impl<T> ::cartcontact::GapProfile<T> for Paraboloid
     where
@@ -72,32 +91,7 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
-                first: -148,
-                single: true,
-                rows: [/* 256 cubics */],
-            };
-            match SEEDS
-                .radius(
-                    load_integral,
-                    limit,
-                    |a| {
-                        let s = a * a;
-                        ::cartcontact::generated::Steepness {
-                            power: ::cartcontact::generated::integer_power(s, 3),
-                            value: <T as ::cartcontact::Scalar>::constant(1.0f64),
-                            first: <T as ::cartcontact::Scalar>::constant(1.0f64),
-                            half_second: <T as ::cartcontact::Scalar>::constant(
-                                0.4166666666666667f64,
-                            ),
-                            per_unit: <T as ::cartcontact::Scalar>::constant(480.0f64),
-                            per_degree: <T as ::cartcontact::Scalar>::constant(
-                                0.16666666666666666f64,
-                            ),
-                        }
-                    },
-                )
-            {
+            match SEEDS.radius(load_integral, limit, steepness) {
                 ::core::option::Option::Some(radius) => {
                     ::core::result::Result::Ok(radius)
                 }
@@ -114,6 +108,19 @@ const _: () = {
                     })
                 }
             }
+        }
+        fn radii_within(
+            &self,
+            load_integrals: &[T],
+            limit: T,
+            radii: &mut [T],
+        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
+                self,
+                load_integral,
+                limit,
+            );
+            SEEDS.radii(load_integrals, limit, radii, steepness, general)
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

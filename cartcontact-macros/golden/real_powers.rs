@@ -17,6 +17,29 @@
 ///
 struct RealPowers;
 const _: () = {
+    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+        first: -176,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<T: ::cartcontact::Scalar>(
+        a: T,
+    ) -> ::cartcontact::generated::Steepness<T> {
+        ::cartcontact::generated::power_sum_steepness(
+            a,
+            [
+                (
+                    <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                    <T as ::cartcontact::Scalar>::constant(5.5f64),
+                ),
+                (
+                    <T as ::cartcontact::Scalar>::constant(0.00017077175697865354f64),
+                    <T as ::cartcontact::Scalar>::constant(7.25f64),
+                ),
+            ],
+        )
+    }
     #[automatically_derived]
     impl<T> ::cartcontact::GapProfile<T> for RealPowers
     where
@@ -127,36 +150,7 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
-                first: -176,
-                single: true,
-                rows: [/* 256 cubics */],
-            };
-            match SEEDS
-                .radius(
-                    load_integral,
-                    limit,
-                    |a| {
-                        ::cartcontact::generated::power_sum_steepness(
-                            a,
-                            [
-                                (
-                                    <T as ::cartcontact::Scalar>::constant(
-                                        0.0007792207792207792f64,
-                                    ),
-                                    <T as ::cartcontact::Scalar>::constant(5.5f64),
-                                ),
-                                (
-                                    <T as ::cartcontact::Scalar>::constant(
-                                        0.00017077175697865354f64,
-                                    ),
-                                    <T as ::cartcontact::Scalar>::constant(7.25f64),
-                                ),
-                            ],
-                        )
-                    },
-                )
-            {
+            match SEEDS.radius(load_integral, limit, steepness) {
                 ::core::option::Option::Some(radius) => {
                     ::core::result::Result::Ok(radius)
                 }
@@ -199,6 +193,19 @@ const _: () = {
                     })
                 }
             }
+        }
+        fn radii_within(
+            &self,
+            load_integrals: &[T],
+            limit: T,
+            radii: &mut [T],
+        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
+                self,
+                load_integral,
+                limit,
+            );
+            SEEDS.radii(load_integrals, limit, radii, steepness, general)
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

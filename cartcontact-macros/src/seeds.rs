@@ -1,4 +1,4 @@
-//! [`Gap`] with constant coefficients -> [`Seeds`]: the contact radius to six digits as a table of cubics.
+//! [`Geometry`] with constant coefficients -> [`Seeds`]: the contact radius to six digits as a table of cubics.
 //!
 //! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4,
 //! a(y) is so smooth within a quarter of an octave of y that a cubic meets it to 5 · 10⁻⁷. Rows of single precision
@@ -18,6 +18,7 @@ use num_traits::ToPrimitive;
 
 use crate::closed_forms::PowerSum;
 use crate::gap::Gap;
+use crate::geometry::{Geometry, Range};
 
 /// Rows per octave of the load integral.
 const ROWS_PER_OCTAVE: i32 = 4;
@@ -43,14 +44,19 @@ pub(crate) struct Seeds {
     pub(crate) rows: Vec<[f32; 4]>,
 }
 
-/// The table of a gap with constant coefficients up to `end`, if its rows are near enough to the radius.
-pub(crate) fn seeds(gap: &Gap, end: Option<f64>, load_integral: &PowerSum) -> Option<Seeds> {
+/// The table of a geometry with constant coefficients, if its rows are near enough to the radius.
+pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Seeds> {
+    let gap = &geometry.gap;
+    let end = match &geometry.range {
+        Range::Limited(end) => end.to_f64()?,
+        Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
+    };
     let terms = load_integral.summands.iter().map(|summand| {
         let coefficient = gap.terms.get(summand.term)?.coefficient.as_constant()? * &summand.weight;
         Some((coefficient.to_f64()?, summand.exponent.to_f64()?))
     });
     let load_integral = LoadIntegral { terms: terms.collect::<Option<_>>()? };
-    let steepest = load_integral.at(length(gap)?.min(end.unwrap_or(f64::INFINITY))).value.log2().floor();
+    let steepest = load_integral.at(length(gap)?.min(end)).value.log2().floor();
     let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
     let top = (steepest as i32 + OCTAVES_ABOVE) * ROWS_PER_OCTAVE;
     let bottom = top - OCTAVES * ROWS_PER_OCTAVE;

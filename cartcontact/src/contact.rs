@@ -10,6 +10,9 @@ use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
 
+/// How many radii are solved for at once.
+const BLOCK: usize = 64;
+
 /// The contact of two cartilage layers: the solution for a geometry, a medium and a load.
 ///
 /// # Examples
@@ -109,8 +112,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Empty { what: "times" });
         }
         check_length("radii", radii.len(), times.len())?;
-        for (radius, &time) in radii.iter_mut().zip(times) {
-            *radius = self.radius_at(time)?;
+        for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
+            if !self.fill_radii(times, radii) {
+                // The first of the single radii that there is not names its fault.
+                for (radius, &time) in radii.iter_mut().zip(times) {
+                    *radius = self.radius_at(time)?;
+                }
+            }
         }
         Ok(())
     }
@@ -175,14 +183,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
-        if !(t >= T::zero() && t.is_finite()) {
-            return Err(ContactError::InvalidTime { time: t.value() });
-        }
-        let hereditary = self.hereditary_load(t)?;
-        if let Some(since) = self.load.recession(self.medium.chi(), t) {
-            return Err(ContactError::Receding { time: t.value(), since: since.value() });
-        }
-        self.radius_under(hereditary).map_err(|error| match error {
+        self.radius_of(self.load_integral_at(t)?).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
                 leaves_at: self.time_of_leaving(t).value(),
@@ -190,6 +191,34 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })
+    }
+
+    /// The contact radii at up to `BLOCK` times; false if there is a fault among them.
+    fn fill_radii(&self, times: &[T], radii: &mut [T]) -> bool {
+        let mut load_integrals = [T::zero(); BLOCK];
+        let (mut valid, mut last) = (true, T::zero());
+        for (load_integral, &time) in load_integrals.iter_mut().zip(times) {
+            let (force, impulse) = (self.load.force(time), self.load.impulse(time));
+            valid &= is_time(time) & is_force(force) & is_force(impulse);
+            last = last.max(time);
+            *load_integral = (force + self.medium.chi() * impulse) / self.stiffness();
+        }
+        // Up to the last of the times the load has fallen too fast if it has at any.
+        valid
+            && self.load.recession(self.medium.chi(), last).is_none()
+            && self.profile.radii_within(&load_integrals[..times.len()], self.max_radius, radii).is_ok()
+    }
+
+    /// The load integral of the contact radius at a time that the solution covers.
+    fn load_integral_at(&self, t: T) -> Result<T, ContactError> {
+        if !is_time(t) {
+            return Err(ContactError::InvalidTime { time: t.value() });
+        }
+        let hereditary = self.hereditary_load(t)?;
+        match self.load.recession(self.medium.chi(), t) {
+            Some(since) => Err(ContactError::Receding { time: t.value(), since: since.value() }),
+            None => Ok(hereditary / self.stiffness()),
+        }
     }
 
     /// Y(t) = F(t) + χ ∫₀ᵗ F, from forces and impulses that a load of the user's own may get wrong.
@@ -222,6 +251,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             }
         }
     }
+}
+
+fn is_time<T: Scalar>(t: T) -> bool {
+    t >= T::zero() && t.is_finite()
 }
 
 /// Compares the length of a slice with the one it must have.

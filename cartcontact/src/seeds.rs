@@ -18,7 +18,11 @@ use core::any::Any;
 use simba::scalar::SupersetOf;
 
 use crate::Scalar;
+use crate::profile::{RadiusError, check_lengths};
 use crate::scalar::is;
+
+/// How many radii are stepped to at once; their seeds stay in registers and the nearest cache.
+const BLOCK: usize = 64;
 
 /// a(y) ≈ Σ rows\[k\]\[i\] uⁱ with y = u · 2^e, 1 ≤ u < 2, and k = 4 e + ⌊4 (u − 1)⌋ − `first`.
 #[derive(Debug)]
@@ -58,34 +62,86 @@ impl<const N: usize> Seeds<N> {
         limit: T,
         evaluate: impl Fn(T) -> Steepness<T>,
     ) -> Option<T> {
-        let radius = if is::<T, f64>() {
-            let seed = T::constant(self.of_double(load_integral.value())?);
-            evaluate(seed).halley(seed, load_integral)
-        } else {
-            let any: &dyn Any = &load_integral;
-            if !self.single {
-                return None;
-            }
-            let seed = <T as SupersetOf<f32>>::from_subset(&self.of_single(*any.downcast_ref()?)?);
-            evaluate(seed).newton(seed, load_integral)
-        };
+        if !self.holds::<T>() {
+            return None;
+        }
+        let (index, fraction) = self.place(load_integral);
+        let seed = single(cubic(self.rows.get(index)?, fraction));
+        let radius = evaluate(seed).step(seed, load_integral);
         (radius <= limit).then_some(radius)
     }
 
-    #[inline(always)]
-    fn of_double(&self, y: f64) -> Option<f64> {
-        let bits = y.to_bits();
-        // The exponent and two digits of the fraction: too small for the table, or with the sign set, they become
-        // an index that is too large.
-        let index = ((bits >> 50) as usize).wrapping_sub((4 * 1023 + self.first) as usize);
-        Some(f64::from(cubic(self.rows.get(index)?, (bits >> 29) as u32)))
+    /// The radii of many load integrals; blocks that are not all in the table by `general`.
+    ///
+    /// # Errors
+    ///
+    /// The first of those of `general`, and if the slices differ in length.
+    #[inline]
+    pub fn radii<T: Scalar>(
+        &self,
+        load_integrals: &[T],
+        limit: T,
+        radii: &mut [T],
+        evaluate: impl Fn(T) -> Steepness<T>,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        check_lengths(load_integrals, radii)?;
+        for (load_integrals, radii) in load_integrals.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
+            if self.holds::<T>() && self.block(load_integrals, limit, radii, &evaluate) {
+                continue;
+            }
+            for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
+                *radius = general(load_integral)?;
+            }
+        }
+        Ok(())
     }
 
+    /// The radii of a block; false if one of them is not to be found in the table.
+    ///
+    /// Seeds are looked up one by one, and then all stepped from at once, without a branch.
     #[inline(always)]
-    fn of_single(&self, y: f32) -> Option<f32> {
-        let bits = y.to_bits();
-        let index = ((bits >> 21) as usize).wrapping_sub((4 * 127 + self.first) as usize);
-        Some(cubic(self.rows.get(index)?, bits))
+    fn block<T: Scalar>(
+        &self,
+        load_integrals: &[T],
+        limit: T,
+        radii: &mut [T],
+        evaluate: impl Fn(T) -> Steepness<T>,
+    ) -> bool {
+        let mut seeds = [0.0; BLOCK];
+        let mut found = true;
+        for (seed, &load_integral) in seeds.iter_mut().zip(load_integrals) {
+            let (index, fraction) = self.place(load_integral);
+            found &= index < N;
+            *seed = cubic(&self.rows[index.min(N - 1)], fraction);
+        }
+        for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
+            let seed = single(seed);
+            *radius = evaluate(seed).step(seed, load_integral);
+            found &= *radius <= limit;
+        }
+        found
+    }
+
+    fn holds<T: Scalar>(&self) -> bool {
+        is::<T, f64>() || (is::<T, f32>() && self.single)
+    }
+
+    /// The index of the row, and the fraction of the load integral as the last 23 bits.
+    ///
+    /// The index is made of the exponent and two digits of the fraction. Too small for the table, or with the sign
+    /// set, they become an index that is too large.
+    #[inline(always)]
+    fn place<T: Scalar>(&self, load_integral: T) -> (usize, u32) {
+        let any: &dyn Any = &load_integral;
+        let (index, bias, fraction) = match any.downcast_ref::<f32>() {
+            Some(single) => (single.to_bits() >> 21, 127, single.to_bits()),
+            None => {
+                let bits = load_integral.value().to_bits();
+                ((bits >> 50) as u32, 1023, (bits >> 29) as u32)
+            }
+        };
+        ((index as usize).wrapping_sub((4 * bias + self.first) as usize), fraction)
     }
 }
 
@@ -96,10 +152,21 @@ fn cubic(row: &[f32; 4], fraction: u32) -> f32 {
     row[0] + u * (row[1] + u * (row[2] + u * row[3]))
 }
 
+#[inline(always)]
+fn single<T: Scalar>(value: f32) -> T {
+    <T as SupersetOf<f32>>::from_subset(&value)
+}
+
 impl<T: Scalar> Steepness<T> {
     #[inline(always)]
     fn surplus(&self, load_integral: T) -> T {
         self.power * self.value - load_integral * self.per_unit
+    }
+
+    /// The radius from its seed.
+    #[inline(always)]
+    fn step(self, seed: T, load_integral: T) -> T {
+        if is::<T, f32>() { self.newton(seed, load_integral) } else { self.halley(seed, load_integral) }
     }
 
     #[inline(always)]

@@ -1,11 +1,11 @@
 //! Laws of the contact radius: it inverts the load integral, for any load.
 
 use cartcontact::load::Constant;
-use cartcontact::{Contact, GapProfile, Medium};
+use cartcontact::{Contact, GapProfile, Medium, RadiusError};
 use proptest::prelude::*;
 use tests::budget;
 use tests::measure::relative_error;
-use tests::profiles::cases;
+use tests::profiles::{case, cases};
 use tests::random::{self, degree, magnitude, positive_sums};
 
 /// In units of ε; J is rounded twice, and its error divided by its degree.
@@ -109,5 +109,47 @@ fn the_end_of_the_range_is_reached_and_not_passed() {
         let largest = case.double.load_integral(end);
         assert!(case.double.radius(largest * (1.0 - 1e-12)).is_ok_and(|a| a <= end), "{case:?}");
         assert!(case.double.radius(largest * (1.0 + 1e-12)).is_err(), "{case:?}");
+    }
+}
+
+/// Whole blocks, the rest of one, and blocks in which some load integrals lie outside the table.
+#[test]
+fn many_radii_are_those_of_single_ones() {
+    for case in cases() {
+        let largest = case.double.load_integral(case.max_radius.unwrap_or(100.0));
+        let load_integrals: Vec<f64> =
+            (0..1000).map(|k| largest * 0.9_f64.powi(k * 37 % 1000)).chain([0.0, largest]).collect();
+        for length in [1, 63, 64, 65, 1002] {
+            let load_integrals = &load_integrals[..length];
+            let mut radii = vec![0.0; length];
+            assert_eq!(case.double.radii(load_integrals, &mut radii), Ok(()), "{case:?}");
+            let single = |&load_integral| case.double.radius(load_integral).unwrap_or(f64::NAN);
+            assert!(load_integrals.iter().map(single).eq(radii), "{case:?}, {length}");
+        }
+    }
+}
+
+#[test]
+fn the_first_fault_among_many_is_named() {
+    let case = case("Oblate");
+    let beyond = 2.0 * case.double.load_integral(8.0);
+    let faults = [1.0, beyond, -1.0];
+    let found = case.double.radii(&faults, &mut [0.0; 3]);
+    assert!(matches!(found, Err(RadiusError::BeyondRange { load_integral, .. }) if load_integral == beyond));
+    let length = case.double.radii(&faults, &mut [0.0; 2]);
+    assert_eq!(length, Err(RadiusError::Length { load_integrals: 3, radii: 2 }));
+}
+
+/// On both sides of every row of the tables and of their ends: neighbours have neighbouring radii.
+#[test]
+fn radii_are_continuous_from_row_to_row() {
+    for case in cases() {
+        for quarter in -400..400_i32 {
+            let (octave, digits) = (quarter.div_euclid(4), f64::from(quarter.rem_euclid(4)));
+            let above = 2f64.powi(octave) * (1.0 + digits / 4.0);
+            let radius = |load_integral: f64| case.double.radius(load_integral);
+            let (Ok(above), Ok(below)) = (radius(above), radius(above.next_down())) else { continue };
+            assert!((above / below - 1.0).abs() <= 2.0 * f64::EPSILON, "{case:?}: {below:e}, {above:e}");
+        }
     }
 }

@@ -1,18 +1,17 @@
 //! The contact radius from the load integral, and what else the solver asks of J.
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, Signed};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::Names;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, pairs};
+use super::seeds;
 use crate::closed_forms::ClosedForms;
 use crate::coefficient::Sign;
 use crate::gap::{Gap, Term};
-use crate::geometry::{Geometry, Range};
 use crate::number::{integer, literal};
-use crate::seeds;
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -20,16 +19,17 @@ const HIGHEST_DENSE_POWER: u32 = 80;
 /// The same for the drop of J, on which what lies between two times rests; its error is half the power times ε.
 const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
+/// With a table of seeds, which stands beside the implementation, the radius is taken from it where it can be.
 pub(super) fn methods(
-    geometry: &Geometry,
+    gap: &Gap,
     forms: &ClosedForms,
+    has_seeds: bool,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
     let Names { krate, scalar } = names;
-    let gap = &geometry.gap;
     let preamble = coefficients.preamble();
-    let radius = match gap.terms.as_slice() {
+    let general = match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
             let (invert, term) =
                 (names.generated("invert_one_term"), positive_term(0, only, coefficients, names));
@@ -37,25 +37,24 @@ pub(super) fn methods(
         }
         _ => newton(gap, forms, coefficients, names),
     };
-    let end = match &geometry.range {
-        Range::Limited(end) => end.to_f64(),
-        Range::Unbounded | Range::Symbolic(_) => None,
-    };
-    let radius = match seeds::seeds(gap, end, &forms.load_integral) {
-        Some(table) => super::seeds::step(&table, &forms.load_integral, coefficients, names, &radius),
-        None => radius,
+    let radius = if has_seeds {
+        seeds::methods(names, &general)
+    } else {
+        quote! {
+            #[inline]
+            fn radius_within(
+                &self,
+                load_integral: #scalar,
+                limit: #scalar,
+            ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
+                #preamble
+                #general
+            }
+        }
     };
     let drop = drop_of_load_integral(forms, coefficients, names);
     quote! {
-        #[inline]
-        fn radius_within(
-            &self,
-            load_integral: #scalar,
-            limit: #scalar,
-        ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
-            #preamble
-            #radius
-        }
+        #radius
 
         #[inline]
         fn load_integral_drop(&self, a: #scalar, depth: #scalar) -> #scalar { #preamble #drop }

@@ -73,7 +73,9 @@ pub(crate) fn solver(
     });
     let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
     operations.push(Operations::of_function(&pressure_kernel));
-    let inversion = inversion::methods(geometry, &forms, &coefficients, &names);
+    let table = crate::seeds::seeds(geometry, &forms.load_integral);
+    let inversion = inversion::methods(&geometry.gap, &forms, table.is_some(), &coefficients, &names);
+    let table = table.map(|table| seeds::items(&table, &forms.load_integral, &coefficients, &names));
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let shape = shape(geometry, &names);
@@ -84,6 +86,7 @@ pub(crate) fn solver(
         #documented
         const _: () = {
             #shared
+            #table
             #[automatically_derived]
             #header {
                 #(#evaluators)*

@@ -14,27 +14,55 @@ use crate::seeds::Seeds;
 /// The widest gap between powers that is written out as a product.
 const WIDEST_GAP: u32 = 8;
 
-/// An attempt to find the radius of `load_integral` in the table, before `general` finds it.
-pub(super) fn step(
+/// The table and the function that the step from it evaluates.
+pub(super) fn items(
     seeds: &Seeds,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-    general: &TokenStream,
 ) -> TokenStream {
-    let [table, elsewhere] = ["Seeds", "elsewhere"].map(|name| names.generated(name));
-    let (count, first, single) = (seeds.rows.len(), seeds.first, seeds.single);
+    let Names { krate, scalar } = names;
+    let [table, steepness] = ["Seeds", "Steepness"].map(|name| names.generated(name));
+    let count = Literal::usize_unsuffixed(seeds.rows.len());
+    let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
     let rows = seeds.rows.iter().map(|row| {
         let [c0, c1, c2, c3] = row.map(Literal::f32_unsuffixed);
         quote!([#c0, #c1, #c2, #c3])
     });
-    let [count, first] = [Literal::usize_unsuffixed(count), Literal::i32_unsuffixed(first)];
-    let steepness = steepness(load_integral, coefficients, names);
+    let body = body(load_integral, coefficients, names);
     quote! {
         static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: [#(#rows),*] };
-        match SEEDS.radius(load_integral, limit, |a| { #steepness }) {
-            ::core::option::Option::Some(radius) => ::core::result::Result::Ok(radius),
-            ::core::option::Option::None => #elsewhere(move || { #general }),
+
+        #[inline(always)]
+        fn steepness<#scalar: #krate::Scalar>(a: #scalar) -> #steepness<#scalar> { #body }
+    }
+}
+
+/// `radius_within` and `radii_within` from the table, and elsewhere by `general`.
+pub(super) fn methods(names: &Names<'_>, general: &TokenStream) -> TokenStream {
+    let Names { krate, scalar } = names;
+    let elsewhere = names.generated("elsewhere");
+    quote! {
+        #[inline]
+        fn radius_within(
+            &self,
+            load_integral: #scalar,
+            limit: #scalar,
+        ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
+            match SEEDS.radius(load_integral, limit, steepness) {
+                ::core::option::Option::Some(radius) => ::core::result::Result::Ok(radius),
+                ::core::option::Option::None => #elsewhere(move || { #general }),
+            }
+        }
+
+        fn radii_within(
+            &self,
+            load_integrals: &[#scalar],
+            limit: #scalar,
+            radii: &mut [#scalar],
+        ) -> ::core::result::Result<(), #krate::RadiusError> {
+            let general = |load_integral| #krate::GapProfile::radius_within(self, load_integral, limit);
+            SEEDS.radii(load_integrals, limit, radii, steepness, general)
         }
     }
 }
@@ -42,7 +70,7 @@ pub(super) fn step(
 /// A `Steepness` at the radius `a`: J, a J′/p and a² J″/(2 p²) with the highest power a^p of J for unit.
 ///
 /// Its coefficient is then 1 in the first two, which spares their multiplication.
-fn steepness(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn body(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
     let leading =
         load_integral.summands.last().and_then(|last| Some((coefficients.constant(last)?, &last.exponent)));
