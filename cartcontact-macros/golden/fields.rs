@@ -51,6 +51,34 @@ const _: () = {
                 }),
         ]
     }
+    static SEEDS: crate::renamed::generated::Seeds<256> = crate::renamed::generated::Seeds {
+        first: -176,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<T: crate::renamed::Scalar>(
+        a: T,
+        [c0,
+        c1,
+        ]: [T; 2usize],
+    ) -> crate::renamed::generated::Steepness<T> {
+        let s = a * a;
+        crate::renamed::generated::Steepness {
+            power: crate::renamed::generated::integer_power(s, 3),
+            value: c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
+                + (c1 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
+                    * s,
+            first: c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
+                + (c1 * <T as crate::renamed::Scalar>::constant(0.6666666666666666f64))
+                    * s,
+            half_second: c0 * <T as crate::renamed::Scalar>::constant(1.25f64)
+                + (c1 * <T as crate::renamed::Scalar>::constant(2.3333333333333335f64))
+                    * s,
+            per_unit: <T as crate::renamed::Scalar>::constant(1.0f64),
+            per_degree: <T as crate::renamed::Scalar>::constant(1.0f64),
+        }
+    }
     #[automatically_derived]
     impl<T> crate::renamed::GapProfile<T> for Ball
     where
@@ -118,36 +146,112 @@ const _: () = {
             limit: T,
         ) -> ::core::result::Result<T, crate::renamed::RadiusError> {
             let [c0, c1]: [T; 2usize] = coefficients(self);
-            crate::renamed::generated::invert(
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    {
+                        let (radius, load_integral) = crate::renamed::generated::equal_terms(
+                            (
+                                c0
+                                    * <T as crate::renamed::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as crate::renamed::Scalar>::constant(6.0f64),
+                            ),
+                            (
+                                c1
+                                    * <T as crate::renamed::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as crate::renamed::Scalar>::constant(8.0f64),
+                            ),
+                        );
+                        crate::renamed::generated::Scale::of(radius, load_integral)
+                    },
+                    |a| steepness(a, [c0, c1]),
+                )
+            {
+                ::core::option::Option::Some(radius) => {
+                    ::core::result::Result::Ok(radius)
+                }
+                ::core::option::Option::None => {
+                    crate::renamed::generated::elsewhere(move || {
+                        crate::renamed::generated::invert(
+                            load_integral,
+                            limit,
+                            crate::renamed::generated::positive_terms([
+                                (c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
+                                (c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
+                            ]),
+                            c0 < <T as crate::renamed::Scalar>::constant(0.0f64)
+                                || c1 < <T as crate::renamed::Scalar>::constant(0.0f64),
+                            |a| {
+                                let x = a * a;
+                                let (value, slope) = crate::renamed::generated::value_and_slope(
+                                    x,
+                                    [
+                                        c0
+                                            * <T as crate::renamed::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        c1
+                                            * <T as crate::renamed::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                    ],
+                                );
+                                let log_slope = <T as crate::renamed::Scalar>::constant(
+                                    6.0f64,
+                                ) * value
+                                    + <T as crate::renamed::Scalar>::constant(2.0f64) * x
+                                        * slope;
+                                (value * x * x * x, log_slope * x * x * x)
+                            },
+                        )
+                    })
+                }
+            }
+        }
+        fn radii_within(
+            &self,
+            load_integrals: &[T],
+            limit: T,
+            radii: &mut [T],
+        ) -> ::core::result::Result<(), crate::renamed::RadiusError> {
+            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let general = |load_integral| crate::renamed::GapProfile::radius_within(
+                self,
                 load_integral,
                 limit,
-                crate::renamed::generated::positive_terms([
-                    (c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
-                    (c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
-                ]),
-                c0 < <T as crate::renamed::Scalar>::constant(0.0f64)
-                    || c1 < <T as crate::renamed::Scalar>::constant(0.0f64),
-                |a| {
-                    let x = a * a;
-                    let (value, slope) = crate::renamed::generated::value_and_slope(
-                        x,
-                        [
-                            c0
-                                * <T as crate::renamed::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
-                            c1
-                                * <T as crate::renamed::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
-                        ],
-                    );
-                    let log_slope = <T as crate::renamed::Scalar>::constant(6.0f64)
-                        * value
-                        + <T as crate::renamed::Scalar>::constant(2.0f64) * x * slope;
-                    (value * x * x * x, log_slope * x * x * x)
-                },
-            )
+            );
+            let slices = (load_integrals, radii);
+            SEEDS
+                .radii(
+                    slices,
+                    limit,
+                    {
+                        let (radius, load_integral) = crate::renamed::generated::equal_terms(
+                            (
+                                c0
+                                    * <T as crate::renamed::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as crate::renamed::Scalar>::constant(6.0f64),
+                            ),
+                            (
+                                c1
+                                    * <T as crate::renamed::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as crate::renamed::Scalar>::constant(8.0f64),
+                            ),
+                        );
+                        crate::renamed::generated::Scale::of(radius, load_integral)
+                    },
+                    |a| steepness(a, [c0, c1]),
+                    general,
+                )
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

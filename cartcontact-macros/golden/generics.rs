@@ -42,6 +42,32 @@ const _: () = {
             ),
         ]
     }
+    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+        first: -176,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<S: ::cartcontact::Scalar>(
+        a: S,
+        [c0,
+        c1,
+        ]: [S; 2usize],
+    ) -> ::cartcontact::generated::Steepness<S> {
+        ::cartcontact::generated::power_sum_steepness(
+            a,
+            [
+                (
+                    c0 * <S as ::cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    <S as ::cartcontact::Scalar>::constant(6.0f64),
+                ),
+                (
+                    c1 * <S as ::cartcontact::Scalar>::constant(0.08547008547008547f64),
+                    <S as ::cartcontact::Scalar>::constant(6.5f64),
+                ),
+            ],
+        )
+    }
     #[automatically_derived]
     impl<'a, S: Copy, T> ::cartcontact::GapProfile<S> for Any<'a, S, T>
     where
@@ -158,18 +184,12 @@ const _: () = {
             limit: S,
         ) -> ::core::result::Result<S, ::cartcontact::RadiusError> {
             let [c0, c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::invert(
-                load_integral,
-                limit,
-                ::cartcontact::generated::positive_terms([
-                    (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
-                ]),
-                c0 < <S as ::cartcontact::Scalar>::constant(0.0f64),
-                |a| {
-                    ::cartcontact::generated::power_sum_and_log_slope(
-                        a,
-                        [
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    {
+                        let (radius, load_integral) = ::cartcontact::generated::equal_terms(
                             (
                                 c0
                                     * <S as ::cartcontact::Scalar>::constant(
@@ -184,10 +204,90 @@ const _: () = {
                                     ),
                                 <S as ::cartcontact::Scalar>::constant(6.5f64),
                             ),
-                        ],
-                    )
-                },
-            )
+                        );
+                        ::cartcontact::generated::Scale::of(radius, load_integral)
+                    },
+                    |a| steepness(a, [c0, c1]),
+                )
+            {
+                ::core::option::Option::Some(radius) => {
+                    ::core::result::Result::Ok(radius)
+                }
+                ::core::option::Option::None => {
+                    ::cartcontact::generated::elsewhere(move || {
+                        ::cartcontact::generated::invert(
+                            load_integral,
+                            limit,
+                            ::cartcontact::generated::positive_terms([
+                                (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                                (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                            ]),
+                            c0 < <S as ::cartcontact::Scalar>::constant(0.0f64),
+                            |a| {
+                                ::cartcontact::generated::power_sum_and_log_slope(
+                                    a,
+                                    [
+                                        (
+                                            c0
+                                                * <S as ::cartcontact::Scalar>::constant(
+                                                    0.08333333333333333f64,
+                                                ),
+                                            <S as ::cartcontact::Scalar>::constant(6.0f64),
+                                        ),
+                                        (
+                                            c1
+                                                * <S as ::cartcontact::Scalar>::constant(
+                                                    0.08547008547008547f64,
+                                                ),
+                                            <S as ::cartcontact::Scalar>::constant(6.5f64),
+                                        ),
+                                    ],
+                                )
+                            },
+                        )
+                    })
+                }
+            }
+        }
+        fn radii_within(
+            &self,
+            load_integrals: &[S],
+            limit: S,
+            radii: &mut [S],
+        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+            let [c0, c1]: [S; 2usize] = coefficients(self);
+            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
+                self,
+                load_integral,
+                limit,
+            );
+            let slices = (load_integrals, radii);
+            SEEDS
+                .radii(
+                    slices,
+                    limit,
+                    {
+                        let (radius, load_integral) = ::cartcontact::generated::equal_terms(
+                            (
+                                c0
+                                    * <S as ::cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <S as ::cartcontact::Scalar>::constant(6.0f64),
+                            ),
+                            (
+                                c1
+                                    * <S as ::cartcontact::Scalar>::constant(
+                                        0.08547008547008547f64,
+                                    ),
+                                <S as ::cartcontact::Scalar>::constant(6.5f64),
+                            ),
+                        );
+                        ::cartcontact::generated::Scale::of(radius, load_integral)
+                    },
+                    |a| steepness(a, [c0, c1]),
+                    general,
+                )
         }
         #[inline]
         fn load_integral_drop(&self, a: S, depth: S) -> S {

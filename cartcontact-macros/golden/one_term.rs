@@ -36,6 +36,7 @@ const _: () = {
     #[inline(always)]
     fn steepness<T: ::cartcontact::Scalar>(
         a: T,
+        []: [T; 0usize],
     ) -> ::cartcontact::generated::Steepness<T> {
         let s = a * a;
         ::cartcontact::generated::Steepness {
@@ -91,7 +92,14 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            match SEEDS.radius(load_integral, limit, steepness) {
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    ::cartcontact::generated::Scale::none(),
+                    |a| steepness(a, []),
+                )
+            {
                 ::core::option::Option::Some(radius) => {
                     ::core::result::Result::Ok(radius)
                 }
@@ -120,7 +128,15 @@ const _: () = {
                 load_integral,
                 limit,
             );
-            SEEDS.radii(load_integrals, limit, radii, steepness, general)
+            let slices = (load_integrals, radii);
+            SEEDS
+                .radii(
+                    slices,
+                    limit,
+                    ::cartcontact::generated::Scale::none(),
+                    |a| steepness(a, []),
+                    general,
+                )
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

@@ -25,6 +25,7 @@ const _: () = {
     #[inline(always)]
     fn steepness<T: ::cartcontact::Scalar>(
         a: T,
+        []: [T; 0usize],
     ) -> ::cartcontact::generated::Steepness<T> {
         ::cartcontact::generated::power_sum_steepness(
             a,
@@ -150,7 +151,14 @@ const _: () = {
             load_integral: T,
             limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
-            match SEEDS.radius(load_integral, limit, steepness) {
+            match SEEDS
+                .radius(
+                    load_integral,
+                    limit,
+                    ::cartcontact::generated::Scale::none(),
+                    |a| steepness(a, []),
+                )
+            {
                 ::core::option::Option::Some(radius) => {
                     ::core::result::Result::Ok(radius)
                 }
@@ -205,7 +213,15 @@ const _: () = {
                 load_integral,
                 limit,
             );
-            SEEDS.radii(load_integrals, limit, radii, steepness, general)
+            let slices = (load_integrals, radii);
+            SEEDS
+                .radii(
+                    slices,
+                    limit,
+                    ::cartcontact::generated::Scale::none(),
+                    |a| steepness(a, []),
+                    general,
+                )
         }
         #[inline]
         fn load_integral_drop(&self, a: T, depth: T) -> T {

@@ -1,4 +1,4 @@
-//! [`Geometry`] with constant coefficients -> [`Seeds`]: the contact radius to six digits as a table of cubics.
+//! [`Geometry`] -> [`Seeds`]: the contact radius to six digits as a table of cubics.
 //!
 //! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4,
 //! a(y) is so smooth within a quarter of an octave of y that a cubic meets it to 5 · 10⁻⁷. Rows of single precision
@@ -6,6 +6,9 @@
 //!
 //! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more; y from
 //! 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ) are contacts from ℓ/200 upward for a sphere. Outside it, the radius is iterated.
+//! Where coefficients are symbols, two terms have one table in units of their own: with j a^p + j′ a^p′ = y and
+//! j ℓ^p = j′ ℓ^p′, a/ℓ depends on y/(j ℓ^p) alone. Its window lies 20 octaves above y = 1 and 44 below, because
+//! the higher term is mostly the correction.
 //!
 //! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
 //! radii: no equation is solved but for the ends of the rows.
@@ -25,6 +28,8 @@ const ROWS_PER_OCTAVE: i32 = 4;
 const OCTAVES: i32 = 64;
 /// How much of the window lies above J(ℓ).
 const OCTAVES_ABOVE: i32 = 4;
+/// How much of it lies above the load integral at which two terms are equal.
+const OCTAVES_ABOVE_EQUALITY: i32 = 20;
 /// A shorter table is not worth its code.
 const FEWEST_ROWS: usize = 32;
 /// Logarithms of y, of the powers of a, and of their coefficients, up to which no product of the step overflows.
@@ -44,34 +49,38 @@ pub(crate) struct Seeds {
     pub(crate) rows: Vec<[f32; 4]>,
 }
 
-/// The table of a geometry with constant coefficients, if its rows are near enough to the radius.
+/// The table of a geometry, if its rows are near enough to the radius.
 pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Seeds> {
+    let exponents: Option<Vec<f64>> =
+        load_integral.summands.iter().map(|summand| summand.exponent.to_f64()).collect();
+    if geometry.gap.is_constant() {
+        of_constants(geometry, load_integral, exponents?)
+    } else {
+        of_two_terms(exponents?)
+    }
+}
+
+fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f64>) -> Option<Seeds> {
     let gap = &geometry.gap;
     let end = match &geometry.range {
         Range::Limited(end) => end.to_f64()?,
         Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
     };
-    let terms = load_integral.summands.iter().map(|summand| {
-        let coefficient = gap.terms.get(summand.term)?.coefficient.as_constant()? * &summand.weight;
-        Some((coefficient.to_f64()?, summand.exponent.to_f64()?))
-    });
-    let load_integral = LoadIntegral { terms: terms.collect::<Option<_>>()? };
+    let coefficients = load_integral
+        .summands
+        .iter()
+        .map(|summand| (gap.terms.get(summand.term)?.coefficient.as_constant()? * &summand.weight).to_f64());
+    let coefficients: Option<Vec<f64>> = coefficients.collect();
+    let load_integral = LoadIntegral { terms: coefficients?.into_iter().zip(exponents).collect() };
     let steepest = load_integral.at(length(gap)?.min(end)).value.log2().floor();
     let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
-    let top = (steepest as i32 + OCTAVES_ABOVE) * ROWS_PER_OCTAVE;
-    let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
-    let mut low = load_integral.radius(lower_end(bottom));
-    let rows = (bottom..top).map(|index| {
-        let high = low.and_then(|low| load_integral.radius_near(low, lower_end(index + 1)));
-        let ends = core::mem::replace(&mut low, high).zip(high)?;
-        load_integral.row(index, ends)
-    });
-    let (first, rows) = longest_run(bottom, rows)?;
-    let ends = [first, first + i32::try_from(rows.len()).ok()?].map(lower_end);
-    let holds =
-        |y| load_integral.radius(y).is_some_and(|a| load_integral.largest_logarithm(y, a) < LARGEST_SINGLE);
-    let single = ends.into_iter().all(holds);
-    (rows.len() >= FEWEST_ROWS).then_some(Seeds { first, single, rows })
+    load_integral.seeds(steepest as i32 + OCTAVES_ABOVE)
+}
+
+/// Two terms with any coefficients, in units of the radius at which they are equal and of their value there.
+fn of_two_terms(exponents: Vec<f64>) -> Option<Seeds> {
+    let terms: Vec<(f64, f64)> = exponents.into_iter().map(|exponent| (1.0, exponent)).collect();
+    (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)
 }
 
 /// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
@@ -118,6 +127,23 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
+    /// The table of the octaves up to y = 2^`top`.
+    fn seeds(&self, top: i32) -> Option<Seeds> {
+        let top = top * ROWS_PER_OCTAVE;
+        let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
+        let mut low = self.radius(lower_end(bottom));
+        let rows = (bottom..top).map(|index| {
+            let high = low.and_then(|low| self.radius_near(low, lower_end(index + 1)));
+            let ends = core::mem::replace(&mut low, high).zip(high)?;
+            self.row(index, ends)
+        });
+        let (first, rows) = longest_run(bottom, rows)?;
+        let ends = [first, first + i32::try_from(rows.len()).ok()?].map(lower_end);
+        let holds = |y| self.radius(y).is_some_and(|a| self.largest_logarithm(y, a) < LARGEST_SINGLE);
+        let single = ends.into_iter().all(holds);
+        (rows.len() >= FEWEST_ROWS).then_some(Seeds { first, single, rows })
+    }
+
     fn at(&self, a: f64) -> Derivatives {
         let mut sums = Derivatives { value: 0.0, first: 0.0, second: 0.0, third: 0.0 };
         for &(j, p) in &self.terms {

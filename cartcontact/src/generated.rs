@@ -3,9 +3,10 @@
 pub use crate::admissibility::{admissible_range, checked_range};
 pub use crate::evaluate::horner::{divided_difference, even_sum, value_and_slope};
 pub use crate::evaluate::power::{
-    integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness, real_power,
+    equal_terms, integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness,
+    real_power,
 };
 pub use crate::evaluate::pressure_kernel::pressure_kernel;
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
-pub use crate::seeds::{Seeds, Steepness, elsewhere};
+pub use crate::seeds::{Scale, Seeds, Steepness, elsewhere};

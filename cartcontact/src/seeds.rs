@@ -52,6 +52,40 @@ pub struct Steepness<T> {
     pub per_degree: T,
 }
 
+/// What the table's load integrals and radii are multiplied by: 1 for the geometry that it was made for.
+///
+/// The tables of J = j aᵖ + j′ aᵖ′ are all the same one, that of xᵖ + xᵖ′, in units of the radius at which both terms
+/// are equal and of the value that they have there.
+#[derive(Clone, Copy, Debug)]
+pub struct Scale<T> {
+    radius: T,
+    per_load_integral: T,
+    /// The units are numbers of the geometry: they may be out of range or, for terms of different sign, not exist.
+    is_given: bool,
+}
+
+impl<T: Scalar> Scale<T> {
+    /// A table of the geometry's own.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { radius: T::one(), per_load_integral: T::one(), is_given: false }
+    }
+
+    /// The units of a table.
+    #[inline(always)]
+    pub fn of(radius: T, load_integral: T) -> Self {
+        Self { radius, per_load_integral: load_integral.recip(), is_given: true }
+    }
+
+    /// Whether a step that began at `seed` ended at the radius.
+    ///
+    /// Seeds are good to six digits, so that a longer step can only begin at one from units out of range.
+    #[inline(always)]
+    fn confirms(&self, radius: T, seed: T) -> bool {
+        !self.is_given | ((radius - seed).abs() <= seed * T::constant(1e-5))
+    }
+}
+
 impl<const N: usize> Seeds<N> {
     /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
     /// than f32 and f64.
@@ -60,15 +94,16 @@ impl<const N: usize> Seeds<N> {
         &self,
         load_integral: T,
         limit: T,
+        scale: Scale<T>,
         evaluate: impl Fn(T) -> Steepness<T>,
     ) -> Option<T> {
         if !self.holds::<T>() {
             return None;
         }
-        let (index, fraction) = self.place(load_integral);
-        let seed = single(cubic(self.rows.get(index)?, fraction));
+        let (index, fraction) = self.place(load_integral * scale.per_load_integral);
+        let seed = single::<T>(cubic(self.rows.get(index)?, fraction)) * scale.radius;
         let radius = evaluate(seed).step(seed, load_integral);
-        (radius <= limit).then_some(radius)
+        (radius <= limit && scale.confirms(radius, seed)).then_some(radius)
     }
 
     /// The radii of many load integrals; blocks that are not all in the table by `general`.
@@ -79,19 +114,18 @@ impl<const N: usize> Seeds<N> {
     #[inline]
     pub fn radii<T: Scalar>(
         &self,
-        load_integrals: &[T],
+        (load_integrals, radii): (&[T], &mut [T]),
         limit: T,
-        radii: &mut [T],
+        scale: Scale<T>,
         evaluate: impl Fn(T) -> Steepness<T>,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         check_lengths(load_integrals, radii)?;
         for (load_integrals, radii) in load_integrals.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
-            if self.holds::<T>() && self.block(load_integrals, limit, radii, &evaluate) {
-                continue;
-            }
-            for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
-                *radius = general(load_integral)?;
+            if !(self.holds::<T>() && self.block(load_integrals, limit, scale, radii, &evaluate)) {
+                for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
+                    *radius = general(load_integral)?;
+                }
             }
         }
         Ok(())
@@ -105,20 +139,21 @@ impl<const N: usize> Seeds<N> {
         &self,
         load_integrals: &[T],
         limit: T,
+        scale: Scale<T>,
         radii: &mut [T],
         evaluate: impl Fn(T) -> Steepness<T>,
     ) -> bool {
         let mut seeds = [0.0; BLOCK];
         let mut found = true;
         for (seed, &load_integral) in seeds.iter_mut().zip(load_integrals) {
-            let (index, fraction) = self.place(load_integral);
+            let (index, fraction) = self.place(load_integral * scale.per_load_integral);
             found &= index < N;
             *seed = cubic(&self.rows[index.min(N - 1)], fraction);
         }
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
-            let seed = single(seed);
+            let seed = single::<T>(seed) * scale.radius;
             *radius = evaluate(seed).step(seed, load_integral);
-            found &= *radius <= limit;
+            found &= (*radius <= limit) & scale.confirms(*radius, seed);
         }
         found
     }

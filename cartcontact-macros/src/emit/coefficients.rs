@@ -58,14 +58,19 @@ impl<'a> Coefficients<'a> {
         self.geometry.gap.terms.iter().enumerate().map(pair).collect()
     }
 
+    /// An array of the coefficients that are not constants, and how many there are.
+    pub(super) fn variables(&self) -> (TokenStream, usize) {
+        let variables: Vec<Ident> = self.symbolic().map(|(index, _)| variable(index)).collect();
+        (quote!([#(#variables),*]), variables.len())
+    }
+
     /// Binds the coefficients that are not constants; empty if all are.
     pub(super) fn preamble(&self) -> TokenStream {
-        let variables: Vec<Ident> = self.symbolic().map(|(index, _)| variable(index)).collect();
-        let (scalar, count) = (&self.names.scalar, variables.len());
+        let (scalar, (variables, count)) = (&self.names.scalar, self.variables());
         if count == 0 {
             return TokenStream::new();
         }
-        quote!(let [#(#variables),*]: [#scalar; #count] = coefficients(self);)
+        quote!(let #variables: [#scalar; #count] = coefficients(self);)
     }
 
     /// The function that computes the coefficients that are not constants; empty if all are.

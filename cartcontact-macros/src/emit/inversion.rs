@@ -38,7 +38,7 @@ pub(super) fn methods(
         _ => newton(gap, forms, coefficients, names),
     };
     let radius = if has_seeds {
-        seeds::methods(names, &general)
+        seeds::methods(&forms.load_integral, coefficients, names, &general)
     } else {
         quote! {
             #[inline]

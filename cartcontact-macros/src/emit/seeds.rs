@@ -14,7 +14,7 @@ use crate::seeds::Seeds;
 /// The widest gap between powers that is written out as a product.
 const WIDEST_GAP: u32 = 8;
 
-/// The table and the function that the step from it evaluates.
+/// The table, and the function that the step from it evaluates.
 pub(super) fn items(
     seeds: &Seeds,
     load_integral: &PowerSum,
@@ -29,19 +29,32 @@ pub(super) fn items(
         let [c0, c1, c2, c3] = row.map(Literal::f32_unsuffixed);
         quote!([#c0, #c1, #c2, #c3])
     });
+    let (variables, count_of_variables) = coefficients.variables();
     let body = body(load_integral, coefficients, names);
     quote! {
         static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: [#(#rows),*] };
 
         #[inline(always)]
-        fn steepness<#scalar: #krate::Scalar>(a: #scalar) -> #steepness<#scalar> { #body }
+        fn steepness<#scalar: #krate::Scalar>(
+            a: #scalar,
+            #variables: [#scalar; #count_of_variables],
+        ) -> #steepness<#scalar> {
+            #body
+        }
     }
 }
 
 /// `radius_within` and `radii_within` from the table, and elsewhere by `general`.
-pub(super) fn methods(names: &Names<'_>, general: &TokenStream) -> TokenStream {
+pub(super) fn methods(
+    load_integral: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+    general: &TokenStream,
+) -> TokenStream {
     let Names { krate, scalar } = names;
     let elsewhere = names.generated("elsewhere");
+    let (preamble, (variables, _)) = (coefficients.preamble(), coefficients.variables());
+    let scale = scale(load_integral, coefficients, names);
     quote! {
         #[inline]
         fn radius_within(
@@ -49,7 +62,8 @@ pub(super) fn methods(names: &Names<'_>, general: &TokenStream) -> TokenStream {
             load_integral: #scalar,
             limit: #scalar,
         ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
-            match SEEDS.radius(load_integral, limit, steepness) {
+            #preamble
+            match SEEDS.radius(load_integral, limit, #scale, |a| steepness(a, #variables)) {
                 ::core::option::Option::Some(radius) => ::core::result::Result::Ok(radius),
                 ::core::option::Option::None => #elsewhere(move || { #general }),
             }
@@ -61,28 +75,52 @@ pub(super) fn methods(names: &Names<'_>, general: &TokenStream) -> TokenStream {
             limit: #scalar,
             radii: &mut [#scalar],
         ) -> ::core::result::Result<(), #krate::RadiusError> {
+            #preamble
             let general = |load_integral| #krate::GapProfile::radius_within(self, load_integral, limit);
-            SEEDS.radii(load_integrals, limit, radii, steepness, general)
+            let slices = (load_integrals, radii);
+            SEEDS.radii(slices, limit, #scale, |a| steepness(a, #variables), general)
         }
     }
 }
 
+/// The units of the table: those of its own geometry, or of the two terms that it stands for.
+fn scale(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let scale = names.generated("Scale");
+    let [low, high] = load_integral.summands.as_slice() else { return quote!(#scale::none()) };
+    if coefficients.constant(low).is_some() && coefficients.constant(high).is_some() {
+        return quote!(#scale::none());
+    }
+    let (constant, equal) = (names.constant(), names.generated("equal_terms"));
+    let [low, high] = [low, high].map(|summand| {
+        let (coefficient, exponent) =
+            (coefficients.times(summand.term, &summand.weight), literal(&summand.exponent));
+        quote!((#coefficient, #constant(#exponent)))
+    });
+    quote! {{
+        let (radius, load_integral) = #equal(#low, #high);
+        #scale::of(radius, load_integral)
+    }}
+}
+
 /// A `Steepness` at the radius `a`: J, a J′/p and a² J″/(2 p²) with the highest power a^p of J for unit.
 ///
-/// Its coefficient is then 1 in the first two, which spares their multiplication.
+/// Its coefficient is then 1 in the first two, which spares their multiplication. Where it is a symbol, the units are 1
+/// and p is left out.
 fn body(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
-    let leading =
-        load_integral.summands.last().and_then(|last| Some((coefficients.constant(last)?, &last.exponent)));
-    let (Some(whole), Some((leading, degree))) = (whole, leading) else {
+    let (Some(whole), Some(last)) = (whole, load_integral.summands.last()) else {
         let (function, pairs) =
             (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
         return quote!(#function(a, [#(#pairs),*]));
     };
-    let (unit, two) = (leading.recip(), integer(2));
+    let two = integer(2);
+    let (unit, degree) = match coefficients.constant(last) {
+        Some(leading) => (leading.recip(), last.exponent.clone()),
+        None => (Rational::one(), Rational::one()),
+    };
     let value = load_integral.weighted(|_| unit.clone());
-    let first = value.weighted(|p| p / degree);
-    let half_second = first.weighted(|p| (p - Rational::one()) / (&two * degree));
+    let first = value.weighted(|p| p / &degree);
+    let half_second = first.weighted(|p| (p - Rational::one()) / (&two * &degree));
     let a = Ident::new("a", Span::call_site());
     let (square, variable) = whole.variable(&a);
     let [value, first, half_second] =

@@ -58,6 +58,22 @@ pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, 
     })
 }
 
+/// Where the terms c x^p and d x^q, p < q, are equal, and their value there, both within some digits.
+#[inline]
+pub fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
+    let (ratio, order) = (c / d, q - p);
+    let x = if order == T::one() {
+        ratio
+    } else if order == T::constant(2.0) {
+        ratio.sqrt()
+    } else if order == T::constant(4.0) {
+        ratio.sqrt().sqrt()
+    } else {
+        ratio.powf(order.recip())
+    };
+    (x, quick_term(c, x, p))
+}
+
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
 #[inline]
 pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
