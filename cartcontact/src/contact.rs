@@ -40,6 +40,8 @@ pub struct Contact<T, P, L> {
     medium: Medium<T>,
     load: L,
     max_radius: T,
+    /// A multiplication takes a third of the time of a division.
+    per_stiffness: T,
 }
 
 // Not derived, because geometries are mostly unit structs without `Debug`.
@@ -59,7 +61,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         profile.check().map_err(ContactError::Profile)?;
         load.check().map_err(ContactError::Load)?;
         let max_radius = profile.max_radius();
-        Ok(Self { profile, medium, load, max_radius })
+        let per_stiffness = stiffness(&medium).recip();
+        Ok(Self { profile, medium, load, max_radius, per_stiffness })
     }
 
     /// The geometry.
@@ -158,12 +161,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The hereditary load of a radius is this times its load integral: π m/4.
     pub(crate) fn stiffness(&self) -> T {
-        self.medium.m() * T::frac_pi_4()
+        stiffness(&self.medium)
     }
 
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of(hereditary / self.stiffness())
+        self.radius_of(hereditary * self.per_stiffness)
     }
 
     /// The contact radius of a load integral.
@@ -201,7 +204,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             let (force, impulse) = (self.load.force(time), self.load.impulse(time));
             valid &= is_time(time) & is_force(force) & is_force(impulse);
             last = last.max(time);
-            *load_integral = (force + self.medium.chi() * impulse) / self.stiffness();
+            *load_integral = (force + self.medium.chi() * impulse) * self.per_stiffness;
         }
         // Up to the last of the times the load has fallen too fast if it has at any.
         valid
@@ -217,7 +220,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let hereditary = self.hereditary_load(t)?;
         match self.load.recession(self.medium.chi(), t) {
             Some(since) => Err(ContactError::Receding { time: t.value(), since: since.value() }),
-            None => Ok(hereditary / self.stiffness()),
+            None => Ok(hereditary * self.per_stiffness),
         }
     }
 
@@ -253,8 +256,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 }
 
+/// The hereditary load of a radius over its load integral: π m/4.
+fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
+    medium.m() * T::frac_pi_4()
+}
+
 fn is_time<T: Scalar>(t: T) -> bool {
-    t >= T::zero() && t.is_finite()
+    (t >= T::zero()) & t.is_finite()
 }
 
 /// Compares the length of a slice with the one it must have.

@@ -133,7 +133,7 @@ impl<const N: usize> Seeds<N> {
 
     /// The radii of a block; false if one of them is not to be found in the table.
     ///
-    /// Seeds are looked up one by one, and then all stepped from at once, without a branch.
+    /// Only copying the rows goes value by value; the loops before and after take several at once.
     #[inline(always)]
     fn block<T: Scalar>(
         &self,
@@ -143,12 +143,17 @@ impl<const N: usize> Seeds<N> {
         radii: &mut [T],
         evaluate: impl Fn(T) -> Steepness<T>,
     ) -> bool {
-        let mut seeds = [0.0; BLOCK];
         let mut found = true;
-        for (seed, &load_integral) in seeds.iter_mut().zip(load_integrals) {
-            let (index, fraction) = self.place(load_integral * scale.per_load_integral);
-            found &= index < N;
-            *seed = cubic(&self.rows[index.min(N - 1)], fraction);
+        let (mut indices, mut fractions) = ([0; BLOCK], [0; BLOCK]);
+        for ((index, fraction), &load_integral) in indices.iter_mut().zip(&mut fractions).zip(load_integrals) {
+            (*index, *fraction) = self.place(load_integral * scale.per_load_integral);
+            found &= *index < N;
+            *index = (*index).min(N - 1);
+        }
+        let rows = indices.map(|index| self.rows[index]);
+        let mut seeds = [0.0; BLOCK];
+        for ((seed, row), &fraction) in seeds.iter_mut().zip(&rows).zip(&fractions) {
+            *seed = cubic(row, fraction);
         }
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
             let seed = single::<T>(seed) * scale.radius;

@@ -215,5 +215,5 @@ impl core::error::Error for LoadError {}
 
 /// Whether a force is one that a contact can carry.
 pub(crate) fn is_force<T: Scalar>(force: T) -> bool {
-    force >= T::zero() && force.is_finite()
+    (force >= T::zero()) & force.is_finite()
 }
