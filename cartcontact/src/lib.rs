@@ -54,6 +54,7 @@
 //! | `std` | yes | mathematical functions of the standard library |
 //! | `libm` | no | mathematical functions of the `libm` crate, for targets without `std` |
 //! | `nalgebra` | yes | `Contact::pressure_matrix` |
+//! | `simd` | yes | pressure fields with the widest vectors of the processor, chosen at run time |
 //!
 //! Without `std` the crate needs `libm`; it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -63,6 +64,7 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 
 mod admissibility;
 mod contact;
+mod dispatch;
 mod error;
 mod evaluate;
 mod field;

@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::Scalar;
 use crate::contact::Contact;
+use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{Moment, march};
 use crate::profile::GapProfile;
@@ -87,14 +88,26 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) -> Moment<T> {
         let start = self.start_of_memory();
         let (from_start, now) = march(self.contact, start, (self.time, self.radius), start.radius);
+        // Radii beyond the start get a meaningless value that the next loop replaces, for the sake of a loop without branches.
+        let (profile, m) = (self.contact.profile(), self.contact.medium().m());
+        let share = if start.time.is_zero() { m } else { T::zero() };
+        let (a, strip) = (start.radius, start.strip(self.contact.stiffness()) * T::constant(0.25));
+        let initial = &mut *pressures;
+        wide(
+            #[inline(always)]
+            move || {
+                for (pressure, &r) in initial.iter_mut().zip(radii) {
+                    let kernel = profile.pressure_kernel(a, r) + strip * ((a - r) * (a + r));
+                    *pressure = from_start.apply(share * kernel, r);
+                }
+            },
+        );
         for (pressure, &r) in pressures.iter_mut().zip(radii) {
-            *pressure = if r <= start.radius {
-                from_start.apply(self.initial_pressure(start, r), r)
-            } else if r < self.radius {
-                march(self.contact, start, (self.time, self.radius), r).0.offset
-            } else {
-                T::zero()
-            };
+            if r >= self.radius {
+                *pressure = T::zero();
+            } else if r > start.radius {
+                *pressure = march(self.contact, start, (self.time, self.radius), r).0.offset;
+            }
         }
         now
     }

@@ -53,6 +53,7 @@ pub(crate) struct Increment<T> {
 
 impl<T: Scalar> Moment<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
+    #[inline(always)]
     pub(crate) fn strip(&self, stiffness: T) -> T {
         if self.surplus.is_zero() {
             return T::zero();
@@ -68,29 +69,9 @@ impl<T: Scalar> Transition<T> {
     }
 
     /// The pressure after the transition, at a radius up to `reach`, from that before it.
+    #[inline(always)]
     pub(crate) fn apply(&self, pressure: T, radius: T) -> T {
         self.decay * pressure + (self.offset + self.slope * ((self.reach - radius) * (self.reach + radius)))
-    }
-
-    /// [`apply`](Self::apply) to many radii, with two multiply-adds and a square per value.
-    ///
-    /// Taking the parabola from the axis instead of from `reach` costs up to ε reach/(a − r) near the edge.
-    pub(crate) fn apply_to_row(&self, pressures: &[T], radii: &[T], results: &mut [T]) {
-        let on_axis = self.offset + self.slope * self.reach * self.reach;
-        for ((result, &pressure), &r) in results.iter_mut().zip(pressures).zip(radii) {
-            *result = self.decay * pressure + (on_axis - self.slope * (r * r));
-        }
-    }
-
-    /// This transition followed by another, which reaches further, for the radii that this one reaches.
-    pub(crate) fn then(&self, next: &Self) -> Self {
-        let margin = (next.reach - self.reach) * (next.reach + self.reach);
-        Self {
-            decay: self.decay * next.decay,
-            offset: self.offset * next.decay + (next.offset + next.slope * margin),
-            slope: self.slope * next.decay + next.slope,
-            reach: self.reach,
-        }
     }
 
     /// Whether two ways to the same transition differ by little more than rounding.

@@ -58,7 +58,8 @@ impl Rule {
     }
 }
 
-const NODES_4: [(f64, f64); 2] =
+/// The rule of 4 nodes, exact for polynomials up to degree 7.
+pub(crate) const NODES_4: [(f64, f64); 2] =
     [(0.33998104358485626, 0.6521451548625461), (0.8611363115940526, 0.34785484513745385)];
 const NODES_6: [(f64, f64); 3] = [
     (0.2386191860831969, 0.46791393457269104),

@@ -1,0 +1,164 @@
+//! Some rows that are taken from the same row before them.
+
+use core::ops::Range;
+
+use super::BLOCK;
+use super::panel::Panel;
+use super::sweep::{Change, take_rows_from};
+use crate::Scalar;
+use crate::contact::{Contact, ContactError};
+use crate::load::Load;
+use crate::memory::march;
+use crate::profile::GapProfile;
+
+/// The edge of the contact at a time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge<T> {
+    pub(super) time: T,
+    pub(super) radius: T,
+}
+
+/// Rows one after the other, and how they follow from the row before the first of them, their base.
+pub(super) struct Block<'a, T, P, L> {
+    base: Edge<T>,
+    count: usize,
+    /// How many rows the next panel may have.
+    most: usize,
+    times: [T; BLOCK],
+    radii: [T; BLOCK],
+    since_base: [Change<T>; BLOCK],
+    since_previous: [Change<T>; BLOCK],
+    /// The panel that the changes come from; without one they come from marches.
+    panel: Option<Panel<'a, T, P, L>>,
+}
+
+impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
+    /// No rows after `base`.
+    pub(super) fn after(base: Edge<T>) -> Self {
+        Self {
+            base,
+            count: 0,
+            most: BLOCK,
+            times: [base.time; BLOCK],
+            radii: [base.radius; BLOCK],
+            since_base: [Change::none(); BLOCK],
+            since_previous: [Change::none(); BLOCK],
+            panel: None,
+        }
+    }
+
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Goes on to the next rows, at the first of `times`.
+    pub(super) fn advance(&mut self, contact: &'a Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
+        self.base = self.edge_before(self.count);
+        self.count = 0;
+        self.panel = None;
+        match Panel::over(contact, self.base, &times[..times.len().min(self.most)]) {
+            Some((panel, count)) => self.follow(contact, panel, &times[..count])?,
+            None => self.march(contact, &times[..times.len().min(BLOCK)])?,
+        }
+        // A little longer than what was short enough, and seldom too long.
+        self.most = BLOCK.min(self.count + self.count / 8 + 1);
+        Ok(())
+    }
+
+    /// Takes the rows at `times` from a panel.
+    fn follow(
+        &mut self,
+        contact: &Contact<T, P, L>,
+        panel: Panel<'a, T, P, L>,
+        times: &[T],
+    ) -> Result<(), ContactError> {
+        let mut radii = [T::zero(); BLOCK];
+        contact.radii(times, &mut radii[..times.len()])?;
+        let mut changes = [Change::none(); BLOCK];
+        panel.changes(times, &mut changes);
+        for ((&time, &radius), &change) in times.iter().zip(&radii).zip(&changes) {
+            self.push(Edge { time, radius }, change);
+        }
+        self.panel = Some(panel);
+        Ok(())
+    }
+
+    /// Takes rows by one march each: one row under a load that the next may have a panel for, otherwise until half
+    /// the memory has faded.
+    fn march(&mut self, contact: &Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
+        let chi = contact.medium().chi();
+        let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
+        for &time in &times[..most] {
+            let radius = contact.radius_at(time)?;
+            let before = self.edge_before(self.count);
+            let start = contact.moment(before.time, before.radius);
+            let (transition, _) = march(contact, start, (time, radius), before.radius);
+            self.push(Edge { time, radius }, Change::of(transition, chi * (time - before.time)));
+            if self.since_base[self.count - 1].fades() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds a row.
+    #[inline(always)]
+    fn push(&mut self, edge: Edge<T>, change: Change<T>) {
+        let index = self.count;
+        self.times[index] = edge.time;
+        self.radii[index] = edge.radius;
+        self.since_previous[index] = change;
+        self.since_base[index] = if index == 0 { change } else { self.since_base[index - 1].then(change) };
+        self.count += 1;
+    }
+
+    /// The edge at the row before the one with an index.
+    fn edge_before(&self, index: usize) -> Edge<T> {
+        match index.checked_sub(1) {
+            Some(previous) => Edge { time: self.times[previous], radius: self.radii[previous] },
+            None => self.base,
+        }
+    }
+
+    /// Fills the rows of `values`, whose first row is the base, in ranges of ascending `radii`.
+    pub(super) fn fill(
+        &self,
+        contact: &Contact<T, P, L>,
+        radii: &[T],
+        runs: impl Iterator<Item = Range<usize>>,
+        values: &mut [T],
+    ) {
+        let width = radii.len();
+        let changes = &self.since_base[..self.count];
+        for run in runs {
+            let in_base = run.start + radii[run.clone()].partition_point(|&r| r <= self.base.radius);
+            let (base, rows) = values.split_at_mut(width);
+            take_rows_from(base, radii, run.start..in_base, changes, &mut rows[..self.count * width]);
+            let mut covered = in_base;
+            for index in 0..self.count {
+                let (before, row) = values[index * width..][..2 * width].split_at_mut(width);
+                let (before, row) = (&before[in_base..covered], &mut row[in_base..run.end]);
+                self.since_previous[index].apply_to_row(before, &radii[in_base..covered], row);
+                let radius = self.radii[index];
+                while covered < run.end && radii[covered] < radius {
+                    row[covered - in_base] = self.first_pressure(contact, index, radii[covered]);
+                    covered += 1;
+                }
+                row[covered - in_base..].fill(T::zero());
+            }
+        }
+    }
+
+    /// The pressure at a radius that was not yet covered at the row before.
+    fn first_pressure(&self, contact: &Contact<T, P, L>, index: usize, r: T) -> T {
+        let (before, now) = (self.edge_before(index), self.edge_before(index + 1));
+        match &self.panel {
+            Some(panel) => panel.first_pressure(before, now, r),
+            None => {
+                let start = contact.moment(before.time, before.radius);
+                march(contact, start, (now.time, now.radius), r).0.offset
+            }
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! The changes of all rows over a short time, from eight contact radii.
+//!
+//! Under a load that is straight from t₁ on, Eq. (28) integrated by parts over time reads, for radii r covered at t₁,
+//!
+//! ```text
+//! P(r, t) = e^(−χ (t − t₁)) [P(r, t₁) + ∫ q(τ) (a²(τ) − r²) dτ],    q(τ) = (2/π) Y′(τ)/a⁴(τ) · e^(χ (τ − t₁))
+//! ```
+//!
+//! over τ from t₁ to t, and for others the same from the time on at which the edge passes r. Here q and
+//! q (a² − a₁²), with a₁ = a(t₁), are smooth functions of time alone. Over a short time they are polynomials of
+//! degree 7 to full accuracy, found once from their values at the Chebyshev nodes, and a Gauss rule of four nodes
+//! integrates them exactly between any two times.
+//!
+//! **When a panel is short enough** is read off the polynomials: their Chebyshev coefficients fall geometrically, so
+//! if the last two of eight have come down to the rounding of the values, what was cut off is below it. And χ times
+//! its duration is at most 1/8, so that e^x − 1 is ten terms of its series.
+//!
+//! **Accuracy.** The time is known exactly, so the rounding of radii enters only through a⁻⁴ and a² − r², and not
+//! multiplied by the powers of the geometry.
+
+use super::BLOCK;
+use super::block::Edge;
+use super::sweep::Change;
+use crate::Scalar;
+use crate::contact::Contact;
+use crate::dispatch::wide;
+use crate::load::Load;
+use crate::memory::quadrature::NODES_4;
+use crate::profile::GapProfile;
+
+/// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
+const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
+
+/// The most e-foldings of the memory in a panel.
+const FOLDS: f64 = 1.0 / 8.0;
+
+/// A time from `start` on in which pressures change like polynomials of time.
+pub(super) struct Panel<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
+    start: Edge<T>,
+    /// Reciprocal of half the duration.
+    scale: T,
+    /// q of the module documentation, and q (a² − a₁²), times half the duration.
+    slope: Polynomial<T>,
+    offset: Polynomial<T>,
+    load_rate: T,
+}
+
+impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
+    /// The longest panel from `start` to one of `times`, and how many of them it reaches.
+    ///
+    /// Each attempt takes three quarters of the times of the one before.
+    pub(super) fn over(
+        contact: &'a Contact<T, P, L>,
+        start: Edge<T>,
+        times: &[T],
+    ) -> Option<(Self, usize)> {
+        if !contact.load().is_linear_between_knots() {
+            return None;
+        }
+        let knot = contact.load().next_knot(start.time);
+        let mut count = knot.map_or(times.len(), |knot| times.partition_point(|&time| time < knot));
+        while count > 0 {
+            if let Some(panel) = Self::until(contact, start, times[count - 1]) {
+                return Some((panel, count));
+            }
+            count = count * 3 / 4;
+        }
+        None
+    }
+
+    /// The panel up to a time, before any knot of the load, if it is short enough.
+    fn until(contact: &'a Contact<T, P, L>, start: Edge<T>, end: T) -> Option<Self> {
+        let (load, chi) = (contact.load(), contact.medium().chi());
+        let duration = end - start.time;
+        let half = duration * T::constant(0.5);
+        if !(half > T::zero() && chi * duration <= T::constant(FOLDS)) {
+            return None;
+        }
+        let force = load.force(start.time);
+        let load_rate = (load.force_before(end) - force) / duration;
+        let hereditary = force + chi * load.impulse(start.time);
+        // q and q (a² − a₁²) at the time z after the start.
+        let densities = |x: T| {
+            let z = half * (T::one() + x);
+            let gain = z * (load_rate + chi * (force + T::constant(0.5) * load_rate * z));
+            let a = contact.radius_under(hereditary + gain).ok()?;
+            let rate = (load_rate + chi * (force + load_rate * z)).max(T::zero());
+            let square = a * a;
+            let growth = (T::one() + decay_gain(chi * z)) * square * square;
+            let slope = T::frac_2_pi() * half * rate / growth;
+            Some((slope, slope * ((a - start.radius) * (a + start.radius))))
+        };
+        let mut slopes = [(T::zero(), T::zero()); 4];
+        let mut offsets = slopes;
+        for (k, node) in NODES.into_iter().enumerate() {
+            let (below, above) = (densities(T::constant(-node))?, densities(T::constant(node))?);
+            slopes[k] = (below.0, above.0);
+            offsets[k] = (below.1, above.1);
+        }
+        let (slope, offset) = (Polynomial::through(slopes), Polynomial::through(offsets));
+        let size = slope.size();
+        let resolved = slope.is_resolved(size) && offset.is_resolved(size * start.radius * start.radius);
+        resolved.then(|| Self { contact, start, scale: half.recip(), slope, offset, load_rate })
+    }
+
+    /// The changes from each of `times` to the next, the first one from the start.
+    pub(super) fn changes(&self, times: &[T], changes: &mut [Change<T>; BLOCK]) {
+        let (start, chi) = (self.start, self.contact.medium().chi());
+        let mut durations = [T::zero(); BLOCK];
+        let mut previous = start.time;
+        for (duration, &time) in durations.iter_mut().zip(times) {
+            *duration = time - previous;
+            previous = time;
+        }
+        let (mut gains, mut on_axis, mut slopes) = ([T::zero(); BLOCK], [T::zero(); BLOCK], [T::zero(); BLOCK]);
+        let results = gains.iter_mut().zip(&mut on_axis).zip(&mut slopes);
+        wide(
+            #[inline(always)]
+            || {
+                for ((&time, &duration), ((gain, on_axis), slope)) in times.iter().zip(&durations).zip(results) {
+                    let elapsed = time - start.time;
+                    let (offset, parabola) = self.integrals(elapsed, duration);
+                    let faded = T::one() + decay_gain(chi * elapsed);
+                    *gain = decay_gain(chi * duration);
+                    *slope = faded * parabola;
+                    *on_axis = faded * (offset + parabola * (start.radius * start.radius));
+                }
+            },
+        );
+        for (index, change) in changes.iter_mut().enumerate().take(times.len()) {
+            *change = Change::slow(gains[index], on_axis[index], slopes[index]);
+        }
+    }
+
+    /// The pressure at a radius that the edge passes between two times of the panel.
+    ///
+    /// Y was smaller by Y′ z − χ F′ z²/2 at the time z before `now`; z is the root in the form without cancellation.
+    pub(super) fn first_pressure(&self, before: Edge<T>, now: Edge<T>, r: T) -> T {
+        let (contact, chi) = (self.contact, self.contact.medium().chi());
+        let deficit = contact.stiffness() * contact.profile().load_integral_drop(now.radius, now.radius - r);
+        let rate = self.load_rate + chi * contact.load().force_before(now.time);
+        let then = (rate * rate - T::constant(2.0) * chi * self.load_rate * deficit).abs().sqrt();
+        let age = T::constant(2.0) * deficit / (rate + then);
+        let elapsed = now.time - self.start.time;
+        let (offset, slope) = self.integrals(elapsed, age.min(now.time - before.time));
+        let faded = T::one() + decay_gain(chi * elapsed);
+        faded * (offset - slope * ((r - self.start.radius) * (r + self.start.radius)))
+    }
+
+    /// The integrals of `offset` and `slope` over a duration that ends when some time has elapsed.
+    #[inline(always)]
+    fn integrals(&self, elapsed: T, duration: T) -> (T, T) {
+        let half = duration * self.scale * T::constant(0.5);
+        let middle = elapsed * self.scale - T::one() - half;
+        let mut sums = (T::zero(), T::zero());
+        for (node, weight) in NODES_4 {
+            let (distance, weight) = (half * T::constant(node), half * T::constant(weight));
+            let (below, above) = (middle - distance, middle + distance);
+            sums.0 += weight * (self.offset.at(below) + self.offset.at(above));
+            sums.1 += weight * (self.slope.at(below) + self.slope.at(above));
+        }
+        sums
+    }
+}
+
+/// e^(−x) − 1 for 0 ≤ x ≤ 1/8 by its Taylor series; the first term left out is below 3e-17 x.
+#[inline(always)]
+fn decay_gain<T: Scalar>(x: T) -> T {
+    let mut sum = T::one();
+    for k in [10.0, 9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0] {
+        sum = T::one() - x * T::constant(1.0 / k) * sum;
+    }
+    -x * sum
+}
+
+/// A polynomial of degree 7 on [−1, 1]: its even part and its odd part over x, as cubics in x² in Newton's form
+/// on the squares of [`NODES`].
+#[derive(Clone, Copy, Debug)]
+struct Polynomial<T> {
+    even: [T; 4],
+    odd: [T; 4],
+}
+
+impl<T: Scalar> Polynomial<T> {
+    /// The polynomial with the values (f(−x), f(x)) at the [`NODES`] x.
+    fn through(values: [(T, T); 4]) -> Self {
+        let half = T::constant(0.5);
+        let (mut even, mut odd) = ([T::zero(); 4], [T::zero(); 4]);
+        for (k, (below, above)) in values.into_iter().enumerate() {
+            even[k] = half * (above + below);
+            odd[k] = half * (above - below) * T::constant(1.0 / NODES[k]);
+        }
+        Self { even: divided_differences(even), odd: divided_differences(odd) }
+    }
+
+    #[inline(always)]
+    fn at(&self, x: T) -> T {
+        let square = x * x;
+        let [s0, s1, s2] = [0, 1, 2].map(|k| square - T::constant(NODES[k] * NODES[k]));
+        let cubic = |[c0, c1, c2, c3]: [T; 4]| ((c3 * s2 + c2) * s1 + c1) * s0 + c0;
+        cubic(self.even) + x * cubic(self.odd)
+    }
+
+    /// A value in the middle.
+    fn size(&self) -> T {
+        self.at(T::zero()).abs()
+    }
+
+    /// Whether what is cut off is below the rounding of values of some size.
+    ///
+    /// The terms of degree 6 and 7 are T₆/32 and T₇/64. Coefficients that fall geometrically from `size` on reach
+    /// 1024 ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8, is ε/16.
+    /// If they fall from less, it is the bound at degree 7 that keeps the rest below a few ε.
+    fn is_resolved(&self, size: T) -> bool {
+        let (sixth, seventh) = (self.even[3] * T::constant(1.0 / 32.0), self.odd[3] * T::constant(1.0 / 64.0));
+        let rounding = size * T::default_epsilon();
+        sixth.abs() <= rounding * T::constant(1024.0) && seventh.abs() <= rounding * T::constant(8.0)
+    }
+}
+
+/// The coefficients of Newton's form on the squares of [`NODES`].
+fn divided_differences<T: Scalar>(mut values: [T; 4]) -> [T; 4] {
+    for order in 1..4 {
+        for k in (order..4).rev() {
+            let distance = NODES[k] * NODES[k] - NODES[k - order] * NODES[k - order];
+            values[k] = (values[k] - values[k - 1]) * T::constant(1.0 / distance);
+        }
+    }
+    values
+}
