@@ -225,10 +225,9 @@ const _: () = {
                 load_integral,
                 limit,
             );
-            let slices = (load_integrals, radii);
             SEEDS
                 .radii(
-                    slices,
+                    (load_integrals, radii),
                     limit,
                     {
                         let (radius, load_integral) = crate::renamed::generated::equal_terms(
@@ -249,6 +248,7 @@ const _: () = {
                         );
                         crate::renamed::generated::Scale::of(radius, load_integral)
                     },
+                    #[inline(always)]
                     |a| steepness(a, [c0, c1]),
                     general,
                 )

@@ -261,10 +261,9 @@ const _: () = {
                 load_integral,
                 limit,
             );
-            let slices = (load_integrals, radii);
             SEEDS
                 .radii(
-                    slices,
+                    (load_integrals, radii),
                     limit,
                     {
                         let (radius, load_integral) = ::cartcontact::generated::equal_terms(
@@ -285,6 +284,7 @@ const _: () = {
                         );
                         ::cartcontact::generated::Scale::of(radius, load_integral)
                     },
+                    #[inline(always)]
                     |a| steepness(a, [c0, c1]),
                     general,
                 )

@@ -213,12 +213,12 @@ const _: () = {
                 load_integral,
                 limit,
             );
-            let slices = (load_integrals, radii);
             SEEDS
                 .radii(
-                    slices,
+                    (load_integrals, radii),
                     limit,
                     ::cartcontact::generated::Scale::none(),
+                    #[inline(always)]
                     |a| steepness(a, []),
                     general,
                 )

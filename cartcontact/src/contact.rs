@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::dispatch::wide;
 use crate::error::Shown;
 use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
@@ -11,7 +12,7 @@ use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
 
 /// How many radii are solved for at once.
-const BLOCK: usize = 64;
+const BLOCK: usize = 256;
 
 /// The contact of two cartilage layers: the solution for a geometry, a medium and a load.
 ///
@@ -199,17 +200,28 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radii at up to `BLOCK` times; false if there is a fault among them.
     fn fill_radii(&self, times: &[T], radii: &mut [T]) -> bool {
         let mut load_integrals = [T::zero(); BLOCK];
-        let (mut valid, mut last) = (true, T::zero());
+        let load_integrals = &mut load_integrals[..times.len()];
+        let valid = wide(
+            #[inline(always)]
+            || self.load_integrals(times, load_integrals),
+        );
+        // Up to the last of the times the load has fallen too fast if it has at any.
+        let last = times.iter().fold(T::zero(), |last, &time| if time > last { time } else { last });
+        valid
+            && self.load.recession(self.medium.chi(), last).is_none()
+            && self.profile.radii_within(load_integrals, self.max_radius, radii).is_ok()
+    }
+
+    /// The load integrals at some times, without a branch for each; false if there is a fault among them.
+    #[inline(always)]
+    fn load_integrals(&self, times: &[T], load_integrals: &mut [T]) -> bool {
+        let mut valid = true;
         for (load_integral, &time) in load_integrals.iter_mut().zip(times) {
             let (force, impulse) = (self.load.force(time), self.load.impulse(time));
             valid &= is_time(time) & is_force(force) & is_force(impulse);
-            last = last.max(time);
             *load_integral = (force + self.medium.chi() * impulse) * self.per_stiffness;
         }
-        // Up to the last of the times the load has fallen too fast if it has at any.
         valid
-            && self.load.recession(self.medium.chi(), last).is_none()
-            && self.profile.radii_within(&load_integrals[..times.len()], self.max_radius, radii).is_ok()
     }
 
     /// The load integral of the contact radius at a time that the solution covers.
@@ -261,6 +273,7 @@ fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
     medium.m() * T::frac_pi_4()
 }
 
+#[inline(always)]
 fn is_time<T: Scalar>(t: T) -> bool {
     (t >= T::zero()) & t.is_finite()
 }

@@ -18,6 +18,7 @@ use core::any::Any;
 use simba::scalar::SupersetOf;
 
 use crate::Scalar;
+use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_lengths};
 use crate::scalar::is;
 
@@ -121,14 +122,44 @@ impl<const N: usize> Seeds<N> {
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         check_lengths(load_integrals, radii)?;
-        for (load_integrals, radii) in load_integrals.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
-            if !(self.holds::<T>() && self.block(load_integrals, limit, scale, radii, &evaluate)) {
-                for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
-                    *radius = general(load_integral)?;
-                }
+        let mut start = 0;
+        while start < radii.len() {
+            let (load_integrals, radii) = (&load_integrals[start..], &mut radii[start..]);
+            let found = if self.holds::<T>() {
+                wide(
+                    #[inline(always)]
+                    || self.leading_blocks(load_integrals, limit, scale, radii, &evaluate),
+                )
+            } else {
+                0
+            };
+            let end = radii.len().min(found + BLOCK);
+            for (radius, &load_integral) in radii[found..end].iter_mut().zip(&load_integrals[found..end]) {
+                *radius = general(load_integral)?;
             }
+            start += end;
         }
         Ok(())
+    }
+
+    /// The radii of the blocks before the first that is not all in the table, and how many they are.
+    #[inline(always)]
+    fn leading_blocks<T: Scalar>(
+        &self,
+        load_integrals: &[T],
+        limit: T,
+        scale: Scale<T>,
+        radii: &mut [T],
+        evaluate: impl Fn(T) -> Steepness<T>,
+    ) -> usize {
+        let mut found = 0;
+        for (load_integrals, radii) in load_integrals.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
+            if !self.block(load_integrals, limit, scale, radii, &evaluate) {
+                break;
+            }
+            found += radii.len();
+        }
+        found
     }
 
     /// The radii of a block; false if one of them is not to be found in the table.
@@ -145,7 +176,8 @@ impl<const N: usize> Seeds<N> {
     ) -> bool {
         let mut found = true;
         let (mut indices, mut fractions) = ([0; BLOCK], [0; BLOCK]);
-        for ((index, fraction), &load_integral) in indices.iter_mut().zip(&mut fractions).zip(load_integrals) {
+        for ((index, fraction), &load_integral) in indices.iter_mut().zip(&mut fractions).zip(load_integrals)
+        {
             (*index, *fraction) = self.place(load_integral * scale.per_load_integral);
             found &= *index < N;
             *index = (*index).min(N - 1);

@@ -77,8 +77,15 @@ pub(super) fn methods(
         ) -> ::core::result::Result<(), #krate::RadiusError> {
             #preamble
             let general = |load_integral| #krate::GapProfile::radius_within(self, load_integral, limit);
-            let slices = (load_integrals, radii);
-            SEEDS.radii(slices, limit, #scale, |a| steepness(a, #variables), general)
+            SEEDS.radii(
+                (load_integrals, radii),
+                limit,
+                #scale,
+                // Without it, wide vectors would end at the call.
+                #[inline(always)]
+                |a| steepness(a, #variables),
+                general,
+            )
         }
     }
 }

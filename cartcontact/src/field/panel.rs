@@ -50,11 +50,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
     /// The longest panel from `start` to one of `times`, and how many of them it reaches.
     ///
     /// Each attempt takes three quarters of the times of the one before.
-    pub(super) fn over(
-        contact: &'a Contact<T, P, L>,
-        start: Edge<T>,
-        times: &[T],
-    ) -> Option<(Self, usize)> {
+    pub(super) fn over(contact: &'a Contact<T, P, L>, start: Edge<T>, times: &[T]) -> Option<(Self, usize)> {
         if !contact.load().is_linear_between_knots() {
             return None;
         }
@@ -113,12 +109,15 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
             *duration = time - previous;
             previous = time;
         }
-        let (mut gains, mut on_axis, mut slopes) = ([T::zero(); BLOCK], [T::zero(); BLOCK], [T::zero(); BLOCK]);
+        let (mut gains, mut on_axis, mut slopes) =
+            ([T::zero(); BLOCK], [T::zero(); BLOCK], [T::zero(); BLOCK]);
         let results = gains.iter_mut().zip(&mut on_axis).zip(&mut slopes);
         wide(
             #[inline(always)]
             || {
-                for ((&time, &duration), ((gain, on_axis), slope)) in times.iter().zip(&durations).zip(results) {
+                for ((&time, &duration), ((gain, on_axis), slope)) in
+                    times.iter().zip(&durations).zip(results)
+                {
                     let elapsed = time - start.time;
                     let (offset, parabola) = self.integrals(elapsed, duration);
                     let faded = T::one() + decay_gain(chi * elapsed);
@@ -213,7 +212,8 @@ impl<T: Scalar> Polynomial<T> {
     /// 1024 ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8, is ε/16.
     /// If they fall from less, it is the bound at degree 7 that keeps the rest below a few ε.
     fn is_resolved(&self, size: T) -> bool {
-        let (sixth, seventh) = (self.even[3] * T::constant(1.0 / 32.0), self.odd[3] * T::constant(1.0 / 64.0));
+        let (sixth, seventh) =
+            (self.even[3] * T::constant(1.0 / 32.0), self.odd[3] * T::constant(1.0 / 64.0));
         let rounding = size * T::default_epsilon();
         sixth.abs() <= rounding * T::constant(1024.0) && seventh.abs() <= rounding * T::constant(8.0)
     }

@@ -19,10 +19,12 @@ pub struct Constant<T>(
 );
 
 impl<T: Scalar> Load<T> for Constant<T> {
+    #[inline(always)]
     fn force(&self, _t: T) -> T {
         self.0
     }
 
+    #[inline(always)]
     fn impulse(&self, t: T) -> T {
         self.0 * t
     }

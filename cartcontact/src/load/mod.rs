@@ -214,6 +214,7 @@ impl fmt::Display for LoadError {
 impl core::error::Error for LoadError {}
 
 /// Whether a force is one that a contact can carry.
+#[inline(always)]
 pub(crate) fn is_force<T: Scalar>(force: T) -> bool {
     (force >= T::zero()) & force.is_finite()
 }
