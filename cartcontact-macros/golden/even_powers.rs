@@ -33,52 +33,52 @@ const _: () = {
         T: ::cartcontact::Scalar,
     {
         #[inline]
-        fn gap(&self, r: T) -> T {
-            let s = r * r;
+        fn gap(&self, __r: T) -> T {
+            let __s = __r * __r;
             (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(0.000109375f64)) * s) * s
+                + (<T as ::cartcontact::Scalar>::constant(0.000109375f64)) * __s) * __s
         }
         #[inline]
-        fn approach(&self, a: T) -> T {
-            let s = a * a;
+        fn approach(&self, __a: T) -> T {
+            let __s = __a * __a;
             (<T as ::cartcontact::Scalar>::constant(0.0125f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64)) * s)
-                * s
+                + (<T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64))
+                    * __s) * __s
         }
         #[inline]
-        fn approach_slope(&self, a: T) -> T {
-            let s = a * a;
+        fn approach_slope(&self, __a: T) -> T {
+            let __s = __a * __a;
             (<T as ::cartcontact::Scalar>::constant(0.025f64)
                 + (<T as ::cartcontact::Scalar>::constant(0.00014583333333333335f64))
-                    * s) * a
+                    * __s) * __a
         }
         #[inline]
-        fn load_integral(&self, a: T) -> T {
-            let s = a * a;
+        fn load_integral(&self, __a: T) -> T {
+            let __s = __a * __a;
             (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)
-                + (<T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64)) * s)
-                * s * s * s
+                + (<T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64))
+                    * __s) * __s * __s * __s
         }
         #[inline]
-        fn log_kernel(&self, x: T) -> T {
-            let s = x * x;
+        fn log_kernel(&self, __x: T) -> T {
+            let __s = __x * __x;
             (<T as ::cartcontact::Scalar>::constant(0.0015625f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64)) * s)
-                * s * s
+                + (<T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64))
+                    * __s) * __s * __s
         }
         #[inline]
-        fn pressure_kernel(&self, a: T, r: T) -> T {
-            if r >= a {
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            if __r >= __a {
                 return <T as ::cartcontact::Scalar>::constant(0.0f64);
             }
-            let (a_squared, r_squared) = (a * a, r * r);
-            let t1 = a_squared + r_squared;
-            let s2 = a_squared + t1;
-            let inset = (a - r) * (a + r);
-            inset
+            let (__a_squared, __r_squared) = (__a * __a, __r * __r);
+            let __t1 = __a_squared + __r_squared;
+            let __s2 = __a_squared + __t1;
+            let __inset = (__a - __r) * (__a + __r);
+            __inset
                 * (<T as ::cartcontact::Scalar>::constant(0.0015625f64)
                     + <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64)
-                        * s2) * inset
+                        * __s2) * __inset
         }
         #[inline]
         fn radius_within(

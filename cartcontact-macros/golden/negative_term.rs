@@ -33,45 +33,45 @@ const _: () = {
         T: ::cartcontact::Scalar,
     {
         #[inline]
-        fn gap(&self, r: T) -> T {
+        fn gap(&self, __r: T) -> T {
             (<T as ::cartcontact::Scalar>::constant(0.05f64)
                 + (<T as ::cartcontact::Scalar>::constant(-0.004f64)
-                    + (<T as ::cartcontact::Scalar>::constant(0.0002f64)) * r) * r) * r
-                * r
+                    + (<T as ::cartcontact::Scalar>::constant(0.0002f64)) * __r) * __r)
+                * __r * __r
         }
         #[inline]
-        fn approach(&self, a: T) -> T {
+        fn approach(&self, __a: T) -> T {
             (<T as ::cartcontact::Scalar>::constant(0.025f64)
                 + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
                     + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
-                        * a) * a) * a * a
+                        * __a) * __a) * __a * __a
         }
         #[inline]
-        fn approach_slope(&self, a: T) -> T {
+        fn approach_slope(&self, __a: T) -> T {
             (<T as ::cartcontact::Scalar>::constant(0.05f64)
                 + (<T as ::cartcontact::Scalar>::constant(-0.0048f64)
                     + (<T as ::cartcontact::Scalar>::constant(0.0002666666666666667f64))
-                        * a) * a) * a
+                        * __a) * __a) * __a
         }
         #[inline]
-        fn load_integral(&self, a: T) -> T {
+        fn load_integral(&self, __a: T) -> T {
             (<T as ::cartcontact::Scalar>::constant(0.004166666666666667f64)
                 + (<T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64)
                     + (<T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
-                        * a) * a) * a * a * a * a * a * a
+                        * __a) * __a) * __a * __a * __a * __a * __a * __a
         }
         #[inline]
-        fn log_kernel(&self, x: T) -> T {
+        fn log_kernel(&self, __x: T) -> T {
             (<T as ::cartcontact::Scalar>::constant(0.003125f64)
                 + (<T as ::cartcontact::Scalar>::constant(-0.00016f64)
                     + (<T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64))
-                        * x) * x) * x * x * x * x
+                        * __x) * __x) * __x * __x * __x * __x
         }
         #[inline]
-        fn pressure_kernel(&self, a: T, r: T) -> T {
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::pressure_kernel(
-                a,
-                r,
+                __a,
+                __r,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.05f64),

@@ -34,37 +34,37 @@ const _: () = {
         T: ::cartcontact::Scalar,
     {
         #[inline]
-        fn gap(&self, r: T) -> T {
-            let s = r * r;
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)) * s
+        fn gap(&self, __r: T) -> T {
+            let __s = __r * __r;
+            (<T as ::cartcontact::Scalar>::constant(0.025f64)) * __s
         }
         #[inline]
-        fn approach(&self, a: T) -> T {
-            let s = a * a;
-            (<T as ::cartcontact::Scalar>::constant(0.0125f64)) * s
+        fn approach(&self, __a: T) -> T {
+            let __s = __a * __a;
+            (<T as ::cartcontact::Scalar>::constant(0.0125f64)) * __s
         }
         #[inline]
-        fn approach_slope(&self, a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)) * a
+        fn approach_slope(&self, __a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.025f64)) * __a
         }
         #[inline]
-        fn load_integral(&self, a: T) -> T {
-            let s = a * a;
-            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)) * s * s
-                * s
+        fn load_integral(&self, __a: T) -> T {
+            let __s = __a * __a;
+            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)) * __s
+                * __s * __s
         }
         #[inline]
-        fn log_kernel(&self, x: T) -> T {
-            let s = x * x;
-            (<T as ::cartcontact::Scalar>::constant(0.0015625f64)) * s * s
+        fn log_kernel(&self, __x: T) -> T {
+            let __s = __x * __x;
+            (<T as ::cartcontact::Scalar>::constant(0.0015625f64)) * __s * __s
         }
         #[inline]
-        fn pressure_kernel(&self, a: T, r: T) -> T {
-            if r >= a {
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            if __r >= __a {
                 return <T as ::cartcontact::Scalar>::constant(0.0f64);
             }
-            let inset = (a - r) * (a + r);
-            inset * (<T as ::cartcontact::Scalar>::constant(0.0015625f64)) * inset
+            let __inset = (__a - __r) * (__a + __r);
+            __inset * (<T as ::cartcontact::Scalar>::constant(0.0015625f64)) * __inset
         }
         #[inline]
         fn radius_within(

@@ -23,9 +23,9 @@ const _: () = {
         T: ::cartcontact::Scalar,
     {
         #[inline]
-        fn gap(&self, r: T) -> T {
+        fn gap(&self, __r: T) -> T {
             ::cartcontact::generated::power_sum(
-                r,
+                __r,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.01f64),
@@ -39,9 +39,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn approach(&self, a: T) -> T {
+        fn approach(&self, __a: T) -> T {
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.005714285714285714f64),
@@ -55,9 +55,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn approach_slope(&self, a: T) -> T {
+        fn approach_slope(&self, __a: T) -> T {
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.008571428571428572f64),
@@ -71,9 +71,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn load_integral(&self, a: T) -> T {
+        fn load_integral(&self, __a: T) -> T {
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
@@ -89,9 +89,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn log_kernel(&self, x: T) -> T {
+        fn log_kernel(&self, __x: T) -> T {
             ::cartcontact::generated::power_sum(
-                x,
+                __x,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.0008163265306122449f64),
@@ -105,10 +105,10 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel(&self, a: T, r: T) -> T {
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::pressure_kernel(
-                a,
-                r,
+                __a,
+                __r,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.01f64),

@@ -160,7 +160,7 @@ fn admissibility(geometry: &Geometry) -> String {
 
 /// What the series of surfaces neglect.
 fn truncation(geometry: &Geometry) -> String {
-    let Some(Truncation { order, error }) = &geometry.truncation else { return String::new() };
+    let Some(Truncation { order, error, .. }) = &geometry.truncation else { return String::new() };
     let bound = match (error, &geometry.range) {
         (Some(error), Range::Limited(end)) => format!(
             "Up to r = {} mm this changes the gap by at most {} of its value.",

@@ -18,6 +18,14 @@ use crate::item::{FieldKind, Item};
 use coefficients::Coefficients;
 use operations::Operations;
 
+/// A variable or parameter of generated code.
+///
+/// A pattern means the constant of its name if there is one in scope, whatever the span: hygiene covers variables
+/// only. So these names are such as nobody gives to a constant.
+pub(crate) fn local(name: &str) -> Ident {
+    format_ident!("__{name}", span = Span::mixed_site())
+}
+
 /// What every part of the generated code refers to.
 struct Names<'a> {
     /// The path of the run-time crate.
@@ -61,7 +69,7 @@ pub(crate) fn solver(
     ];
     let mut operations: Vec<Operations> = Vec::new();
     let evaluators = sums.map(|(name, variable, sum)| {
-        let (name, variable) = (format_ident!("{name}"), format_ident!("{variable}"));
+        let (name, variable) = (format_ident!("{name}"), local(variable));
         let preamble = coefficients.preamble();
         let body = power_sum::value(sum, &variable, &coefficients, &names);
         operations.push(Operations::of(&body));

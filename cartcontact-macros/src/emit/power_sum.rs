@@ -14,8 +14,8 @@ use num_traits::{Signed, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::Names;
 use super::coefficients::Coefficients;
+use super::{Names, local};
 use crate::closed_forms::PowerSum;
 
 /// The whole exponents of a sum of powers.
@@ -96,7 +96,8 @@ pub(super) fn value(
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
 fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let stride = whole.stride();
-    let variable = if stride == 2 && whole.highest() > 1 { quote!(s) } else { quote!(#x) };
+    let square = (stride == 2 && whole.highest() > 1).then(|| local("s"));
+    let variable = square.as_ref().unwrap_or(x);
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
     for (summand, &exponent) in sum.summands.iter().zip(&whole.exponents).rev() {
@@ -104,16 +105,16 @@ fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<
         nested = match above {
             None => own,
             Some(above) => {
-                let factors = (0..(above - exponent) / stride).map(|_| &variable);
+                let factors = (0..(above - exponent) / stride).map(|_| variable);
                 quote!(#own + (#nested) #(* #factors)*)
             }
         };
         above = Some(exponent);
     }
     let lowest = whole.lowest();
-    let factors = (0..lowest / stride).map(|_| &variable);
+    let factors = (0..lowest / stride).map(|_| variable);
     let odd = (lowest % stride == 1).then(|| quote!(* #x));
-    let square = (stride == 2 && whole.highest() > 1).then(|| quote!(let s = #x * #x;));
+    let square = square.as_ref().map(|square| quote!(let #square = #x * #x;));
     quote!(#square (#nested) #(* #factors)* #odd)
 }
 
