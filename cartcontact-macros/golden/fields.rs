@@ -15,6 +15,8 @@
 ///
 /// Admissibility depends on the fields and is checked when a `Contact` is made.
 ///
+/// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
+///
 /// Operations of a call, as generated:
 ///
 /// ```text
@@ -37,17 +39,17 @@ const _: () = {
         reason = "the struct may bound its parameter in place"
     )]
     #[inline]
-    fn coefficients<T>(profile: &Ball) -> [T; 2usize]
+    fn coefficients<T>(__profile: &Ball) -> [T; 2usize]
     where
         T: crate::renamed::Scalar,
     {
-        let radius = <T as crate::renamed::Scalar>::constant(profile.radius);
+        let __field_radius = <T as crate::renamed::Scalar>::constant(__profile.radius);
         [
-            <T as crate::renamed::Scalar>::constant(0.5f64) / radius,
+            <T as crate::renamed::Scalar>::constant(0.5f64) / __field_radius,
             <T as crate::renamed::Scalar>::constant(0.125f64)
                 / ({
-                    let base = radius;
-                    base * base * base
+                    let __base = __field_radius;
+                    __base * __base * __base
                 }),
         ]
     }
@@ -58,23 +60,24 @@ const _: () = {
     };
     #[inline(always)]
     fn steepness<T: crate::renamed::Scalar>(
-        a: T,
-        [c0,
-        c1,
+        __a: T,
+        [__c0,
+        __c1,
         ]: [T; 2usize],
     ) -> crate::renamed::generated::Steepness<T> {
-        let s = a * a;
+        let __s = __a * __a;
         crate::renamed::generated::Steepness {
-            power: crate::renamed::generated::integer_power(s, 3),
-            value: c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
-                    * s,
-            first: c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.6666666666666666f64))
-                    * s,
-            half_second: c0 * <T as crate::renamed::Scalar>::constant(1.25f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(2.3333333333333335f64))
-                    * s,
+            power: crate::renamed::generated::integer_power(__s, 3),
+            value: __c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
+                + (__c1
+                    * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
+                    * __s,
+            first: __c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
+                + (__c1 * <T as crate::renamed::Scalar>::constant(0.6666666666666666f64))
+                    * __s,
+            half_second: __c0 * <T as crate::renamed::Scalar>::constant(1.25f64)
+                + (__c1 * <T as crate::renamed::Scalar>::constant(2.3333333333333335f64))
+                    * __s,
             per_unit: <T as crate::renamed::Scalar>::constant(1.0f64),
             per_degree: <T as crate::renamed::Scalar>::constant(1.0f64),
         }
@@ -85,128 +88,127 @@ const _: () = {
         T: crate::renamed::Scalar,
     {
         #[inline]
-        fn gap(&self, r: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = r * r;
-            (c0 + (c1) * s) * s
+        fn gap(&self, __r: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __r * __r;
+            (__c0 + (__c1) * __s) * __s
         }
         #[inline]
-        fn approach(&self, a: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = a * a;
-            (c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
-                    * s) * s
+        fn approach(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
+                + (__c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
+                    * __s) * __s
         }
         #[inline]
-        fn approach_slope(&self, a: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = a * a;
-            (c0
-                + (c1 * <T as crate::renamed::Scalar>::constant(1.3333333333333333f64))
-                    * s) * a
+        fn approach_slope(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0
+                + (__c1 * <T as crate::renamed::Scalar>::constant(1.3333333333333333f64))
+                    * __s) * __a
         }
         #[inline]
-        fn load_integral(&self, a: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = a * a;
-            (c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
-                    * s) * s * s * s
+        fn load_integral(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
+                + (__c1
+                    * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
+                    * __s) * __s * __s * __s
         }
         #[inline]
-        fn log_kernel(&self, x: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = x * x;
-            (c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64))
-                    * s) * s * s
+        fn log_kernel(&self, __x: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __x * __x;
+            (__c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
+                + (__c1
+                    * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64))
+                    * __s) * __s * __s
         }
         #[inline]
-        fn pressure_kernel(&self, a: T, r: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            if r >= a {
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            if __r >= __a {
                 return <T as crate::renamed::Scalar>::constant(0.0f64);
             }
-            let (a_squared, r_squared) = (a * a, r * r);
-            let t1 = a_squared + r_squared;
-            let s2 = a_squared + t1;
-            let inset = (a - r) * (a + r);
-            inset
-                * (c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
-                    + c1
+            let (__a_squared, __r_squared) = (__a * __a, __r * __r);
+            let __t1 = __a_squared + __r_squared;
+            let __s2 = __a_squared + __t1;
+            let __inset = (__a - __r) * (__a + __r);
+            __inset
+                * (__c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
+                    + __c1
                         * <T as crate::renamed::Scalar>::constant(
                             0.027777777777777776f64,
-                        ) * s2) * inset
+                        ) * __s2) * __inset
         }
         #[inline]
         fn radius_within(
             &self,
-            load_integral: T,
-            limit: T,
+            __load_integral: T,
+            __limit: T,
         ) -> ::core::result::Result<T, crate::renamed::RadiusError> {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
             match SEEDS
                 .radius(
-                    load_integral,
-                    limit,
-                    {
-                        let (radius, load_integral) = crate::renamed::generated::equal_terms(
+                    __load_integral,
+                    __limit,
+                    crate::renamed::generated::Scale::from(
+                        crate::renamed::generated::equal_terms(
                             (
-                                c0
+                                __c0
                                     * <T as crate::renamed::Scalar>::constant(
                                         0.08333333333333333f64,
                                     ),
                                 <T as crate::renamed::Scalar>::constant(6.0f64),
                             ),
                             (
-                                c1
+                                __c1
                                     * <T as crate::renamed::Scalar>::constant(
                                         0.08333333333333333f64,
                                     ),
                                 <T as crate::renamed::Scalar>::constant(8.0f64),
                             ),
-                        );
-                        crate::renamed::generated::Scale::of(radius, load_integral)
-                    },
-                    |a| steepness(a, [c0, c1]),
+                        ),
+                    ),
+                    |__a| steepness(__a, [__c0, __c1]),
                 )
             {
-                ::core::option::Option::Some(radius) => {
-                    ::core::result::Result::Ok(radius)
-                }
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     crate::renamed::generated::elsewhere(move || {
                         crate::renamed::generated::invert(
-                            load_integral,
-                            limit,
+                            __load_integral,
+                            __limit,
                             crate::renamed::generated::positive_terms([
-                                (c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
-                                (c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
+                                (__c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
+                                (__c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
                             ]),
-                            c0 < <T as crate::renamed::Scalar>::constant(0.0f64)
-                                || c1 < <T as crate::renamed::Scalar>::constant(0.0f64),
-                            |a| {
-                                let x = a * a;
-                                let (value, slope) = crate::renamed::generated::value_and_slope(
-                                    x,
+                            __c0 < <T as crate::renamed::Scalar>::constant(0.0f64)
+                                || __c1 < <T as crate::renamed::Scalar>::constant(0.0f64),
+                            |__a| {
+                                let __x = __a * __a;
+                                let (__value, __slope) = crate::renamed::generated::value_and_slope(
+                                    __x,
                                     [
-                                        c0
+                                        __c0
                                             * <T as crate::renamed::Scalar>::constant(
                                                 0.08333333333333333f64,
                                             ),
-                                        c1
+                                        __c1
                                             * <T as crate::renamed::Scalar>::constant(
                                                 0.08333333333333333f64,
                                             ),
                                     ],
                                 );
-                                let log_slope = <T as crate::renamed::Scalar>::constant(
+                                let __log_slope = <T as crate::renamed::Scalar>::constant(
                                     6.0f64,
-                                ) * value
-                                    + <T as crate::renamed::Scalar>::constant(2.0f64) * x
-                                        * slope;
-                                (value * x * x * x, log_slope * x * x * x)
+                                ) * __value
+                                    + <T as crate::renamed::Scalar>::constant(2.0f64) * __x
+                                        * __slope;
+                                (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                             },
                         )
                     })
@@ -215,62 +217,60 @@ const _: () = {
         }
         fn radii_within(
             &self,
-            load_integrals: &[T],
-            limit: T,
-            radii: &mut [T],
+            __load_integrals: &[T],
+            __limit: T,
+            __radii: &mut [T],
         ) -> ::core::result::Result<(), crate::renamed::RadiusError> {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let general = |load_integral| crate::renamed::GapProfile::radius_within(
-                self,
-                load_integral,
-                limit,
-            );
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
             SEEDS
                 .radii(
-                    (load_integrals, radii),
-                    limit,
-                    {
-                        let (radius, load_integral) = crate::renamed::generated::equal_terms(
+                    (__load_integrals, __radii),
+                    __limit,
+                    crate::renamed::generated::Scale::from(
+                        crate::renamed::generated::equal_terms(
                             (
-                                c0
+                                __c0
                                     * <T as crate::renamed::Scalar>::constant(
                                         0.08333333333333333f64,
                                     ),
                                 <T as crate::renamed::Scalar>::constant(6.0f64),
                             ),
                             (
-                                c1
+                                __c1
                                     * <T as crate::renamed::Scalar>::constant(
                                         0.08333333333333333f64,
                                     ),
                                 <T as crate::renamed::Scalar>::constant(8.0f64),
                             ),
-                        );
-                        crate::renamed::generated::Scale::of(radius, load_integral)
-                    },
+                        ),
+                    ),
                     #[inline(always)]
-                    |a| steepness(a, [c0, c1]),
-                    general,
+                    |__a| steepness(__a, [__c0, __c1]),
+                    |__load_integral| crate::renamed::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    ),
                 )
         }
         #[inline]
-        fn load_integral_drop(&self, a: T, depth: T) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = a - depth;
-            depth
-                * ((a + s)
+        fn load_integral_drop(&self, __a: T, __depth: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a - __depth;
+            __depth
+                * ((__a + __s)
                     * crate::renamed::generated::divided_difference(
-                        a * a,
-                        s * s,
+                        __a * __a,
+                        __s * __s,
                         [
                             <T as crate::renamed::Scalar>::constant(0.0f64),
                             <T as crate::renamed::Scalar>::constant(0.0f64),
                             <T as crate::renamed::Scalar>::constant(0.0f64),
-                            c0
+                            __c0
                                 * <T as crate::renamed::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            c1
+                            __c1
                                 * <T as crate::renamed::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
@@ -278,52 +278,52 @@ const _: () = {
                     ))
         }
         fn max_radius(&self) -> T {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
             match crate::renamed::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
-                    (c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
+                    (__c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
+                    (__c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
                 ]),
                 ::core::option::Option::Some({
-                    let limit = <T as crate::renamed::Scalar>::constant(
+                    let __field_limit = <T as crate::renamed::Scalar>::constant(
                         <f64 as ::core::convert::From<f32>>::from(self.limit),
                     );
-                    limit
+                    __field_limit
                 }),
             ) {
-                ::core::result::Result::Ok(end) => end,
+                ::core::result::Result::Ok(__end) => __end,
                 ::core::result::Result::Err(_) => {
                     <T as crate::renamed::Scalar>::constant(0.0f64)
                 }
             }
         }
         fn check(&self) -> ::core::result::Result<(), crate::renamed::ProfileError> {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
             match crate::renamed::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
-                    (c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
+                    (__c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
+                    (__c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
                 ]),
                 ::core::option::Option::Some({
-                    let limit = <T as crate::renamed::Scalar>::constant(
+                    let __field_limit = <T as crate::renamed::Scalar>::constant(
                         <f64 as ::core::convert::From<f32>>::from(self.limit),
                     );
-                    limit
+                    __field_limit
                 }),
             ) {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(error) => {
+                ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({
-                        let radius = <T as crate::renamed::Scalar>::constant(
+                        let __field_radius = <T as crate::renamed::Scalar>::constant(
                             self.radius,
                         );
-                        let limit = <T as crate::renamed::Scalar>::constant(
+                        let __field_limit = <T as crate::renamed::Scalar>::constant(
                             <f64 as ::core::convert::From<f32>>::from(self.limit),
                         );
                         crate::renamed::generated::with_parameters(
-                            error,
+                            __error,
                             &["radius", "limit"],
-                            [radius, limit],
+                            [__field_radius, __field_limit],
                         )
                     })
                 }
@@ -342,10 +342,10 @@ const _: () = {
     impl Ball {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms<T: crate::renamed::Scalar>(&self) -> [(T, T); 2usize] {
-            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
             [
-                (c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
-                (c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
+                (__c0, <T as crate::renamed::Scalar>::constant(2.0f64)),
+                (__c1, <T as crate::renamed::Scalar>::constant(4.0f64)),
             ]
         }
     }

@@ -15,6 +15,8 @@
 ///
 /// Admissibility depends on the fields and is checked when a `Contact` is made.
 ///
+/// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
+///
 struct Any<'a, S: Copy, T>
 where
     T: Clone,
@@ -28,16 +30,16 @@ const _: () = {
         reason = "the struct may bound its parameter in place"
     )]
     #[inline]
-    fn coefficients<'a, S: Copy, T>(profile: &Any<'a, S, T>) -> [S; 2usize]
+    fn coefficients<'a, S: Copy, T>(__profile: &Any<'a, S, T>) -> [S; 2usize]
     where
         T: Clone,
         S: ::cartcontact::Scalar,
     {
-        let c = profile.c;
+        let __field_c = __profile.c;
         [
-            c,
+            __field_c,
             ::cartcontact::generated::real_power(
-                c,
+                __field_c,
                 <S as ::cartcontact::Scalar>::constant(-0.5f64),
             ),
         ]
@@ -49,20 +51,22 @@ const _: () = {
     };
     #[inline(always)]
     fn steepness<S: ::cartcontact::Scalar>(
-        a: S,
-        [c0,
-        c1,
+        __a: S,
+        [__c0,
+        __c1,
         ]: [S; 2usize],
     ) -> ::cartcontact::generated::Steepness<S> {
         ::cartcontact::generated::power_sum_steepness(
-            a,
+            __a,
             [
                 (
-                    c0 * <S as ::cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    __c0
+                        * <S as ::cartcontact::Scalar>::constant(0.08333333333333333f64),
                     <S as ::cartcontact::Scalar>::constant(6.0f64),
                 ),
                 (
-                    c1 * <S as ::cartcontact::Scalar>::constant(0.08547008547008547f64),
+                    __c1
+                        * <S as ::cartcontact::Scalar>::constant(0.08547008547008547f64),
                     <S as ::cartcontact::Scalar>::constant(6.5f64),
                 ),
             ],
@@ -75,28 +79,28 @@ const _: () = {
         S: ::cartcontact::Scalar,
     {
         #[inline]
-        fn gap(&self, r: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn gap(&self, __r: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::power_sum(
-                r,
+                __r,
                 [
-                    (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
                 ],
             )
         }
         #[inline]
-        fn approach(&self, a: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn approach(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
-                        c0 * <S as ::cartcontact::Scalar>::constant(0.5f64),
+                        __c0 * <S as ::cartcontact::Scalar>::constant(0.5f64),
                         <S as ::cartcontact::Scalar>::constant(2.0f64),
                     ),
                     (
-                        c1
+                        __c1
                             * <S as ::cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
@@ -106,14 +110,14 @@ const _: () = {
             )
         }
         #[inline]
-        fn approach_slope(&self, a: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn approach_slope(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
-                    (c0, <S as ::cartcontact::Scalar>::constant(1.0f64)),
+                    (__c0, <S as ::cartcontact::Scalar>::constant(1.0f64)),
                     (
-                        c1
+                        __c1
                             * <S as ::cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
@@ -123,20 +127,20 @@ const _: () = {
             )
         }
         #[inline]
-        fn load_integral(&self, a: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn load_integral(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
-                        c0
+                        __c0
                             * <S as ::cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
                         <S as ::cartcontact::Scalar>::constant(6.0f64),
                     ),
                     (
-                        c1
+                        __c1
                             * <S as ::cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
@@ -146,17 +150,17 @@ const _: () = {
             )
         }
         #[inline]
-        fn log_kernel(&self, x: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn log_kernel(&self, __x: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::power_sum(
-                x,
+                __x,
                 [
                     (
-                        c0 * <S as ::cartcontact::Scalar>::constant(0.0625f64),
+                        __c0 * <S as ::cartcontact::Scalar>::constant(0.0625f64),
                         <S as ::cartcontact::Scalar>::constant(4.0f64),
                     ),
                     (
-                        c1
+                        __c1
                             * <S as ::cartcontact::Scalar>::constant(
                                 0.04938271604938271f64,
                             ),
@@ -166,76 +170,73 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel(&self, a: S, r: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn pressure_kernel(&self, __a: S, __r: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::pressure_kernel(
-                a,
-                r,
+                __a,
+                __r,
                 [
-                    (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
                 ],
             )
         }
         #[inline]
         fn radius_within(
             &self,
-            load_integral: S,
-            limit: S,
+            __load_integral: S,
+            __limit: S,
         ) -> ::core::result::Result<S, ::cartcontact::RadiusError> {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             match SEEDS
                 .radius(
-                    load_integral,
-                    limit,
-                    {
-                        let (radius, load_integral) = ::cartcontact::generated::equal_terms(
+                    __load_integral,
+                    __limit,
+                    ::cartcontact::generated::Scale::from(
+                        ::cartcontact::generated::equal_terms(
                             (
-                                c0
+                                __c0
                                     * <S as ::cartcontact::Scalar>::constant(
                                         0.08333333333333333f64,
                                     ),
                                 <S as ::cartcontact::Scalar>::constant(6.0f64),
                             ),
                             (
-                                c1
+                                __c1
                                     * <S as ::cartcontact::Scalar>::constant(
                                         0.08547008547008547f64,
                                     ),
                                 <S as ::cartcontact::Scalar>::constant(6.5f64),
                             ),
-                        );
-                        ::cartcontact::generated::Scale::of(radius, load_integral)
-                    },
-                    |a| steepness(a, [c0, c1]),
+                        ),
+                    ),
+                    |__a| steepness(__a, [__c0, __c1]),
                 )
             {
-                ::core::option::Option::Some(radius) => {
-                    ::core::result::Result::Ok(radius)
-                }
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     ::cartcontact::generated::elsewhere(move || {
                         ::cartcontact::generated::invert(
-                            load_integral,
-                            limit,
+                            __load_integral,
+                            __limit,
                             ::cartcontact::generated::positive_terms([
-                                (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                                (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                                (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                                (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
                             ]),
-                            c0 < <S as ::cartcontact::Scalar>::constant(0.0f64),
-                            |a| {
+                            __c0 < <S as ::cartcontact::Scalar>::constant(0.0f64),
+                            |__a| {
                                 ::cartcontact::generated::power_sum_and_log_slope(
-                                    a,
+                                    __a,
                                     [
                                         (
-                                            c0
+                                            __c0
                                                 * <S as ::cartcontact::Scalar>::constant(
                                                     0.08333333333333333f64,
                                                 ),
                                             <S as ::cartcontact::Scalar>::constant(6.0f64),
                                         ),
                                         (
-                                            c1
+                                            __c1
                                                 * <S as ::cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
@@ -251,60 +252,58 @@ const _: () = {
         }
         fn radii_within(
             &self,
-            load_integrals: &[S],
-            limit: S,
-            radii: &mut [S],
+            __load_integrals: &[S],
+            __limit: S,
+            __radii: &mut [S],
         ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
-            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
-                self,
-                load_integral,
-                limit,
-            );
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             SEEDS
                 .radii(
-                    (load_integrals, radii),
-                    limit,
-                    {
-                        let (radius, load_integral) = ::cartcontact::generated::equal_terms(
+                    (__load_integrals, __radii),
+                    __limit,
+                    ::cartcontact::generated::Scale::from(
+                        ::cartcontact::generated::equal_terms(
                             (
-                                c0
+                                __c0
                                     * <S as ::cartcontact::Scalar>::constant(
                                         0.08333333333333333f64,
                                     ),
                                 <S as ::cartcontact::Scalar>::constant(6.0f64),
                             ),
                             (
-                                c1
+                                __c1
                                     * <S as ::cartcontact::Scalar>::constant(
                                         0.08547008547008547f64,
                                     ),
                                 <S as ::cartcontact::Scalar>::constant(6.5f64),
                             ),
-                        );
-                        ::cartcontact::generated::Scale::of(radius, load_integral)
-                    },
+                        ),
+                    ),
                     #[inline(always)]
-                    |a| steepness(a, [c0, c1]),
-                    general,
+                    |__a| steepness(__a, [__c0, __c1]),
+                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    ),
                 )
         }
         #[inline]
-        fn load_integral_drop(&self, a: S, depth: S) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+        fn load_integral_drop(&self, __a: S, __depth: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::power_sum_drop(
-                a,
-                depth,
+                __a,
+                __depth,
                 [
                     (
-                        c0
+                        __c0
                             * <S as ::cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
                         <S as ::cartcontact::Scalar>::constant(6.0f64),
                     ),
                     (
-                        c1
+                        __c1
                             * <S as ::cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
@@ -314,34 +313,38 @@ const _: () = {
             )
         }
         fn max_radius(&self) -> S {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             match ::cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
                 ]),
                 ::core::option::Option::None,
             ) {
-                ::core::result::Result::Ok(end) => end,
+                ::core::result::Result::Ok(__end) => __end,
                 ::core::result::Result::Err(_) => {
                     <S as ::cartcontact::Scalar>::constant(0.0f64)
                 }
             }
         }
         fn check(&self) -> ::core::result::Result<(), ::cartcontact::ProfileError> {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             match ::cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
                 ]),
                 ::core::option::Option::None,
             ) {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(error) => {
+                ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({
-                        let c = self.c;
-                        ::cartcontact::generated::with_parameters(error, &["c"], [c])
+                        let __field_c = self.c;
+                        ::cartcontact::generated::with_parameters(
+                            __error,
+                            &["c"],
+                            [__field_c],
+                        )
                     })
                 }
             }
@@ -363,10 +366,10 @@ const _: () = {
     {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms(&self) -> [(S, S); 2usize] {
-            let [c0, c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
             [
-                (c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                (c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
             ]
         }
     }

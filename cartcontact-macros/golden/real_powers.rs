@@ -15,6 +15,8 @@
 ///
 /// Admissible for every contact radius: all coefficients are positive.
 ///
+/// The contact radius takes one step from a table of 4096 bytes where J is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
+///
 struct RealPowers;
 const _: () = {
     static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
@@ -24,11 +26,11 @@ const _: () = {
     };
     #[inline(always)]
     fn steepness<T: ::cartcontact::Scalar>(
-        a: T,
+        __a: T,
         []: [T; 0usize],
     ) -> ::cartcontact::generated::Steepness<T> {
         ::cartcontact::generated::power_sum_steepness(
-            a,
+            __a,
             [
                 (
                     <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
@@ -47,9 +49,9 @@ const _: () = {
         T: ::cartcontact::Scalar,
     {
         #[inline]
-        fn gap(&self, r: T) -> T {
+        fn gap(&self, __r: T) -> T {
             ::cartcontact::generated::power_sum(
-                r,
+                __r,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.01f64),
@@ -63,9 +65,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn approach(&self, a: T) -> T {
+        fn approach(&self, __a: T) -> T {
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.005714285714285714f64),
@@ -79,9 +81,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn approach_slope(&self, a: T) -> T {
+        fn approach_slope(&self, __a: T) -> T {
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.008571428571428572f64),
@@ -95,9 +97,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn load_integral(&self, a: T) -> T {
+        fn load_integral(&self, __a: T) -> T {
             ::cartcontact::generated::power_sum(
-                a,
+                __a,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
@@ -113,9 +115,9 @@ const _: () = {
             )
         }
         #[inline]
-        fn log_kernel(&self, x: T) -> T {
+        fn log_kernel(&self, __x: T) -> T {
             ::cartcontact::generated::power_sum(
-                x,
+                __x,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.0008163265306122449f64),
@@ -129,10 +131,10 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel(&self, a: T, r: T) -> T {
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::pressure_kernel(
-                a,
-                r,
+                __a,
+                __r,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.01f64),
@@ -148,25 +150,23 @@ const _: () = {
         #[inline]
         fn radius_within(
             &self,
-            load_integral: T,
-            limit: T,
+            __load_integral: T,
+            __limit: T,
         ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
             match SEEDS
                 .radius(
-                    load_integral,
-                    limit,
+                    __load_integral,
+                    __limit,
                     ::cartcontact::generated::Scale::none(),
-                    |a| steepness(a, []),
+                    |__a| steepness(__a, []),
                 )
             {
-                ::core::option::Option::Some(radius) => {
-                    ::core::result::Result::Ok(radius)
-                }
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     ::cartcontact::generated::elsewhere(move || {
                         ::cartcontact::generated::invert(
-                            load_integral,
-                            limit,
+                            __load_integral,
+                            __limit,
                             ::core::iter::IntoIterator::into_iter([
                                 ::cartcontact::generated::PositiveTerm::of(
                                     <T as ::cartcontact::Scalar>::constant(0.01f64),
@@ -178,9 +178,9 @@ const _: () = {
                                 ),
                             ]),
                             false,
-                            |a| {
+                            |__a| {
                                 ::cartcontact::generated::power_sum_and_log_slope(
-                                    a,
+                                    __a,
                                     [
                                         (
                                             <T as ::cartcontact::Scalar>::constant(
@@ -204,30 +204,29 @@ const _: () = {
         }
         fn radii_within(
             &self,
-            load_integrals: &[T],
-            limit: T,
-            radii: &mut [T],
+            __load_integrals: &[T],
+            __limit: T,
+            __radii: &mut [T],
         ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
-            let general = |load_integral| ::cartcontact::GapProfile::radius_within(
-                self,
-                load_integral,
-                limit,
-            );
             SEEDS
                 .radii(
-                    (load_integrals, radii),
-                    limit,
+                    (__load_integrals, __radii),
+                    __limit,
                     ::cartcontact::generated::Scale::none(),
                     #[inline(always)]
-                    |a| steepness(a, []),
-                    general,
+                    |__a| steepness(__a, []),
+                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    ),
                 )
         }
         #[inline]
-        fn load_integral_drop(&self, a: T, depth: T) -> T {
+        fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             ::cartcontact::generated::power_sum_drop(
-                a,
-                depth,
+                __a,
+                __depth,
                 [
                     (
                         <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),

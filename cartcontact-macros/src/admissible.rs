@@ -73,7 +73,7 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, (Extent, St
 fn of_fields(gap: &Gap) -> Proof {
     let positive = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotNegative);
     match gap.terms.iter().all(positive) {
-        true => Proof::AllRadii { by: "no coefficient can be negative, whatever the fields" },
+        true => Proof::AllRadii { by: "no coefficient can be negative, whatever values the fields may have" },
         false => Proof::AtRunTime,
     }
 }

@@ -9,7 +9,9 @@ use syn::Path;
 use syn::parse::Parser;
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::item::closest;
 use crate::parse;
+use crate::positive::Positive;
 use crate::syntax::{Expression, Kind, Summand};
 
 #[derive(Default)]
@@ -19,6 +21,7 @@ pub(crate) struct Attribute {
     pub(crate) max_radius: Option<Expression>,
     pub(crate) order: Option<Expression>,
     pub(crate) tolerance: Option<Expression>,
+    pub(crate) positive: Option<Positive>,
     pub(crate) crate_path: Option<TokenStream>,
 }
 
@@ -32,19 +35,24 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
             Some((name, _, _)) if names.contains(&name) => {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
             }
-            Some((name, equals, value)) if name == "upper" || name == "lower" => {
-                names.push(name.clone());
-                bodies.push((name, parse::expression(value, equals, diagnostics)));
-            }
-            Some((name, equals, value)) => {
-                attribute.set(&name, equals, value, diagnostics);
+            Some((name, equals, value)) if name == "positive" => {
+                let names_of_fields = equals.is_some().then_some(value);
+                attribute.positive = Some(Positive { place: name.span(), names: names_of_fields });
                 names.push(name);
             }
-            None if attribute.gap.is_some() => diagnostics.report(
-                entry.extent(),
-                "a profile has one gap; options such as `max_radius = 6.0` follow it after a comma",
-            ),
-            None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
+            Some((name, equals, value)) if name == "upper" || name == "lower" => {
+                names.push(name.clone());
+                let place = equals.unwrap_or(name.span());
+                bodies.push((name, parse::expression(value, place, diagnostics)));
+            }
+            Some((name, equals, value)) => {
+                attribute.set(&name, equals.unwrap_or(name.span()), value, diagnostics);
+                names.push(name);
+            }
+            None => match entry.without_equals().or_else(|| attribute.no_room_for(&entry)) {
+                Some(message) => diagnostics.report(entry.extent(), message),
+                None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
+            },
         }
     }
     attribute.gap = whole(attribute.gap.take(), bodies, diagnostics);
@@ -103,15 +111,33 @@ impl Attribute {
                     .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`"),
             }
         } else {
-            diagnostics.report(
-                name.span(),
-                format!(
-                    "`{name}` is not an option; there are `upper`, `lower`, `max_radius`, `order`, `tolerance` and `crate`"
-                ),
-            );
+            let remedy = match closest(&name.to_string(), OPTIONS.map(str::to_owned).into_iter()) {
+                Some(option) => format!("did you mean `{option}`?"),
+                None => {
+                    "there are `upper`, `lower`, `max_radius`, `order`, `tolerance`, `positive` and `crate`"
+                        .to_owned()
+                }
+            };
+            diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
         }
     }
+
+    /// What to say about an entry that could only be a second gap.
+    fn no_room_for(&self, entry: &Entry) -> Option<String> {
+        self.gap.as_ref()?;
+        let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
+        Some(match (fields, entry.tokens.as_slice()) {
+            (Some(fields), [TokenTree::Ident(another)]) => {
+                format!("several fields stand in parentheses; write `positive = ({fields}, {another})`")
+            }
+            _ => {
+                "a profile has one gap; options such as `max_radius = 6.0` follow it after a comma".to_owned()
+            }
+        })
+    }
 }
+
+const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
 
 /// What stands between two commas.
 struct Entry {
@@ -121,14 +147,46 @@ struct Entry {
 }
 
 impl Entry {
-    /// `name = value`; `==` is left to the expression, which says what is wrong with it.
-    fn option(&self) -> Option<(Ident, Span, TokenStream)> {
-        let [TokenTree::Ident(name), TokenTree::Punct(equals), value @ ..] = self.tokens.as_slice() else {
-            return None;
+    /// `name = value`, or `positive` alone; `==` is left to the expression, which says what is wrong with it.
+    fn option(&self) -> Option<(Ident, Option<Span>, TokenStream)> {
+        let (name, equals, value) = match self.tokens.as_slice() {
+            [TokenTree::Ident(name)] if name == "positive" => {
+                return Some((name.clone(), None, TokenStream::new()));
+            }
+            [TokenTree::Ident(name), TokenTree::Punct(equals), value @ ..] => (name, equals, value),
+            _ => return None,
         };
         let comparison = matches!(value.first(), Some(TokenTree::Punct(next)) if next.as_char() == '=');
         let assigns = equals.as_char() == '=' && !comparison;
-        assigns.then(|| (name.clone(), equals.span(), value.iter().cloned().collect()))
+        assigns.then(|| (name.clone(), Some(equals.span()), value.iter().cloned().collect()))
+    }
+
+    /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`,
+    /// `max-radius = 6`. In an expression none of these has a meaning.
+    fn without_equals(&self) -> Option<String> {
+        let equals = self.tokens.iter().position(|token| is_punct(token, '='));
+        let name = match (self.tokens.as_slice(), equals) {
+            ([TokenTree::Ident(name), next, ..], None)
+                if is_punct(next, ':') || !matches!(next, TokenTree::Punct(_)) =>
+            {
+                name.to_string()
+            }
+            (tokens, Some(equals)) => {
+                let words = tokens.iter().take(equals).filter(|token| matches!(token, TokenTree::Ident(_)));
+                words.map(TokenTree::to_string).collect::<Vec<String>>().join("_")
+            }
+            _ => return None,
+        };
+        let option = OPTIONS.into_iter().find(|option| *option == name)?;
+        let value = match option {
+            "upper" | "lower" => "sphere(20)",
+            "positive" => "(c, d)",
+            "order" => "4",
+            "tolerance" => "1e-6",
+            "crate" => "::cartcontact",
+            _ => "6.0",
+        };
+        Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
     }
 
     fn stream(&self) -> TokenStream {
@@ -138,6 +196,10 @@ impl Entry {
     fn extent(&self) -> Extent {
         Extent::of(self.tokens.iter().map(TokenTree::span), self.place)
     }
+}
+
+fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
 fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 
 use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::{Item, Meaning};
+use crate::item::{Field, Item, Meaning};
 use crate::number::Rational;
 use crate::polynomial::Polynomial;
 use crate::shape::Shape;
@@ -68,7 +68,10 @@ impl<'a> Evaluator<'a> {
             return Some(Polynomial::new(one, Rational::one(), extent).into());
         }
         match self.item.meaning(name) {
-            Meaning::Symbol(field) => Some(constant(Coefficient::field(field.clone()), extent)),
+            Meaning::Symbol(Field { ident, is_positive: true, .. }) => {
+                Some(constant(Coefficient::positive_field(ident.clone()), extent))
+            }
+            Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
             Meaning::Unknown { remedy } => self.fault(extent, format!("`{name}` is unknown; {remedy}")),
             Meaning::WrongType(ty) => {
                 if self.mistyped.insert(name.clone()) {

@@ -12,6 +12,7 @@ use crate::geometry::Range;
 use crate::number::{Rational, decimal, integer};
 use crate::polynomial::{Monomial, Polynomial};
 use crate::shape::Shape;
+use crate::surface::Surface;
 use crate::syntax::{Expression, Kind};
 use crate::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
 
@@ -19,11 +20,13 @@ use crate::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
 type Fault = (Extent, String);
 
 /// How far surfaces were expanded.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Truncation {
     pub(crate) order: u32,
     /// What is neglected at most, relative to the gap, if that can be told when the program is compiled.
     pub(crate) error: Option<Rational>,
+    /// The surfaces that max_radius must lie inside of, as far as that is not known when the program is compiled.
+    pub(crate) unchecked: Vec<Surface>,
 }
 
 /// The options that govern the expansion.
@@ -112,7 +115,12 @@ pub(crate) fn expand(
         },
         _ => None,
     };
-    Ok((expanded(shape, order)?, Some(Truncation { order, error })))
+    // What is bounded has been compared with the range.
+    let unchecked = match error.is_none() && limit.is_some() {
+        true => shape.surfaces.iter().filter(|surface| !surface.shape.is_zero()).cloned().collect(),
+        false => Vec::new(),
+    };
+    Ok((expanded(shape, order)?, Some(Truncation { order, error, unchecked })))
 }
 
 const OVERWHELMED: &str = "the terms that the order neglects are as large as the gap itself before max_radius; lower \

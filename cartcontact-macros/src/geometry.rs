@@ -4,7 +4,7 @@ use num_traits::Signed;
 
 use crate::admissible::{self, Proof, Wanted};
 use crate::attribute::Attribute;
-use crate::coefficient::Coefficient;
+use crate::coefficient::{Coefficient, Sign};
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::evaluate::Evaluator;
 use crate::expansion::{self, Options, Truncation};
@@ -38,6 +38,9 @@ pub(crate) fn geometry(
     item: &mut Item,
     diagnostics: &mut Diagnostics,
 ) -> Option<Geometry> {
+    if let Some(positive) = &attribute.positive {
+        positive.declare(item, diagnostics);
+    }
     let mut evaluator = Evaluator::new(item, diagnostics);
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
@@ -60,9 +63,12 @@ pub(crate) fn geometry(
         expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     let gap = Gap::new(powers, written.extent, diagnostics)?;
     item.mark_used(
-        |field| uses(&gap, &range).any(|coefficient| coefficient.fields().contains(field)),
+        |field| uses(&gap, &range, truncation.as_ref()).any(|value| value.fields().contains(field)),
         diagnostics,
     );
+    if let Some(positive) = &attribute.positive {
+        positive.check_used(item, diagnostics);
+    }
     match admissible::prove(&gap, &wanted(&range, place)) {
         Ok(proof) => Some(Geometry { gap, range, proof, truncation }),
         Err((extent, message)) => {
@@ -74,14 +80,19 @@ pub(crate) fn geometry(
 
 fn range(value: Coefficient) -> Result<Range, &'static str> {
     let Some(radius) = value.as_constant() else {
-        return if value.is_representable() { Ok(Range::Symbolic(value)) } else { Err(UNREPRESENTABLE) };
+        return match value.certain_sign() {
+            Some(Sign::NotPositive) => Err(NOT_POSITIVE),
+            _ if value.is_representable() => Ok(Range::Symbolic(value)),
+            _ => Err(UNREPRESENTABLE),
+        };
     };
     if !radius.is_positive() {
-        return Err("max_radius must be greater than 0; leave it out if the gap has no end");
+        return Err(NOT_POSITIVE);
     }
     number::nearest(&radius).and_then(Rational::from_float).map(Range::Limited).ok_or(UNREPRESENTABLE)
 }
 
+const NOT_POSITIVE: &str = "max_radius must be greater than 0; leave it out if the gap has no end";
 const UNREPRESENTABLE: &str = "max_radius does not fit into an `f64`; leave it out if the gap has no end";
 
 fn wanted(range: &Range, place: Option<Extent>) -> Wanted<'_> {
@@ -92,10 +103,16 @@ fn wanted(range: &Range, place: Option<Extent>) -> Wanted<'_> {
     }
 }
 
-fn uses<'a>(gap: &'a Gap, range: &'a Range) -> impl Iterator<Item = &'a Coefficient> {
+fn uses<'a>(
+    gap: &'a Gap,
+    range: &'a Range,
+    truncation: Option<&'a Truncation>,
+) -> impl Iterator<Item = &'a Coefficient> {
     let limit = match range {
         Range::Symbolic(limit) => Some(limit),
         _ => None,
     };
-    gap.terms.iter().map(|term| &term.coefficient).chain(limit)
+    let surfaces = truncation.into_iter().flat_map(|truncation| &truncation.unchecked);
+    let of_surfaces = surfaces.flat_map(|surface| [&surface.radius, &surface.shape]);
+    gap.terms.iter().map(|term| &term.coefficient).chain(limit).chain(of_surfaces)
 }

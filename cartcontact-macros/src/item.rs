@@ -19,6 +19,8 @@ pub(crate) struct Item {
 pub(crate) struct Field {
     pub(crate) ident: Ident,
     pub(crate) kind: FieldKind,
+    /// Whether it is declared to be greater than 0.
+    pub(crate) is_positive: bool,
     /// Whether the gap or its range depends on it.
     pub(crate) used: bool,
 }
@@ -32,7 +34,7 @@ pub(crate) enum FieldKind {
 
 /// What a name in an expression stands for, other than `r`.
 pub(crate) enum Meaning<'a> {
-    Symbol(&'a Ident),
+    Symbol(&'a Field),
     WrongType(&'a Type),
     Unknown { remedy: String },
 }
@@ -80,14 +82,14 @@ impl Item {
             );
         }
         match kind(&field.ty, &self.generics) {
-            Some(kind) => self.fields.push(Field { ident, kind, used: false }),
+            Some(kind) => self.fields.push(Field { ident, kind, is_positive: false, used: false }),
             None => self.others.push((ident, field.ty)),
         }
     }
 
     pub(crate) fn meaning(&self, name: &Ident) -> Meaning<'_> {
         if let Some(field) = self.fields.iter().find(|field| field.ident == *name) {
-            return Meaning::Symbol(&field.ident);
+            return Meaning::Symbol(field);
         }
         match self.others.iter().find(|(ident, _)| ident == name) {
             Some((_, ty)) => Meaning::WrongType(ty),
@@ -96,18 +98,16 @@ impl Item {
     }
 
     fn remedy(&self, name: &Ident) -> String {
-        let name = name.to_string();
         let known = self.fields.iter().map(|field| field.ident.to_string()).chain(["r".to_owned()]);
-        let closest = known.map(|known| (distance(&name.to_lowercase(), &known.to_lowercase()), known)).min();
-        match closest {
-            Some((distance, known)) if 3 * distance <= known.len() => format!("did you mean `{known}`?"),
-            _ if self.fields.is_empty() && self.others.is_empty() => {
+        match closest(&name.to_string(), known) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None if self.fields.is_empty() && self.others.is_empty() => {
                 format!(
                     "only `r` is known here; a field declares a symbol, as in `struct {} {{ {name}: f64 }}`",
                     self.ident
                 )
             }
-            _ => format!("write `r` or a field of `{}`", self.ident),
+            None => format!("write `r` or a field of `{}`", self.ident),
         }
     }
 
@@ -149,6 +149,12 @@ fn kind(ty: &Type, generics: &Generics) -> Option<FieldKind> {
         "f32" => Some(FieldKind::F32),
         _ => None,
     }
+}
+
+/// The known name that differs from this one by a third of its letters at most, and by the fewest.
+pub(crate) fn closest(name: &str, known: impl Iterator<Item = String>) -> Option<String> {
+    let with_distance = known.map(|known| (distance(&name.to_lowercase(), &known.to_lowercase()), known));
+    with_distance.min().filter(|(distance, known)| 3 * distance <= known.len()).map(|(_, known)| known)
 }
 
 /// Levenshtein's distance, one row of its table for each letter of `left`.

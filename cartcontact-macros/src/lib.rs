@@ -6,7 +6,7 @@
 //! | stage | takes | gives |
 //! |---|---|---|
 //! | `attribute` | the attribute's tokens | expressions and options, as written |
-//! | `item` | the struct's tokens | its name, generics, and fields that can be symbols |
+//! | `item` | the struct's tokens | its name, generics, and fields that can be symbols (`positive`: of known sign) |
 //! | `parse`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers |
 //! | `evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
@@ -38,6 +38,7 @@ mod literal;
 mod number;
 mod parse;
 mod polynomial;
+mod positive;
 mod seeds;
 mod shape;
 mod surface;

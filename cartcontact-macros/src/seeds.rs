@@ -46,7 +46,16 @@ pub(crate) struct Seeds {
     pub(crate) first: i32,
     /// Whether single precision holds everything that the step computes.
     pub(crate) single: bool,
+    /// Whether y and a stand for multiples of units that only the values of the fields decide.
+    pub(crate) is_scaled: bool,
     pub(crate) rows: Vec<[f32; 4]>,
+}
+
+impl Seeds {
+    /// The load integrals at both ends of the table.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        [self.first, self.first + self.rows.len() as i32].map(lower_end)
+    }
 }
 
 /// The table of a geometry, if its rows are near enough to the radius.
@@ -80,7 +89,8 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
 /// Two terms with any coefficients, in units of the radius at which they are equal and of their value there.
 fn of_two_terms(exponents: Vec<f64>) -> Option<Seeds> {
     let terms: Vec<(f64, f64)> = exponents.into_iter().map(|exponent| (1.0, exponent)).collect();
-    (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)
+    let seeds = (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)?;
+    Some(Seeds { is_scaled: true, ..seeds })
 }
 
 /// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
@@ -138,10 +148,10 @@ impl LoadIntegral {
             self.row(index, ends)
         });
         let (first, rows) = longest_run(bottom, rows)?;
-        let ends = [first, first + i32::try_from(rows.len()).ok()?].map(lower_end);
+        let seeds = Seeds { first, single: false, is_scaled: false, rows };
         let holds = |y| self.radius(y).is_some_and(|a| self.largest_logarithm(y, a) < LARGEST_SINGLE);
-        let single = ends.into_iter().all(holds);
-        (rows.len() >= FEWEST_ROWS).then_some(Seeds { first, single, rows })
+        let single = seeds.range().into_iter().all(holds);
+        (seeds.rows.len() >= FEWEST_ROWS).then_some(Seeds { single, ..seeds })
     }
 
     fn at(&self, a: f64) -> Derivatives {

@@ -32,7 +32,8 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
         if !(n > T::zero() && n <= T::constant(1024.0)) {
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
-        if !c.is_finite() {
+        // Twice the coefficient is the largest multiple of it in the closed forms.
+        if !(T::constant(2.0) * c).is_finite() {
             return Err(ProfileError::InvalidCoefficient {
                 coefficient: c.value(),
                 exponent: n.value(),
@@ -86,6 +87,49 @@ pub fn checked_range<T: Scalar>(
         }),
         Some(max_radius) => Ok(max_radius),
     }
+}
+
+/// The end of a range if it lies inside every surface: |κ| ρ² < R² for all pairs (R, κ), so that their series
+/// converge; ρ is the end.
+///
+/// # Errors
+///
+/// [`ProfileError`] if it does not, and that of the range if there is none.
+pub fn inside_surfaces<T: Scalar, const N: usize>(
+    range: Result<T, ProfileError>,
+    surfaces: [(T, T); N],
+) -> Result<T, ProfileError> {
+    let end = range?;
+    let rim = |(radius, shape): (T, T)| radius.abs() / shape.abs().sqrt();
+    match surfaces.into_iter().map(rim).find(|rim| end.partial_cmp(rim) != Some(core::cmp::Ordering::Less)) {
+        None => Ok(end),
+        Some(rim) => Err(ProfileError::BeyondSurface {
+            max_radius: end.value(),
+            rim: rim.value(),
+            parameters: Parameters::default(),
+        }),
+    }
+}
+
+/// Checks the fields that a geometry declares positive.
+///
+/// # Errors
+///
+/// [`ProfileError::NotPositive`] for the first that is not a finite number above 0.
+pub fn check_positive<T: Scalar, const N: usize>(
+    names: &[&'static str; N],
+    values: [T; N],
+) -> Result<(), ProfileError> {
+    match names.iter().zip(values).find(|(_, value)| !(*value > T::zero() && value.is_finite())) {
+        None => Ok(()),
+        Some((field, value)) => Err(ProfileError::NotPositive { field, value: value.value() }),
+    }
+}
+
+/// The end of a range that nothing but its own sign can spoil; 0 if that does, or if it is not a number.
+#[inline]
+pub fn not_below_zero<T: Scalar>(end: T) -> T {
+    if end > T::zero() { end } else { T::zero() }
 }
 
 /// The sum of all coefficients of r^n, which a caller may have given in several terms.

@@ -1,6 +1,8 @@
 //! What generated code calls. Not part of the interface: it changes with the macro of the same version.
 
-pub use crate::admissibility::{admissible_range, checked_range};
+pub use crate::admissibility::{
+    admissible_range, check_positive, checked_range, inside_surfaces, not_below_zero,
+};
 pub use crate::evaluate::horner::{divided_difference, even_sum, value_and_slope};
 pub use crate::evaluate::power::{
     equal_terms, integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness,

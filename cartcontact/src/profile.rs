@@ -291,7 +291,14 @@ impl core::error::Error for RadiusError {}
 pub enum ProfileError {
     /// There are no terms.
     Empty,
-    /// A coefficient is infinite or not a number.
+    /// A field that is declared positive has another value.
+    NotPositive {
+        /// The name of the field.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A coefficient is not a number, or twice its size is infinite.
     InvalidCoefficient {
         /// The coefficient.
         coefficient: f64,
@@ -321,6 +328,15 @@ pub enum ProfileError {
         /// The parameters that the geometry depends on.
         parameters: Parameters,
     },
+    /// The requested range ends where the series of a surface no longer converges.
+    BeyondSurface {
+        /// The requested end of the range, in mm.
+        max_radius: f64,
+        /// Where the series ends, in mm: for a sphere at its radius.
+        rim: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
     /// The gap no longer exceeds its mean over the contact disc before the requested end of the range.
     NotAdmissible {
         /// The requested end of the range, in mm.
@@ -339,6 +355,19 @@ impl fmt::Display for ProfileError {
                 write!(
                     f,
                     "the gap has no terms; give at least one (coefficient, exponent), such as (0.025, 2)"
+                )
+            }
+            Self::NotPositive { field, value } => write!(
+                f,
+                "`{field}` is {}, but the geometry declares it positive; give it a finite value above 0",
+                Shown(value)
+            ),
+            Self::InvalidCoefficient { coefficient, exponent, parameters } if coefficient.is_finite() => {
+                write!(
+                    f,
+                    "{parameters}the coefficient of r^{exponent} is {}, but twice its size must be a finite number; use a \
+                 larger unit of length",
+                    Shown(coefficient)
                 )
             }
             Self::InvalidCoefficient { coefficient, exponent, parameters } => write!(
@@ -364,6 +393,14 @@ impl fmt::Display for ProfileError {
                  positive coefficient",
                 Shown(coefficient)
             ),
+            Self::BeyondSurface { max_radius, rim, parameters } => write!(
+                f,
+                "{parameters}the largest contact radius is {}, but the series of a surface ends at r = {}; choose \
+                 `max_radius` below {}",
+                Shown(max_radius),
+                Shown(rim),
+                Shown(rim)
+            ),
             Self::NotAdmissible { max_radius, fails_at, parameters } => write!(
                 f,
                 "{parameters}the gap does not exceed its mean over the contact disc at r = {}, inside the requested range \
@@ -388,8 +425,9 @@ pub fn with_parameters<T: Scalar, const N: usize>(
         ProfileError::InvalidCoefficient { parameters, .. }
         | ProfileError::InvalidMaxRadius { parameters, .. }
         | ProfileError::NotOpening { parameters, .. }
+        | ProfileError::BeyondSurface { parameters, .. }
         | ProfileError::NotAdmissible { parameters, .. } => *parameters = Parameters::new(names, values),
-        ProfileError::Empty | ProfileError::InvalidExponent { .. } => {}
+        ProfileError::Empty | ProfileError::InvalidExponent { .. } | ProfileError::NotPositive { .. } => {}
     }
     error
 }

@@ -72,18 +72,20 @@ impl<T: Scalar> Scale<T> {
         Self { radius: T::one(), per_load_integral: T::one(), is_given: false }
     }
 
-    /// The units of a table.
-    #[inline(always)]
-    pub fn of(radius: T, load_integral: T) -> Self {
-        Self { radius, per_load_integral: load_integral.recip(), is_given: true }
-    }
-
     /// Whether a step that began at `seed` ended at the radius.
     ///
     /// Seeds are good to six digits, so that a longer step can only begin at one from units out of range.
     #[inline(always)]
     fn confirms(&self, radius: T, seed: T) -> bool {
         !self.is_given | ((radius - seed).abs() <= seed * T::constant(1e-5))
+    }
+}
+
+/// From the units of a table: a radius and a load integral.
+impl<T: Scalar> From<(T, T)> for Scale<T> {
+    #[inline(always)]
+    fn from((radius, load_integral): (T, T)) -> Self {
+        Self { radius, per_load_integral: load_integral.recip(), is_given: true }
     }
 }
 

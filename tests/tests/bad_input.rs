@@ -175,6 +175,72 @@ fn symbols_of_a_generated_geometry_are_checked() {
     refused(contact, |e| matches!(e, ContactError::Profile(ProfileError::NotOpening { .. })), "-0.025");
 }
 
+/// A worn ball, whose sizes are measured and cannot be negative.
+#[gap_profile(r^2 / (2 * radius) + depth * r^4 / radius^4, positive = (depth, radius), max_radius = limit)]
+struct Declared<T> {
+    radius: T,
+    depth: T,
+    limit: f64,
+}
+
+#[test]
+fn fields_declared_positive_are_held_to_it() {
+    let declared = Declared { radius: 20.0, depth: 0.5, limit: 10.0 };
+    assert_eq!((declared.check(), declared.max_radius()), (Ok(()), 10.0));
+    let is_depth = |e: &ProfileError| matches!(e, ProfileError::NotPositive { field: "depth", .. });
+    let is_radius = |e: &ProfileError| matches!(e, ProfileError::NotPositive { field: "radius", .. });
+    for value in NOT_A_SIZE {
+        let deep = Declared { depth: value, ..Declared { radius: 20.0, depth: 0.5, limit: 10.0 } };
+        refused(deep.check(), is_depth, &format!("`depth` is {value}"));
+        let contact = Contact::new(deep, *paraboloid().medium(), Constant(1.0));
+        refused(contact, |e| matches!(e, ContactError::Profile(ProfileError::NotPositive { .. })), "depth");
+        let flat = Declared { radius: value as f32, depth: 0.5, limit: 10.0 };
+        refused(flat.check(), is_radius, "`radius` is");
+        let endless = Declared { radius: 20.0, depth: 0.5, limit: value };
+        refused(endless.check(), |e| matches!(e, ProfileError::InvalidMaxRadius { .. }), &value.to_string());
+        assert_eq!(endless.max_radius(), if value == f64::INFINITY { value } else { 0.0 });
+    }
+    let tiny = Declared { radius: 1e-200, depth: 0.5, limit: 10.0 };
+    refused(tiny.check(), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "r^4");
+}
+
+/// A ball in a socket of a known size.
+#[gap_profile(sphere(radius) - conic(k, 20 / k - 1), order = 2, max_radius = 6)]
+struct Socket {
+    radius: f64,
+    k: f64,
+}
+
+#[test]
+fn a_range_ends_inside_its_surfaces() {
+    let socket = |radius, k| GapProfile::<f64>::check(&Socket { radius, k });
+    assert_eq!(socket(6.1, 20.0), Ok(()));
+    assert_eq!(socket(10.0, -20.0), Ok(()));
+    let is_expected = |e: &ProfileError| matches!(e, ProfileError::BeyondSurface { max_radius: 6.0, .. });
+    refused(socket(6.0, 20.0), is_expected, "with radius = 6, k = 20: ");
+    refused(socket(5.9, 20.0), is_expected, "ends at r = 5.9");
+}
+
+/// Coefficients that fit into the format although what is computed from them does not.
+#[test]
+fn coefficients_leave_room_for_the_closed_forms() {
+    let is_expected = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { .. });
+    for n in [1.0, 2.0, 4.0, 64.0, 1024.0] {
+        for coefficient in [f64::MAX, f64::MAX / 1.9] {
+            refused(Polynomial::new([(coefficient, n)]), is_expected, "must be a finite number");
+        }
+        let largest = Polynomial::new([(f64::MAX / 2.1, n)]).unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = Contact::new(largest, *paraboloid().medium(), Constant(100.0));
+        let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+        for time in [0.0, 200.0] {
+            let now = contact.at(time).unwrap_or_else(|error| unreachable!("{error}"));
+            let results = [now.radius(), now.approach(), now.peak_pressure()];
+            assert!(results.iter().all(|result| result.is_finite() && *result > 0.0), "r^{n}: {results:?}");
+        }
+    }
+    refused(Polynomial::new([(3e38_f32, 2.0)]), is_expected, "must be a finite number");
+}
+
 #[test]
 fn load_integrals_are_finite_and_within_the_range() {
     for case in cases() {

@@ -5,9 +5,17 @@ use trybuild::TestCases;
 #[test]
 fn faults_are_explained_where_they_are() {
     let cases = TestCases::new();
-    for concern in
-        ["syntax", "symbols", "exponents", "admissibility", "surfaces", "options", "items", "several"]
-    {
+    for concern in [
+        "syntax",
+        "symbols",
+        "exponents",
+        "admissibility",
+        "surfaces",
+        "options",
+        "positive",
+        "items",
+        "several",
+    ] {
         cases.compile_fail(format!("tests/ui/{concern}/*.rs"));
     }
     cases.pass("tests/ui/pass/*.rs");

@@ -39,7 +39,10 @@ type Powers = BTreeMap<Atom, Rational>;
 
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Atom {
-    Field(Ident),
+    Field {
+        ident: Ident,
+        is_positive: bool,
+    },
     /// Has several products, the first with a positive number and the last with the number 1 or -1, or is the base
     /// of a power that is no integer.
     Whole(Coefficient),
@@ -51,8 +54,16 @@ impl Coefficient {
     }
 
     pub(crate) fn field(ident: Ident) -> Self {
-        Product { powers: Powers::from([(Atom::Field(ident), Rational::one())]), number: Rational::one() }
-            .into()
+        Coefficient::atom(Atom::Field { ident, is_positive: false })
+    }
+
+    /// A field that is greater than 0 whenever the coefficient is computed.
+    pub(crate) fn positive_field(ident: Ident) -> Self {
+        Coefficient::atom(Atom::Field { ident, is_positive: true })
+    }
+
+    fn atom(atom: Atom) -> Self {
+        Product { powers: Powers::from([(atom, Rational::one())]), number: Rational::one() }.into()
     }
 
     pub(crate) fn is_zero(&self) -> bool {
@@ -72,7 +83,7 @@ impl Coefficient {
         let atoms = self.products.iter().flat_map(|product| product.powers.keys());
         atoms
             .flat_map(|atom| match atom {
-                Atom::Field(ident) => BTreeSet::from([ident]),
+                Atom::Field { ident, .. } => BTreeSet::from([ident]),
                 Atom::Whole(inner) => inner.fields(),
             })
             .collect()
@@ -82,7 +93,7 @@ impl Coefficient {
     pub(crate) fn is_representable(&self) -> bool {
         self.products.iter().all(|product| {
             let wholes = product.powers.keys().all(|atom| match atom {
-                Atom::Field(_) => true,
+                Atom::Field { .. } => true,
                 Atom::Whole(inner) => inner.is_representable(),
             });
             wholes && number::nearest(&product.number).is_some()

@@ -1,4 +1,4 @@
-//! The sign that a coefficient has whatever the values of its fields.
+//! The sign that a coefficient has whatever the values of its fields, apart from those that are declared positive.
 //!
 //! Even powers are not negative, and neither are powers that are no integers: of a negative base these are not a
 //! number at all, which is found when a value is there.
@@ -31,7 +31,8 @@ impl Product {
                 continue;
             }
             match atom {
-                Atom::Field(_) => return None,
+                Atom::Field { is_positive: true, .. } => {}
+                Atom::Field { .. } => return None,
                 Atom::Whole(inner) => negative ^= inner.certain_sign()? == Sign::NotPositive,
             }
         }
@@ -64,5 +65,16 @@ mod tests {
             a.power(&Rational::new(1.into(), 2.into())).unwrap().certain_sign(),
             Some(Sign::NotNegative)
         );
+    }
+
+    #[test]
+    fn positive_fields_decide() {
+        let (a, b) =
+            (Coefficient::positive_field(format_ident!("a")), Coefficient::field(format_ident!("b")));
+        let cubed = a.add(&Coefficient::constant(Rational::one())).power(&integer(-3)).unwrap();
+        assert_eq!(a.certain_sign(), Some(Sign::NotNegative));
+        assert_eq!(cubed.negated().certain_sign(), Some(Sign::NotPositive));
+        assert_eq!(a.multiply(&b).certain_sign(), None);
+        assert_eq!(a.add(&Coefficient::constant(-Rational::one())).certain_sign(), None);
     }
 }

@@ -3,24 +3,31 @@
 use core::fmt::{Display, Formatter, Result};
 
 use num_traits::{One, Signed, ToPrimitive};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::{Atom, Coefficient, Product};
+use crate::emit::local;
 use crate::number::{self, Rational};
 
 impl Coefficient {
-    /// An expression over variables named like the fields, of a type that is `Copy` and has the arithmetic operators.
+    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators.
     ///
     /// Numbers become `constant(0.125f64)`, powers that are no integers `power(x, constant(0.5f64))`; a product has
     /// one division at most.
-    pub(crate) fn expression(&self, constant: &TokenStream, power: &TokenStream) -> TokenStream {
-        let writer = Writer { constant, power };
+    pub(crate) fn expression(
+        &self,
+        variable: fn(&Ident) -> Ident,
+        constant: &TokenStream,
+        power: &TokenStream,
+    ) -> TokenStream {
+        let writer = Writer { variable, constant, power };
         writer.sum(self)
     }
 }
 
 struct Writer<'a> {
+    variable: fn(&Ident) -> Ident,
     constant: &'a TokenStream,
     power: &'a TokenStream,
 }
@@ -61,7 +68,7 @@ impl Writer<'_> {
 
     fn raised(&self, atom: &Atom, exponent: &Rational) -> TokenStream {
         let base = match atom {
-            Atom::Field(ident) => ident.to_token_stream(),
+            Atom::Field { ident, .. } => (self.variable)(ident).to_token_stream(),
             Atom::Whole(inner) => {
                 let inner = self.sum(inner);
                 quote!((#inner))
@@ -70,7 +77,7 @@ impl Writer<'_> {
         match (exponent.is_integer(), exponent.to_u32()) {
             (true, Some(1)) => base,
             (true, Some(exponent)) => {
-                let variable = Ident::new("base", Span::mixed_site());
+                let variable = local("base");
                 let repeated = repeated(&variable, exponent);
                 quote!(({ let #variable = #base; #repeated }))
             }
@@ -101,7 +108,7 @@ fn repeated(base: &Ident, exponent: u32) -> TokenStream {
         let copies: Vec<&Ident> = (0..exponent).map(|_| base).collect();
         return multiplied(&copies);
     }
-    let square = Ident::new("square", Span::mixed_site());
+    let square = local("square");
     let half = repeated(base, exponent / 2);
     let even = quote!(({ let #square = #half; #square * #square }));
     if exponent.is_multiple_of(2) { even } else { quote!(#even * #base) }
@@ -157,7 +164,7 @@ impl Display for Product {
 
 fn raised(atom: &Atom, exponent: &Rational) -> String {
     let base = match atom {
-        Atom::Field(ident) => ident.to_string(),
+        Atom::Field { ident, .. } => ident.to_string(),
         Atom::Whole(inner) => format!("({inner})"),
     };
     if exponent.is_one() {
@@ -187,7 +194,7 @@ mod tests {
     }
 
     fn code(of: &Coefficient) -> String {
-        of.expression(&quote!(c), &quote!(p)).to_string()
+        of.expression(Ident::clone, &quote!(c), &quote!(p)).to_string()
     }
 
     #[test]

@@ -4,10 +4,11 @@
 use std::collections::BTreeSet;
 
 use num_traits::One;
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+use syn::ext::IdentExt;
 
-use super::{Names, bounded_generics};
+use super::{Names, bounded_generics, local};
 use crate::closed_forms::Summand;
 use crate::coefficient::Coefficient;
 use crate::geometry::Geometry;
@@ -85,7 +86,7 @@ impl<'a> Coefficients<'a> {
         let (_, type_generics, _) = self.item.generics.split_for_impl();
         let generics = bounded_generics(self.item, self.names);
         let (impl_generics, _, where_clause) = generics.split_for_impl();
-        let profile = Ident::new("profile", Span::mixed_site());
+        let profile = local("profile");
         let fields = self.fields(&quote!(#profile), &needed);
         quote! {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
@@ -99,18 +100,18 @@ impl<'a> Coefficients<'a> {
 
     /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
-        coefficient.expression(&self.names.constant(), &self.names.generated("real_power"))
+        coefficient.expression(field_variable, &self.names.constant(), &self.names.generated("real_power"))
     }
 
-    /// Binds the needed fields of `profile`, an expression, as scalars.
+    /// Binds the needed fields of `profile`, an expression, as scalars ([`field_variable`]).
     pub(super) fn fields(&self, profile: &TokenStream, needed: &BTreeSet<&Ident>) -> TokenStream {
         let constant = self.names.constant();
         let bindings = self.item.fields.iter().filter(|field| needed.contains(&field.ident)).map(|field| {
-            let ident = &field.ident;
+            let (ident, variable) = (&field.ident, field_variable(&field.ident));
             match field.kind {
-                FieldKind::TypeParameter(_) => quote!(let #ident = #profile.#ident;),
-                FieldKind::F64 => quote!(let #ident = #constant(#profile.#ident);),
-                FieldKind::F32 => quote!(let #ident = #constant(<f64 as ::core::convert::From<f32>>::from(#profile.#ident));),
+                FieldKind::TypeParameter(_) => quote!(let #variable = #profile.#ident;),
+                FieldKind::F64 => quote!(let #variable = #constant(#profile.#ident);),
+                FieldKind::F32 => quote!(let #variable = #constant(<f64 as ::core::convert::From<f32>>::from(#profile.#ident));),
             }
         });
         quote!(#(#bindings)*)
@@ -123,5 +124,10 @@ impl<'a> Coefficients<'a> {
 }
 
 fn variable(term: usize) -> Ident {
-    format_ident!("c{term}", span = Span::mixed_site())
+    local(&format!("c{term}"))
+}
+
+/// The variable that holds the value of a field.
+pub(super) fn field_variable(field: &Ident) -> Ident {
+    local(&format!("field_{}", field.unraw()))
 }

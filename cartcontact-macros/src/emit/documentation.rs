@@ -10,9 +10,15 @@ use crate::expansion::Truncation;
 use crate::gap::Gap;
 use crate::geometry::{Geometry, Range};
 use crate::number::{Rational, decimal, integer};
+use crate::seeds::Seeds;
 
 /// The lines of the documentation, to stand behind the item's own.
-pub(super) fn lines(geometry: &Geometry, operations: &[Operations], shared: Operations) -> Vec<String> {
+pub(super) fn lines(
+    geometry: &Geometry,
+    seeds: Option<&Seeds>,
+    operations: &[Operations],
+    shared: Operations,
+) -> Vec<String> {
     let gap = &geometry.gap;
     let forms = ClosedForms::of(gap);
     let sum = |sum: &PowerSum, variable: &str| written(sum, gap, variable);
@@ -32,7 +38,7 @@ pressure kernel, mm³  G(a,r) = {}    (28)
 contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 ```
 
-{}{}
+{}{}{}
 
 {}",
         sum(&forms.gap, "r"),
@@ -43,6 +49,7 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
         kernel(gap),
         admissibility(geometry),
         truncation(geometry),
+        table(seeds),
         effort(operations, shared),
     );
     // A space, as in a comment written by hand.
@@ -160,7 +167,7 @@ fn admissibility(geometry: &Geometry) -> String {
 
 /// What the series of surfaces neglect.
 fn truncation(geometry: &Geometry) -> String {
-    let Some(Truncation { order, error }) = &geometry.truncation else { return String::new() };
+    let Some(Truncation { order, error, .. }) = &geometry.truncation else { return String::new() };
     let bound = match (error, &geometry.range) {
         (Some(error), Range::Limited(end)) => format!(
             "Up to r = {} mm this changes the gap by at most {} of its value.",
@@ -170,6 +177,18 @@ fn truncation(geometry: &Geometry) -> String {
         _ => "How much this neglects depends on the radius and is not bounded here.".to_owned(),
     };
     format!("\n\nSurfaces are expanded in powers of r up to r{}. {bound}", power("", &integer(*order)))
+}
+
+/// How the contact radius is found.
+fn table(seeds: Option<&Seeds>) -> String {
+    let Some(seeds) = seeds else { return String::new() };
+    let [from, to] = seeds.range();
+    let unit = if seeds.is_scaled { " in units of the geometry's own" } else { "" };
+    format!(
+        "\n\nThe contact radius takes one step from a table of {} bytes where J{unit} is between {from:.1e} and \
+         {to:.1e}; elsewhere it is iterated.",
+        16 * seeds.rows.len()
+    )
 }
 
 /// The operations of one call of each evaluator, unless all are left to the run-time crate.

@@ -1,13 +1,12 @@
 //! The contact radius from the load integral, and what else the solver asks of J.
 
 use num_traits::{One, Signed};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::Names;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, pairs};
-use super::seeds;
+use super::{Names, local, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::coefficient::Sign;
 use crate::gap::{Gap, Term};
@@ -29,11 +28,12 @@ pub(super) fn methods(
 ) -> TokenStream {
     let Names { krate, scalar } = names;
     let preamble = coefficients.preamble();
+    let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
     let general = match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
             let (invert, term) =
                 (names.generated("invert_one_term"), positive_term(0, only, coefficients, names));
-            quote!(#invert(load_integral, #term, limit))
+            quote!(#invert(#load_integral, #term, #limit))
         }
         _ => newton(gap, forms, coefficients, names),
     };
@@ -44,8 +44,8 @@ pub(super) fn methods(
             #[inline]
             fn radius_within(
                 &self,
-                load_integral: #scalar,
-                limit: #scalar,
+                #load_integral: #scalar,
+                #limit: #scalar,
             ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
                 #preamble
                 #general
@@ -57,7 +57,7 @@ pub(super) fn methods(
         #radius
 
         #[inline]
-        fn load_integral_drop(&self, a: #scalar, depth: #scalar) -> #scalar { #preamble #drop }
+        fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }
     }
 }
 
@@ -83,7 +83,8 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         let has_negative = if signs.is_empty() { quote!(false) } else { quote!(#(#signs < #zero)||*) };
         (quote!(#of([#(#terms),*])), has_negative)
     };
-    quote!(#invert(load_integral, limit, #positive, #has_negative, |a| { #evaluate }))
+    let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
+    quote!(#invert(#load_integral, #limit, #positive, #has_negative, |#a| { #evaluate }))
 }
 
 /// The term of J that belongs to a term of the gap.
@@ -106,25 +107,26 @@ fn value_and_log_slope(
     names: &Names<'_>,
 ) -> TokenStream {
     let sum = &forms.load_integral;
+    let [a, x, value, slope, log_slope] = ["a", "x", "value", "slope", "log_slope"].map(local);
     let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER) else {
         let (function, pairs) = (names.generated("power_sum_and_log_slope"), pairs(sum, coefficients, names));
-        return quote!(#function(a, [#(#pairs),*]));
+        return quote!(#function(#a, [#(#pairs),*]));
     };
     let constant = names.constant();
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let (function, dense) =
         (names.generated("value_and_slope"), whole.dense(lowest, sum, coefficients, names));
     // J = x^k a^odd Q(x) with x = a² or a, hence a J′ = x^k a^odd (lowest Q + stride x Q′).
-    let x = if stride == 2 { quote!(a * a) } else { quote!(a) };
-    let factors = (0..lowest / stride).map(|_| Ident::new("x", Span::call_site()));
-    let odd = (lowest % stride == 1).then(|| quote!(*a));
+    let argument = if stride == 2 { quote!(#a * #a) } else { quote!(#a) };
+    let factors = (0..lowest / stride).map(|_| &x);
+    let odd = (lowest % stride == 1).then(|| quote!(* #a));
     let [lowest, stride] = [lowest, stride].map(|number| literal(&integer(number)));
     let scale = quote!(#(* #factors)* #odd);
     quote! {
-        let x = #x;
-        let (value, slope) = #function(x, [#(#dense),*]);
-        let log_slope = #constant(#lowest) * value + #constant(#stride) * x * slope;
-        (value #scale, log_slope #scale)
+        let #x = #argument;
+        let (#value, #slope) = #function(#x, [#(#dense),*]);
+        let #log_slope = #constant(#lowest) * #value + #constant(#stride) * #x * #slope;
+        (#value #scale, #log_slope #scale)
     }
 }
 
@@ -135,6 +137,7 @@ fn drop_of_load_integral(
     names: &Names<'_>,
 ) -> TokenStream {
     let sum = &forms.load_integral;
+    let [a, s, depth] = ["a", "s", "depth"].map(local);
     match Whole::of(sum).filter(|whole| {
         whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP && (whole.stride() == 1 || whole.lowest() % 2 == 0)
     }) {
@@ -142,15 +145,15 @@ fn drop_of_load_integral(
             let (function, dense) =
                 (names.generated("divided_difference"), whole.dense(0, sum, coefficients, names));
             let quotient = if whole.stride() == 2 {
-                quote!((a + s) * #function(a * a, s * s, [#(#dense),*]))
+                quote!((#a + #s) * #function(#a * #a, #s * #s, [#(#dense),*]))
             } else {
-                quote!(#function(a, s, [#(#dense),*]))
+                quote!(#function(#a, #s, [#(#dense),*]))
             };
-            quote!(let s = a - depth; depth * (#quotient))
+            quote!(let #s = #a - #depth; #depth * (#quotient))
         }
         None => {
             let (function, pairs) = (names.generated("power_sum_drop"), pairs(sum, coefficients, names));
-            quote!(#function(a, depth, [#(#pairs),*]))
+            quote!(#function(#a, #depth, [#(#pairs),*]))
         }
     }
 }

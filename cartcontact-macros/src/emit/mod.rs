@@ -19,6 +19,14 @@ use crate::item::{FieldKind, Item};
 use coefficients::Coefficients;
 use operations::Operations;
 
+/// A variable or parameter of generated code.
+///
+/// A pattern means the constant of its name if there is one in scope, whatever the span: hygiene covers variables
+/// only. So these names are such as nobody gives to a constant.
+pub(crate) fn local(name: &str) -> Ident {
+    format_ident!("__{name}", span = Span::mixed_site())
+}
+
 /// What every part of the generated code refers to.
 struct Names<'a> {
     /// The path of the run-time crate.
@@ -62,7 +70,7 @@ pub(crate) fn solver(
     ];
     let mut operations: Vec<Operations> = Vec::new();
     let evaluators = sums.map(|(name, variable, sum)| {
-        let (name, variable) = (format_ident!("{name}"), format_ident!("{variable}"));
+        let (name, variable) = (format_ident!("{name}"), local(variable));
         let preamble = coefficients.preamble();
         let body = power_sum::value(sum, &variable, &coefficients, &names);
         operations.push(Operations::of(&body));
@@ -73,15 +81,16 @@ pub(crate) fn solver(
     });
     let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
     operations.push(Operations::of_function(&pressure_kernel));
-    let table = crate::seeds::seeds(geometry, &forms.load_integral);
-    let inversion = inversion::methods(&geometry.gap, &forms, table.is_some(), &coefficients, &names);
-    let table = table.map(|table| seeds::items(&table, &forms.load_integral, &coefficients, &names));
+    let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
+    let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
+    let table = seeds.as_ref().map(|seeds| seeds::items(seeds, &forms.load_integral, &coefficients, &names));
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let shape = shape(geometry, &names);
     let shared = coefficients.function();
     let header = implementation(item, &names);
-    let documented = documented(input, geometry, &operations, Operations::of_function(&shared));
+    let beside = Operations::of_function(&shared);
+    let documented = documented(input, &documentation::lines(geometry, seeds.as_ref(), &operations, beside));
     quote! {
         #documented
         const _: () = {
@@ -129,13 +138,7 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
 }
 
 /// The annotated item with documentation of what was derived behind its own.
-fn documented(
-    item: &TokenStream,
-    geometry: &Geometry,
-    operations: &[Operations],
-    shared: Operations,
-) -> TokenStream {
-    let lines = documentation::lines(geometry, operations, shared);
+fn documented(item: &TokenStream, lines: &[String]) -> TokenStream {
     let mut tokens = item.clone().into_iter().peekable();
     let mut attributes = TokenStream::new();
     while let Some(TokenTree::Punct(hash)) =

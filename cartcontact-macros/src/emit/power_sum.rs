@@ -14,8 +14,8 @@ use num_traits::{One, Signed, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::Names;
 use super::coefficients::Coefficients;
+use super::{Names, local};
 use crate::closed_forms::PowerSum;
 
 /// The whole exponents of a sum of powers.
@@ -46,11 +46,12 @@ impl Whole {
     }
 
     /// What the sum is a polynomial in, and the binding of r² if it is that.
-    pub(super) fn variable(&self, x: &Ident) -> (Option<TokenStream>, TokenStream) {
+    pub(super) fn variable(&self, x: &Ident) -> (Option<TokenStream>, Ident) {
         if self.stride() == 2 && self.highest() > 1 {
-            (Some(quote!(let s = #x * #x;)), quote!(s))
+            let square = local("s");
+            (Some(quote!(let #square = #x * #x;)), square)
         } else {
-            (None, quote!(#x))
+            (None, x.clone())
         }
     }
 
@@ -116,7 +117,7 @@ fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<
 pub(super) fn nested(
     sum: &PowerSum,
     whole: &Whole,
-    variable: &TokenStream,
+    variable: &Ident,
     coefficients: &Coefficients<'_>,
 ) -> TokenStream {
     let mut nested = TokenStream::new();

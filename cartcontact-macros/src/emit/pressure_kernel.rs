@@ -11,11 +11,11 @@
 //! crate's kernel, whose accuracy does not depend on the exponent.
 
 use num_traits::ToPrimitive;
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 
-use super::Names;
 use super::coefficients::Coefficients;
+use super::{Names, local};
 use crate::gap::Gap;
 use crate::number::integer;
 
@@ -24,16 +24,17 @@ const HIGHEST_WRITTEN_OUT: u32 = 8;
 pub(super) fn method(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let scalar = &names.scalar;
     let preamble = coefficients.preamble();
+    let (a, r) = (local("a"), local("r"));
     let body = match half_exponents(gap) {
-        Some(halves) => written_out(gap, &halves, coefficients, names),
+        Some(halves) => written_out(gap, &halves, [&a, &r], coefficients, names),
         None => {
             let (kernel, terms) = (names.generated("pressure_kernel"), coefficients.terms());
-            quote!(#kernel(a, r, [#(#terms),*]))
+            quote!(#kernel(#a, #r, [#(#terms),*]))
         }
     };
     quote! {
         #[inline]
-        fn pressure_kernel(&self, a: #scalar, r: #scalar) -> #scalar { #preamble #body }
+        fn pressure_kernel(&self, #a: #scalar, #r: #scalar) -> #scalar { #preamble #body }
     }
 }
 
@@ -46,32 +47,43 @@ fn half_exponents(gap: &Gap) -> Option<Vec<u32>> {
     gap.terms.iter().map(half).collect()
 }
 
-fn written_out(gap: &Gap, halves: &[u32], coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn written_out(
+    gap: &Gap,
+    halves: &[u32],
+    [a, r]: [&Ident; 2],
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
     let constant = names.constant();
+    let [t, s] = [|k: u32| local(&format!("t{k}")), |k: u32| local(&format!("s{k}"))];
+    let (a_squared, r_squared, inset) = (local("a_squared"), local("r_squared"), local("inset"));
     let highest = halves.last().copied().unwrap_or(1);
     let recurrences = (2..=highest).map(|k| {
-        let (t, s) = (format_ident!("t{}", k - 1), format_ident!("s{k}"));
+        let (next_t, next_s) = (t(k - 1), s(k));
         if k == 2 {
-            return quote!(let #t = a_squared + r_squared; let #s = a_squared + #t;);
+            return quote!(let #next_t = #a_squared + #r_squared; let #next_s = #a_squared + #next_t;);
         }
-        let (previous_t, previous_s) = (format_ident!("t{}", k - 2), format_ident!("s{}", k - 1));
-        let factors = (2..k).map(|_| quote!(* r_squared));
-        quote!(let #t = a_squared * #previous_t + r_squared #(#factors)*; let #s = a_squared * #previous_s + #t;)
+        let (previous_t, previous_s) = (t(k - 2), s(k - 1));
+        let factors = (2..k).map(|_| &r_squared);
+        quote! {
+            let #next_t = #a_squared * #previous_t + #r_squared #(* #factors)*;
+            let #next_s = #a_squared * #previous_s + #next_t;
+        }
     });
     let terms = gap.terms.iter().enumerate().zip(halves).map(|((index, term), &k)| {
         let shifted = &term.exponent + integer(2);
         let weight = coefficients.times(index, &(&shifted * &shifted).recip());
-        let s = format_ident!("s{k}");
+        let s = s(k);
         if k == 1 { weight } else { quote!(#weight * #s) }
     });
-    let squares = (highest > 1).then(|| quote!(let (a_squared, r_squared) = (a * a, r * r);));
+    let squares = (highest > 1).then(|| quote!(let (#a_squared, #r_squared) = (#a * #a, #r * #r);));
     quote! {
-        if r >= a {
+        if #r >= #a {
             return #constant(0.0f64);
         }
         #squares
         #(#recurrences)*
-        let inset = (a - r) * (a + r);
-        inset * (#(#terms)+*) * inset
+        let #inset = (#a - #r) * (#a + #r);
+        #inset * (#(#terms)+*) * #inset
     }
 }

@@ -1,14 +1,15 @@
 //! `max_radius`, and `check` where the values of fields decide.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 
-use super::Names;
-use super::coefficients::Coefficients;
+use super::coefficients::{Coefficients, field_variable};
+use super::{Names, local};
 use crate::admissible::Proof;
+use crate::coefficient::Coefficient;
 use crate::geometry::{Geometry, Range};
-use crate::item::Item;
+use crate::item::{Field, Item};
 use crate::number::literal;
 
 pub(super) fn methods(
@@ -17,15 +18,10 @@ pub(super) fn methods(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let (Names { krate, scalar }, constant) = (names, names.constant());
-    let known = match (&geometry.range, &geometry.proof) {
-        (Range::Symbolic(_), _) | (_, Proof::AtRunTime) => None,
-        (Range::Limited(end), _) => Some(literal(end)).map(|end| quote!(#constant(#end))),
-        (Range::Unbounded, _) => Some(quote!(<#scalar as #krate::Scalar>::infinity())),
-    };
     let is_constant = geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_));
-    let checked = (!is_constant).then(|| Checked::new(item, geometry, coefficients, names));
-    let max_radius = match (known, &checked) {
+    let checked = (!is_constant).then_some(Checked { item, geometry, coefficients, names });
+    let scalar = &names.scalar;
+    let max_radius = match (known(geometry, coefficients, names), &checked) {
         (Some(end), _) => quote! {
             #[inline]
             fn max_radius(&self) -> #scalar { #end }
@@ -36,50 +32,46 @@ pub(super) fn methods(
     quote!(#max_radius #check)
 }
 
-/// The end of the range as the values of the fields have it, or the error that they cause.
+/// The end of the range, where no value of a field can make the geometry inadmissible before it.
+fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
+    let (Names { krate, scalar }, constant) = (names, names.constant());
+    match (&geometry.range, &geometry.proof) {
+        (_, Proof::AtRunTime) => None,
+        (Range::Limited(end), _) => Some(literal(end)).map(|end| quote!(#constant(#end))),
+        (Range::Unbounded, _) => Some(quote!(<#scalar as #krate::Scalar>::infinity())),
+        (Range::Symbolic(_), Proof::OnRange) => None,
+        (Range::Symbolic(end), Proof::AllRadii { .. }) => {
+            let (end, not_below_zero) = (in_fields(end, coefficients), names.generated("not_below_zero"));
+            Some(quote!(#not_below_zero(#end)))
+        }
+    }
+}
+
+/// The value of an expression in the fields.
+fn in_fields(value: &Coefficient, coefficients: &Coefficients<'_>) -> TokenStream {
+    let (fields, value_of_fields) =
+        (coefficients.fields(&quote!(self), &value.fields()), coefficients.expression(value));
+    if fields.is_empty() { value_of_fields } else { quote!({ #fields #value_of_fields }) }
+}
+
+/// What depends on the values of the fields.
 struct Checked<'a> {
-    preamble: TokenStream,
-    range: TokenStream,
-    /// The error, its parameters named.
-    named: TokenStream,
+    item: &'a Item,
+    geometry: &'a Geometry,
+    coefficients: &'a Coefficients<'a>,
     names: &'a Names<'a>,
 }
 
-impl<'a> Checked<'a> {
-    fn new(item: &Item, geometry: &Geometry, coefficients: &Coefficients<'_>, names: &'a Names<'a>) -> Self {
-        let constant = names.constant();
-        let requested = match &geometry.range {
-            Range::Unbounded => quote!(::core::option::Option::None),
-            Range::Limited(end) => {
-                let end = literal(end);
-                quote!(::core::option::Option::Some(#constant(#end)))
-            }
-            Range::Symbolic(end) => {
-                let fields = coefficients.fields(&quote!(self), &end.fields());
-                let end = coefficients.expression(end);
-                quote!(::core::option::Option::Some({ #fields #end }))
-            }
-        };
-        let (terms, checked_range) = (coefficients.terms(), names.generated("checked_range"));
-        let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
-        let used = || item.fields.iter().filter(|field| field.used).map(|field| &field.ident);
-        let (bindings, with) =
-            (coefficients.fields(&quote!(self), &used().collect()), names.generated("with_parameters"));
-        let texts = used().map(|ident| ident.unraw().to_string().into_token_stream());
-        let values = used();
-        let named = quote!({ #bindings #with(error, &[#(#texts),*], [#(#values),*]) });
-        Checked { preamble: coefficients.preamble(), range, named, names }
-    }
-
+impl Checked<'_> {
     /// A geometry that `check` refuses has no admissible radius.
     fn max_radius(&self) -> TokenStream {
-        let (Checked { preamble, range, .. }, constant) = (self, self.names.constant());
-        let scalar = &self.names.scalar;
+        let (preamble, range) = (self.coefficients.preamble(), self.range());
+        let (constant, scalar, end) = (self.names.constant(), &self.names.scalar, local("end"));
         quote! {
             fn max_radius(&self) -> #scalar {
                 #preamble
                 match #range {
-                    ::core::result::Result::Ok(end) => end,
+                    ::core::result::Result::Ok(#end) => #end,
                     ::core::result::Result::Err(_) => #constant(0.0f64),
                 }
             }
@@ -87,15 +79,82 @@ impl<'a> Checked<'a> {
     }
 
     fn check(&self) -> TokenStream {
-        let Checked { preamble, range, named, names: Names { krate, .. } } = self;
+        let (preamble, declared, range) = (self.coefficients.preamble(), self.declared(), self.range());
+        let (krate, error) = (self.names.krate, local("error"));
+        let named = self.with_parameters(&error);
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
+                #declared
                 #preamble
                 match #range {
                     ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                    ::core::result::Result::Err(error) => ::core::result::Result::Err(#named),
+                    ::core::result::Result::Err(#error) => ::core::result::Result::Err(#named),
                 }
             }
         }
+    }
+
+    /// The end of the range as the values of the fields have it, or the error that they cause.
+    fn range(&self) -> TokenStream {
+        let constant = self.names.constant();
+        let requested = match &self.geometry.range {
+            Range::Unbounded => quote!(::core::option::Option::None),
+            Range::Limited(end) => {
+                let end = literal(end);
+                quote!(::core::option::Option::Some(#constant(#end)))
+            }
+            Range::Symbolic(end) => {
+                let end = in_fields(end, self.coefficients);
+                quote!(::core::option::Option::Some(#end))
+            }
+        };
+        let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
+        let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
+        let truncation = self.geometry.truncation.iter();
+        let surfaces = truncation.flat_map(|truncation| &truncation.unchecked).map(|surface| {
+            let [radius, shape] =
+                [&surface.radius, &surface.shape].map(|value| in_fields(value, self.coefficients));
+            quote!((#radius, #shape))
+        });
+        let surfaces: Vec<TokenStream> = surfaces.collect();
+        if surfaces.is_empty() {
+            return range;
+        }
+        let inside_surfaces = self.names.generated("inside_surfaces");
+        quote!(#inside_surfaces(#range, [#(#surfaces),*]))
+    }
+
+    /// Holds the values of the fields that were declared positive to it.
+    fn declared(&self) -> TokenStream {
+        let fields: Vec<&Field> = self.used().filter(|field| field.is_positive).collect();
+        if fields.is_empty() {
+            return TokenStream::new();
+        }
+        let (bindings, names, values) = self.named(&fields);
+        let (check, error) = (self.names.generated("check_positive"), local("error"));
+        quote! {
+            if let ::core::result::Result::Err(#error) = { #bindings #check(&[#(#names),*], [#(#values),*]) } {
+                return ::core::result::Result::Err(#error);
+            }
+        }
+    }
+
+    /// The error, its parameters named.
+    fn with_parameters(&self, error: &Ident) -> TokenStream {
+        let (bindings, names, values) = self.named(&self.used().collect::<Vec<_>>());
+        let with_parameters = self.names.generated("with_parameters");
+        quote!({ #bindings #with_parameters(#error, &[#(#names),*], [#(#values),*]) })
+    }
+
+    fn used(&self) -> impl Iterator<Item = &Field> {
+        self.item.fields.iter().filter(|field| field.used)
+    }
+
+    /// What binds the values of some fields, and the fields' names and variables.
+    fn named(&self, fields: &[&Field]) -> (TokenStream, Vec<TokenStream>, Vec<Ident>) {
+        let bindings =
+            self.coefficients.fields(&quote!(self), &fields.iter().map(|field| &field.ident).collect());
+        let names = fields.iter().map(|field| field.ident.unraw().to_string().into_token_stream());
+        (bindings, names.collect(), fields.iter().map(|field| field_variable(&field.ident)).collect())
     }
 }

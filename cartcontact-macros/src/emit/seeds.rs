@@ -1,12 +1,12 @@
 //! The step from the table of seeds to the contact radius.
 
 use num_traits::One;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::Names;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, pairs};
+use super::{Names, local};
 use crate::closed_forms::PowerSum;
 use crate::number::{Rational, integer, literal};
 use crate::seeds::Seeds;
@@ -30,13 +30,14 @@ pub(super) fn items(
         quote!([#c0, #c1, #c2, #c3])
     });
     let (variables, count_of_variables) = coefficients.variables();
-    let body = body(load_integral, coefficients, names);
+    let a = local("a");
+    let body = body(load_integral, &a, coefficients, names);
     quote! {
         static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: [#(#rows),*] };
 
         #[inline(always)]
         fn steepness<#scalar: #krate::Scalar>(
-            a: #scalar,
+            #a: #scalar,
             #variables: [#scalar; #count_of_variables],
         ) -> #steepness<#scalar> {
             #body
@@ -55,36 +56,37 @@ pub(super) fn methods(
     let elsewhere = names.generated("elsewhere");
     let (preamble, (variables, _)) = (coefficients.preamble(), coefficients.variables());
     let scale = scale(load_integral, coefficients, names);
+    let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
+    let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     quote! {
         #[inline]
         fn radius_within(
             &self,
-            load_integral: #scalar,
-            limit: #scalar,
+            #load_integral: #scalar,
+            #limit: #scalar,
         ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
             #preamble
-            match SEEDS.radius(load_integral, limit, #scale, |a| steepness(a, #variables)) {
-                ::core::option::Option::Some(radius) => ::core::result::Result::Ok(radius),
+            match SEEDS.radius(#load_integral, #limit, #scale, |#a| steepness(#a, #variables)) {
+                ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
                 ::core::option::Option::None => #elsewhere(move || { #general }),
             }
         }
 
         fn radii_within(
             &self,
-            load_integrals: &[#scalar],
-            limit: #scalar,
-            radii: &mut [#scalar],
+            #load_integrals: &[#scalar],
+            #limit: #scalar,
+            #radii: &mut [#scalar],
         ) -> ::core::result::Result<(), #krate::RadiusError> {
             #preamble
-            let general = |load_integral| #krate::GapProfile::radius_within(self, load_integral, limit);
             SEEDS.radii(
-                (load_integrals, radii),
-                limit,
+                (#load_integrals, #radii),
+                #limit,
                 #scale,
                 // Without it, wide vectors would end at the call.
                 #[inline(always)]
-                |a| steepness(a, #variables),
-                general,
+                |#a| steepness(#a, #variables),
+                |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
             )
         }
     }
@@ -103,22 +105,24 @@ fn scale(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Name
             (coefficients.times(summand.term, &summand.weight), literal(&summand.exponent));
         quote!((#coefficient, #constant(#exponent)))
     });
-    quote! {{
-        let (radius, load_integral) = #equal(#low, #high);
-        #scale::of(radius, load_integral)
-    }}
+    quote!(#scale::from(#equal(#low, #high)))
 }
 
 /// A `Steepness` at the radius `a`: J, a J′/p and a² J″/(2 p²) with the highest power a^p of J for unit.
 ///
 /// Its coefficient is then 1 in the first two, which spares their multiplication. Where it is a symbol, the units are 1
 /// and p is left out.
-fn body(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn body(
+    load_integral: &PowerSum,
+    a: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
     let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
     let (Some(whole), Some(last)) = (whole, load_integral.summands.last()) else {
         let (function, pairs) =
             (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
-        return quote!(#function(a, [#(#pairs),*]));
+        return quote!(#function(#a, [#(#pairs),*]));
     };
     let two = integer(2);
     let (unit, degree) = match coefficients.constant(last) {
@@ -128,8 +132,7 @@ fn body(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names
     let value = load_integral.weighted(|_| unit.clone());
     let first = value.weighted(|p| p / &degree);
     let half_second = first.weighted(|p| (p - Rational::one()) / (&two * &degree));
-    let a = Ident::new("a", Span::call_site());
-    let (square, variable) = whole.variable(&a);
+    let (square, variable) = whole.variable(a);
     let [value, first, half_second] =
         [&value, &first, &half_second].map(|sum| nested(sum, &whole, &variable, coefficients));
     let (lowest, stride) = (whole.lowest(), whole.stride());

@@ -8,7 +8,7 @@ use std::{env, fs};
 use crate::expand;
 
 /// Name, attribute and item.
-const CASES: [[&str; 3]; 7] = [
+const CASES: [[&str; 3]; 9] = [
     ["one_term", "0.025 * r^2", "/// A paraboloid.\npub struct Paraboloid;"],
     ["even_powers", "0.025 * r^2 + 1.09375e-4 * r^4", "struct Patellofemoral;"],
     ["negative_term", "0.05*r^2 - 0.004*r^3 + 2e-4*r^4, max_radius = 20.0", "struct MixedSign;"],
@@ -19,6 +19,12 @@ const CASES: [[&str; 3]; 7] = [
         "struct Ball { radius: f64, limit: f32, name: String }",
     ],
     ["generics", "c * r^2 + r^2.5 / c^0.5", "struct Any<'a, S: Copy, T> where T: Clone { c: S, tag: &'a T }"],
+    [
+        "positive",
+        "c * r^2 + r^4 / (8 * radius^3), positive, max_radius = 0.5 * radius",
+        "struct Worn { radius: f64, c: f64 }",
+    ],
+    ["surface_of_a_field", "sphere(radius), order = 4, max_radius = 6", "struct Ball { radius: f64 }"],
     ["faulty", "2r^2 + x", "struct Knee<T> { radius: T }"],
 ];
 

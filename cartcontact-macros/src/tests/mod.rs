@@ -96,6 +96,52 @@ fn signs_that_no_field_can_change_are_known() {
 }
 
 #[test]
+fn signs_of_positive_fields_are_known() {
+    let proof = |text| on_ball(text).map(|geometry| geometry.proof);
+    for text in [
+        "radius * r^2, positive",
+        "r^2/(2*radius) + r^4/(8*radius^3), positive = radius, max_radius = radius/2",
+        "sphere(radius) + conic(1 + radius, radius), order = 8, positive",
+        "r^2 + (radius + 1)^-3 * r^4, positive",
+    ] {
+        assert!(matches!(proof(text), Ok(Proof::AllRadii { .. })), "{text}");
+    }
+    for text in [
+        "sphere(radius) - sphere(20), order = 4, positive",
+        "(radius - 1) * r^2, positive",
+        "r^2 - radius * r^4, positive",
+    ] {
+        assert_eq!(proof(text), Ok(Proof::AtRunTime), "{text}");
+    }
+    for (text, rule) in [
+        ("r^4 - radius * r^2, positive", "falls from the centre"),
+        ("-sphere(radius), order = 4, positive", "falls from the centre"),
+        ("radius * r^2, positive, max_radius = -2 * radius", "max_radius must be greater than 0"),
+        ("r^2, positive = radius", "does not depend on `radius`"),
+        ("r^2, positive", "depends on no field"),
+    ] {
+        let messages = proof(text).unwrap_err();
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
+}
+
+#[test]
+fn options_need_an_equals_sign() {
+    for (text, rule) in [
+        ("r^2, max_radius: 6", "write it as in `max_radius = 6.0`"),
+        ("r^2, max_radius 6", "write it as in `max_radius = 6.0`"),
+        ("r^2, max-radius = 6", "write it as in `max_radius = 6.0`"),
+        ("sphere(radius), order(4)", "write it as in `order = 4`"),
+        ("r^2, maxradius = 6", "did you mean `max_radius`?"),
+        ("radius * r^2, positive(radius)", "write it as in `positive = (c, d)`"),
+        ("radius * r^2, positive = name, radius", "write `positive = (name, radius)`"),
+    ] {
+        let messages = on_ball(text).unwrap_err();
+        assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
+    }
+}
+
+#[test]
 fn each_fault_is_named() {
     for (text, rule) in [
         ("2r^2", "write `2 * r`"),

@@ -71,6 +71,21 @@ struct Many {
     load_integral: f64,
 }
 
+/// Written out, as names that come from a macro cannot collide with those of generated code.
+#[gap_profile(r^2 / (2 * error) + r^4 * (profile - end) / 1e30, max_radius = error)]
+struct Checked {
+    error: f64,
+    end: f64,
+    profile: f64,
+}
+
+#[test]
+fn names_of_checked_fields_are_free() {
+    let checked = Checked { error: 20.0, end: 1.0, profile: 0.5 };
+    assert!((radius::<f64>(&checked) / OF_BALL - 1.0).abs() < 1e-12);
+    assert_eq!(cartcontact::GapProfile::<f64>::check(&checked), Ok(()));
+}
+
 #[test]
 fn names_of_many_fields_are_free() {
     let many = Many {

@@ -1,6 +1,7 @@
 //! The attribute works wherever a struct may stand, whatever names are in scope.
 
 mod colliding_names;
+mod constants;
 mod generics;
 mod no_prelude;
 mod places;

@@ -1,0 +1,366 @@
+///
+/// # Derived from the gap profile
+///
+/// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+///
+/// ```text
+/// gap, mm               Φ(r)   = 1/(2·radius) r² + 1/(8·radius^3) r⁴
+/// approach, mm          δ₀(a)  = 1/(4·radius) a² + 1/(24·radius^3) a⁴    (10)
+/// slope of the approach δ₀′(a) = 1/(2·radius) a + 1/(6·radius^3) a³
+/// load integral, mm⁵    J(a)   = 1/(24·radius) a⁶ + 1/(96·radius^3) a⁸    (14)
+/// log kernel, mm³       L(x)   = 1/(32·radius) x⁴ + 1/(288·radius^3) x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = (a² − r²)² [1/(32·radius) + 1/(288·radius^3) (2 a² + r²)]    (28)
+/// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
+/// ```
+///
+/// Admissibility depends on the fields and is checked when a `Contact` is made.
+///
+/// Surfaces are expanded in powers of r up to r⁴. How much this neglects depends on the radius and is not bounded here.
+///
+/// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
+///
+/// Operations of a call, as generated:
+///
+/// ```text
+/// gap                   3 × or ÷, 1 + or −
+/// approach              5 × or ÷, 1 + or −
+/// slope of the approach 4 × or ÷, 1 + or −
+/// load integral         7 × or ÷, 1 + or −
+/// log kernel            6 × or ÷, 1 + or −
+/// pressure kernel       8 × or ÷, 5 + or −
+/// coefficients          4 × or ÷, 0 + or −, in addition
+/// ```
+struct Ball {
+    radius: f64,
+}
+const _: () = {
+    #[allow(
+        clippy::multiple_bound_locations,
+        reason = "the struct may bound its parameter in place"
+    )]
+    #[inline]
+    fn coefficients<T>(__profile: &Ball) -> [T; 2usize]
+    where
+        T: ::cartcontact::Scalar,
+    {
+        let __field_radius = <T as ::cartcontact::Scalar>::constant(__profile.radius);
+        [
+            <T as ::cartcontact::Scalar>::constant(0.5f64) / __field_radius,
+            <T as ::cartcontact::Scalar>::constant(0.125f64)
+                / ({
+                    let __base = __field_radius;
+                    __base * __base * __base
+                }),
+        ]
+    }
+    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+        first: -176,
+        single: true,
+        rows: [/* 256 cubics */],
+    };
+    #[inline(always)]
+    fn steepness<T: ::cartcontact::Scalar>(
+        __a: T,
+        [__c0,
+        __c1,
+        ]: [T; 2usize],
+    ) -> ::cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        ::cartcontact::generated::Steepness {
+            power: ::cartcontact::generated::integer_power(__s, 3),
+            value: __c0 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64)
+                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64))
+                    * __s,
+            first: __c0 * <T as ::cartcontact::Scalar>::constant(0.5f64)
+                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.6666666666666666f64))
+                    * __s,
+            half_second: __c0 * <T as ::cartcontact::Scalar>::constant(1.25f64)
+                + (__c1 * <T as ::cartcontact::Scalar>::constant(2.3333333333333335f64))
+                    * __s,
+            per_unit: <T as ::cartcontact::Scalar>::constant(1.0f64),
+            per_degree: <T as ::cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
+    #[automatically_derived]
+    impl<T> ::cartcontact::GapProfile<T> for Ball
+    where
+        T: ::cartcontact::Scalar,
+    {
+        #[inline]
+        fn gap(&self, __r: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __r * __r;
+            (__c0 + (__c1) * __s) * __s
+        }
+        #[inline]
+        fn approach(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as ::cartcontact::Scalar>::constant(0.5f64)
+                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.3333333333333333f64))
+                    * __s) * __s
+        }
+        #[inline]
+        fn approach_slope(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0
+                + (__c1 * <T as ::cartcontact::Scalar>::constant(1.3333333333333333f64))
+                    * __s) * __a
+        }
+        #[inline]
+        fn load_integral(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64)
+                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64))
+                    * __s) * __s * __s * __s
+        }
+        #[inline]
+        fn log_kernel(&self, __x: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __x * __x;
+            (__c0 * <T as ::cartcontact::Scalar>::constant(0.0625f64)
+                + (__c1
+                    * <T as ::cartcontact::Scalar>::constant(0.027777777777777776f64))
+                    * __s) * __s * __s
+        }
+        #[inline]
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            if __r >= __a {
+                return <T as ::cartcontact::Scalar>::constant(0.0f64);
+            }
+            let (__a_squared, __r_squared) = (__a * __a, __r * __r);
+            let __t1 = __a_squared + __r_squared;
+            let __s2 = __a_squared + __t1;
+            let __inset = (__a - __r) * (__a + __r);
+            __inset
+                * (__c0 * <T as ::cartcontact::Scalar>::constant(0.0625f64)
+                    + __c1
+                        * <T as ::cartcontact::Scalar>::constant(0.027777777777777776f64)
+                        * __s2) * __inset
+        }
+        #[inline]
+        fn radius_within(
+            &self,
+            __load_integral: T,
+            __limit: T,
+        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            match SEEDS
+                .radius(
+                    __load_integral,
+                    __limit,
+                    ::cartcontact::generated::Scale::from(
+                        ::cartcontact::generated::equal_terms(
+                            (
+                                __c0
+                                    * <T as ::cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as ::cartcontact::Scalar>::constant(6.0f64),
+                            ),
+                            (
+                                __c1
+                                    * <T as ::cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as ::cartcontact::Scalar>::constant(8.0f64),
+                            ),
+                        ),
+                    ),
+                    |__a| steepness(__a, [__c0, __c1]),
+                )
+            {
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
+                ::core::option::Option::None => {
+                    ::cartcontact::generated::elsewhere(move || {
+                        ::cartcontact::generated::invert(
+                            __load_integral,
+                            __limit,
+                            ::cartcontact::generated::positive_terms([
+                                (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
+                                (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+                            ]),
+                            __c0 < <T as ::cartcontact::Scalar>::constant(0.0f64)
+                                || __c1 < <T as ::cartcontact::Scalar>::constant(0.0f64),
+                            |__a| {
+                                let __x = __a * __a;
+                                let (__value, __slope) = ::cartcontact::generated::value_and_slope(
+                                    __x,
+                                    [
+                                        __c0
+                                            * <T as ::cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __c1
+                                            * <T as ::cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                    ],
+                                );
+                                let __log_slope = <T as ::cartcontact::Scalar>::constant(
+                                    6.0f64,
+                                ) * __value
+                                    + <T as ::cartcontact::Scalar>::constant(2.0f64) * __x
+                                        * __slope;
+                                (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                            },
+                        )
+                    })
+                }
+            }
+        }
+        fn radii_within(
+            &self,
+            __load_integrals: &[T],
+            __limit: T,
+            __radii: &mut [T],
+        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            SEEDS
+                .radii(
+                    (__load_integrals, __radii),
+                    __limit,
+                    ::cartcontact::generated::Scale::from(
+                        ::cartcontact::generated::equal_terms(
+                            (
+                                __c0
+                                    * <T as ::cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as ::cartcontact::Scalar>::constant(6.0f64),
+                            ),
+                            (
+                                __c1
+                                    * <T as ::cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                <T as ::cartcontact::Scalar>::constant(8.0f64),
+                            ),
+                        ),
+                    ),
+                    #[inline(always)]
+                    |__a| steepness(__a, [__c0, __c1]),
+                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    ),
+                )
+        }
+        #[inline]
+        fn load_integral_drop(&self, __a: T, __depth: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a - __depth;
+            __depth
+                * ((__a + __s)
+                    * ::cartcontact::generated::divided_difference(
+                        __a * __a,
+                        __s * __s,
+                        [
+                            <T as ::cartcontact::Scalar>::constant(0.0f64),
+                            <T as ::cartcontact::Scalar>::constant(0.0f64),
+                            <T as ::cartcontact::Scalar>::constant(0.0f64),
+                            __c0
+                                * <T as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            __c1
+                                * <T as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                        ],
+                    ))
+        }
+        fn max_radius(&self) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            match ::cartcontact::generated::inside_surfaces(
+                ::cartcontact::generated::checked_range(
+                    ::core::iter::IntoIterator::into_iter([
+                        (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
+                        (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+                    ]),
+                    ::core::option::Option::Some(
+                        <T as ::cartcontact::Scalar>::constant(6.0f64),
+                    ),
+                ),
+                [
+                    (
+                        {
+                            let __field_radius = <T as ::cartcontact::Scalar>::constant(
+                                self.radius,
+                            );
+                            __field_radius
+                        },
+                        <T as ::cartcontact::Scalar>::constant(1.0f64),
+                    ),
+                ],
+            ) {
+                ::core::result::Result::Ok(__end) => __end,
+                ::core::result::Result::Err(_) => {
+                    <T as ::cartcontact::Scalar>::constant(0.0f64)
+                }
+            }
+        }
+        fn check(&self) -> ::core::result::Result<(), ::cartcontact::ProfileError> {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            match ::cartcontact::generated::inside_surfaces(
+                ::cartcontact::generated::checked_range(
+                    ::core::iter::IntoIterator::into_iter([
+                        (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
+                        (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+                    ]),
+                    ::core::option::Option::Some(
+                        <T as ::cartcontact::Scalar>::constant(6.0f64),
+                    ),
+                ),
+                [
+                    (
+                        {
+                            let __field_radius = <T as ::cartcontact::Scalar>::constant(
+                                self.radius,
+                            );
+                            __field_radius
+                        },
+                        <T as ::cartcontact::Scalar>::constant(1.0f64),
+                    ),
+                ],
+            ) {
+                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
+                ::core::result::Result::Err(__error) => {
+                    ::core::result::Result::Err({
+                        let __field_radius = <T as ::cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        ::cartcontact::generated::with_parameters(
+                            __error,
+                            &["radius"],
+                            [__field_radius],
+                        )
+                    })
+                }
+            }
+        }
+        #[inline]
+        fn highest_exponent(&self) -> T {
+            <T as ::cartcontact::Scalar>::constant(4.0f64)
+        }
+        #[inline]
+        fn is_smooth_at_centre(&self) -> bool {
+            true
+        }
+    }
+    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    impl Ball {
+        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
+        pub fn terms<T: ::cartcontact::Scalar>(&self) -> [(T, T); 2usize] {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            [
+                (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
+                (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+            ]
+        }
+    }
+};

@@ -1,0 +1,176 @@
+//! The option `positive`: fields whose values are greater than 0.
+//!
+//! What is declared decides signs when the program is compiled; the generated code holds every value to it.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+
+use crate::diagnostics::{Diagnostics, Extent};
+use crate::item::{Item, Meaning, closest};
+
+/// The option as it was written, at `place`.
+pub(crate) struct Positive {
+    pub(crate) place: Span,
+    /// What stands behind `=`; nothing where `positive` stands alone, for all fields.
+    pub(crate) names: Option<TokenStream>,
+}
+
+impl Positive {
+    /// Marks the fields that are declared. Every fault is reported.
+    pub(crate) fn declare(&self, item: &mut Item, diagnostics: &mut Diagnostics) {
+        let Some(names) = &self.names else {
+            item.fields.iter_mut().for_each(|field| field.is_positive = true);
+            return;
+        };
+        let names = match listed(names.clone(), self.place) {
+            Ok(names) => names,
+            Err(place) => return diagnostics.report(place, syntax(item)),
+        };
+        for name in names {
+            let fault = match item.fields.iter_mut().find(|field| field.ident == name) {
+                Some(field) if field.is_positive => Some(format!("`{name}` is named twice; keep one")),
+                Some(field) => {
+                    field.is_positive = true;
+                    None
+                }
+                None => Some(no_number(&name, item)),
+            };
+            if let Some(message) = fault {
+                diagnostics.report(name.span(), message);
+            }
+        }
+    }
+
+    /// Reports what was declared in vain, once it is known which fields the geometry uses.
+    pub(crate) fn check_used(&self, item: &Item, diagnostics: &mut Diagnostics) {
+        let Some(names) = &self.names else {
+            if !item.fields.iter().any(|field| field.used) {
+                diagnostics.report(self.place, "the geometry depends on no field; remove `positive`");
+            }
+            return;
+        };
+        for name in listed(names.clone(), self.place).unwrap_or_default() {
+            if item.fields.iter().any(|field| field.ident == name && !field.used) {
+                let message = format!("the geometry does not depend on `{name}`; remove it from `positive`");
+                diagnostics.report(name.span(), message);
+            }
+        }
+    }
+}
+
+/// `c`, or `(c, d)`; where neither is written, the place of what is.
+fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    match tokens.as_slice() {
+        [TokenTree::Group(list)]
+            if matches!(list.delimiter(), Delimiter::Parenthesis | Delimiter::None)
+                && !list.stream().is_empty() =>
+        {
+            let inner: Vec<TokenTree> = list.stream().into_iter().collect();
+            let parts =
+                inner.split(|token| matches!(token, TokenTree::Punct(comma) if comma.as_char() == ','));
+            let mut parts: Vec<&[TokenTree]> = parts.collect();
+            parts.pop_if(|last| last.is_empty());
+            parts.into_iter().map(|part| name(part, list.span())).collect()
+        }
+        single => name(single, place).map(|name| vec![name]),
+    }
+}
+
+fn name(tokens: &[TokenTree], place: Span) -> Result<Ident, Extent> {
+    match tokens {
+        [TokenTree::Ident(name)] if name != "true" && name != "false" => Ok(name.clone()),
+        _ => Err(Extent::of(tokens.iter().map(TokenTree::span), place)),
+    }
+}
+
+fn syntax(item: &Item) -> String {
+    let names: Vec<String> = item.fields.iter().map(|field| field.ident.to_string()).collect();
+    let example = match names.as_slice() {
+        [] => "(c, d)".to_owned(),
+        [only] => only.clone(),
+        [first, second, ..] => format!("({first}, {second})"),
+    };
+    format!("`positive` names fields, or stands alone for all of them; write `positive = {example}`")
+}
+
+/// Why a name is none that can be declared.
+fn no_number(name: &Ident, item: &Item) -> String {
+    if name == "r" {
+        return "`r` is the distance from the axis and positive anyway; name fields only".to_owned();
+    }
+    if let Meaning::WrongType(_) = item.meaning(name) {
+        return format!("the field `{name}` is no number that the gap could use; remove it from `positive`");
+    }
+    let fields = || item.fields.iter().map(|field| field.ident.to_string());
+    let remedy = match closest(&name.to_string(), fields()) {
+        Some(field) => format!("did you mean `{field}`?"),
+        None if item.fields.is_empty() => {
+            format!("a field declares a symbol, as in `struct {} {{ {}: f64 }}`", item.ident, name.unraw())
+        }
+        None => format!("its symbols are `{}`", fields().collect::<Vec<String>>().join("`, `")),
+    };
+    format!("`{name}` is not a field of `{}`; {remedy}", item.ident)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use quote::quote;
+
+    use super::*;
+
+    fn declared(names: Option<&str>) -> (Vec<String>, Vec<String>) {
+        let mut diagnostics = Diagnostics::default();
+        let input = quote!(
+            struct Ball {
+                radius: f64,
+                k: f64,
+                name: String,
+            }
+        );
+        let mut item = crate::item::parse(input, &mut diagnostics).unwrap();
+        let positive =
+            Positive { place: Span::call_site(), names: names.map(|names| names.parse().unwrap()) };
+        positive.declare(&mut item, &mut diagnostics);
+        let positive = item.fields.iter().filter(|field| field.is_positive);
+        (positive.map(|field| field.ident.to_string()).collect(), diagnostics.messages())
+    }
+
+    #[test]
+    fn fields_are_declared_by_name_or_all_at_once() {
+        for (names, expected) in [
+            (None, ["radius", "k"].as_slice()),
+            (Some("k"), &["k"]),
+            (Some("(k)"), &["k"]),
+            (Some("(k, radius,)"), &["radius", "k"]),
+        ] {
+            let (positive, messages) = declared(names);
+            assert_eq!(
+                (positive, messages),
+                (expected.iter().map(|&name| name.to_owned()).collect(), vec![])
+            );
+        }
+    }
+
+    #[test]
+    fn each_fault_is_named() {
+        for (names, rule) in [
+            ("(k, k)", "named twice"),
+            ("raduis", "did you mean `radius`?"),
+            ("(k, curvature)", "its symbols are `radius`, `k`"),
+            ("name", "is no number"),
+            ("r", "distance from the axis"),
+            ("true", "write `positive = (radius, k)`"),
+            ("", "write `positive = (radius, k)`"),
+            ("()", "write `positive = (radius, k)`"),
+            ("[k]", "write `positive = (radius, k)`"),
+            ("(k,, radius)", "write `positive = (radius, k)`"),
+            ("2 * k", "write `positive = (radius, k)`"),
+            ("\"k\"", "write `positive = (radius, k)`"),
+        ] {
+            let (_, messages) = declared(Some(names));
+            assert!(messages.len() == 1 && messages[0].contains(rule), "{names}: {messages:?}");
+        }
+    }
+}
