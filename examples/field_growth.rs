@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The figure shows fields beside filling the same memory with a constant. Every point is the shortest of several
-//! runs, in which the two take turns.
+//! runs, in which the two take turns. Both become slower per value where the memory no longer fits into the cache.
 
 use std::error::Error;
 use std::fs;
@@ -127,14 +127,19 @@ fn panel(
     };
     let curve =
         |name: &str, ink, dash, which| Curve { name: name.to_owned(), ink, dash, points: points(which) };
+    let longest = milliseconds.iter().fold(0.0, |longest: f64, time| longest.max(time[0]));
+    let decimals = if longest > 4.0 {
+        0
+    } else if longest > 0.4 {
+        1
+    } else {
+        2
+    };
     Panel {
         title: Some(title.to_owned()),
         x: Axis { label, decimals: 0 },
         x_end: sizes.last().map_or(1.0, |&size| x(size)),
-        y: Axis {
-            label: "time, ms",
-            decimals: if milliseconds.iter().any(|time| time[0] > 1.0) { 0 } else { 2 },
-        },
+        y: Axis { label: "time, ms", decimals },
         curves: vec![
             curve("pressure field", Ink::Blue, Dash::Solid, 0),
             curve("filling the same memory", Ink::Vermilion, Dash::Dashed, 1),
