@@ -1,6 +1,7 @@
 //! Pressure fields: beside filling the same memory, and beside the printed formulas at every point.
 //!
-//! The ratios printed at the end are those of the shortest of many runs, in turns with those of filling the memory.
+//! The ratios printed at the end are those of the shortest of many runs, in turns with those of filling the
+//! memory.
 
 mod scenes;
 
@@ -45,7 +46,8 @@ fn field(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Prints how many times as long as filling the memory the fields take, and the printed formulas as the fields.
+/// Prints how many times as long as filling the memory the fields take, and the printed formulas as the
+/// fields.
 fn print_ratios() {
     println!("\ntimes x radii   fill, us   field, us   ratio");
     let contact = contact(Patellofemoral);

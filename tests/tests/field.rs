@@ -113,7 +113,8 @@ fn roundings_do_not_add_up_over_thousands_of_equal_steps() -> Result<(), Contact
     Ok(())
 }
 
-/// Most of these radii are covered one by one, some within a step that is long for the geometry, some in a short one.
+/// Most of these radii are covered one by one, some within a step that is long for the geometry, some in a
+/// short one.
 #[test]
 fn radii_may_be_as_dense_as_the_edges() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::FIELD);
@@ -188,7 +189,8 @@ proptest! {
     }
 }
 
-/// Where a load falls as fast as e^(−χ t), the edge stands still and its time is as uncertain as a square root.
+/// Where a load falls as fast as e^(−χ t), the edge stands still and its time is as uncertain as a square
+/// root.
 #[test]
 fn a_step_of_the_field_may_begin_within_the_fastest_fall() -> Result<(), ContactError> {
     let fall = through(&[(0.0, 100.0), (12.5, 80.0), (100.0, 80.0)]);

@@ -81,8 +81,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         Ok(())
     }
 
-    /// Takes rows by one march each: one row under a load that the next may have a panel for, otherwise until half
-    /// the memory has faded.
+    /// Takes rows by one march each: one row under a load that the next may have a panel for, otherwise until
+    /// half the memory has faded.
     fn march(&mut self, contact: &Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };

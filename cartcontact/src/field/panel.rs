@@ -1,6 +1,7 @@
 //! The changes of all rows over a short time, from eight contact radii.
 //!
-//! Under a load that is straight from t₁ on, Eq. (28) integrated by parts over time reads, for radii r covered at t₁,
+//! Under a load that is straight from t₁ on, Eq. (28) integrated by parts over time reads, for radii r
+//! covered at t₁,
 //!
 //! ```text
 //! P(r, t) = e^(−χ (t − t₁)) [P(r, t₁) + ∫ q(τ) (a²(τ) − r²) dτ],    q(τ) = (2/π) Y′(τ)/a⁴(τ) · e^(χ (τ − t₁))
@@ -8,15 +9,15 @@
 //!
 //! over τ from t₁ to t, and for others the same from the time on at which the edge passes r. Here q and
 //! q (a² − a₁²), with a₁ = a(t₁), are smooth functions of time alone. Over a short time they are polynomials of
-//! degree 7 to full accuracy, found once from their values at the Chebyshev nodes, and a Gauss rule of four nodes
-//! integrates them exactly between any two times.
+//! degree 7 to full accuracy, found once from their values at the Chebyshev nodes, and a Gauss rule of four
+//! nodes integrates them exactly between any two times.
 //!
-//! **When a panel is short enough** is read off the polynomials: their Chebyshev coefficients fall geometrically, so
-//! if the last two of eight have come down to the rounding of the values, what was cut off is below it. And χ times
-//! its duration is at most 1/8, so that e^x − 1 is ten terms of its series.
+//! **When a panel is short enough** is read off the polynomials: their Chebyshev coefficients fall
+//! geometrically, so the last two of the eight bound what was cut off. And χ times its duration is at most 1/8,
+//! so that e^(−x) − 1 is ten terms of its series.
 //!
-//! **Accuracy.** The time is known exactly, so the rounding of radii enters only through a⁻⁴ and a² − r², and not
-//! multiplied by the powers of the geometry.
+//! **Accuracy.** The time is known exactly, so the rounding of radii enters only through a⁻⁴ and a² − r², and
+//! not multiplied by the powers of the geometry.
 
 use super::BLOCK;
 use super::block::Edge;
@@ -155,7 +156,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
 
     /// The pressure at a radius that the edge passes between two times of the panel.
     ///
-    /// Y was smaller by Y′ z − χ F′ z²/2 at the time z before `now`; z is the root in the form without cancellation.
+    /// Y was smaller by Y′ z − χ F′ z²/2 at the time z before `now`; z is the root in the form without
+    /// cancellation.
     pub(super) fn first_pressure(&self, before: Edge<T>, now: Edge<T>, r: T) -> T {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let deficit = contact.stiffness() * contact.profile().load_integral_drop(now.radius, now.radius - r);
@@ -194,8 +196,8 @@ fn decay_gain<T: Scalar>(x: T) -> T {
     -x * sum
 }
 
-/// A polynomial of degree 7 on [−1, 1]: its even part and its odd part over x, as cubics in x² in Newton's form
-/// on the squares of [`NODES`].
+/// A polynomial of degree 7 on [−1, 1]: its even part and its odd part over x, as cubics in x² in Newton's
+/// form on the squares of [`NODES`].
 #[derive(Clone, Copy, Debug)]
 struct Polynomial<T> {
     even: [T; 4],
@@ -229,9 +231,10 @@ impl<T: Scalar> Polynomial<T> {
 
     /// Whether what is cut off is below the rounding of values of some size.
     ///
-    /// The terms of degree 6 and 7 are T₆/32 and T₇/64. Coefficients that fall geometrically from `size` on reach
-    /// 1024 ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8, is ε/16.
-    /// If they fall more slowly from less, it is the bound at degree 7 that keeps the rest below a few ε.
+    /// The terms of degree 6 and 7 are T₆/32 and T₇/64. Coefficients that fall geometrically from `size` on
+    /// reach 1024 ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8,
+    /// is ε/16. If they fall more slowly from less, it is the bound at degree 7 that keeps the rest below a
+    /// few ε.
     fn is_resolved(&self, size: T) -> bool {
         let (sixth, seventh) =
             (self.even[3] * T::constant(1.0 / 32.0), self.odd[3] * T::constant(1.0 / 64.0));

@@ -7,7 +7,8 @@ use crate::Scalar;
 /// The longest ranges in which radii ascend.
 pub(super) struct Runs<'a, T> {
     radii: &'a [T],
-    /// Where the first of them ends; for radii that all ascend it is the only one and need not be searched again.
+    /// Where the first of them ends; for radii that all ascend it is the only one and need not be searched
+    /// again.
     first: usize,
 }
 

@@ -1,8 +1,8 @@
 //! From one row of pressures to others.
 //!
 //! What bounds the speed is memory. Rows are taken two at a time, so that the pressures and radii they come
-//! from are read once for both, and in tiles of columns that stay in the first cache while all rows of a block
-//! pass over them; only the results travel.
+//! from are read once for both, and in tiles of columns that stay in the first cache while all rows of a
+//! block pass over them; only the results travel.
 
 use core::ops::Range;
 
