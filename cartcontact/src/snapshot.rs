@@ -88,7 +88,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) -> Moment<T> {
         let start = self.start_of_memory();
         let (from_start, now) = march(self.contact, start, (self.time, self.radius), start.radius);
-        // Radii beyond the start get a meaningless value that the next loop replaces, for the sake of a loop without branches.
+        // A loop without branches; what it gives beyond the start means nothing and is replaced by the next.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
         let share = if start.time.is_zero() { m } else { T::zero() };
         let (a, strip) = (start.radius, start.strip(self.contact.stiffness()) * T::constant(0.25));

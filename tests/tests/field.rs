@@ -4,10 +4,12 @@ use core::f64::consts::FRAC_PI_4;
 
 use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Medium};
+use proptest::prelude::*;
 use tests::budget;
 use tests::loads::{Rise, histories, through};
-use tests::measure::Errors;
+use tests::measure::{Errors, relative_error};
 use tests::profiles::{Case, cases};
+use tests::random;
 
 const CHI: f64 = 0.02;
 const LAST_RADIUS: f64 = 5.0;
@@ -99,7 +101,96 @@ fn roundings_do_not_add_up_over_many_rows() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// Where a load falls as fast as e^(−χ t), the edge stands still and its time is as uncertain as a square root.
+/// With steps so short that thousands of rows lie within one memory, all alike, so that roundings are too.
+#[test]
+fn roundings_do_not_add_up_over_thousands_of_equal_steps() -> Result<(), ContactError> {
+    let times: Vec<f64> = (0..6000).map(|row| f64::from(row) / 100.0).collect();
+    let mut errors = Errors::of(budget::FIELD);
+    for case in cases() {
+        compare(&mut errors, case, &Constant(100.0), &times, &[0.0, 2.0, 4.7])?;
+    }
+    errors.check();
+    Ok(())
+}
+
+/// Most of these radii are covered one by one, some within a step that is long for the geometry, some in a
+/// short one.
+#[test]
+fn radii_may_be_as_dense_as_the_edges() -> Result<(), ContactError> {
+    let mut errors = Errors::of(budget::FIELD);
+    let radii: Vec<f64> = (0..300).map(|k| 4.0 + f64::from(k) / 280.0).collect();
+    for rows in [4, 30, 200] {
+        let times: Vec<f64> = (0..rows).map(|row| f64::from(row) * 100.0 / f64::from(rows)).collect();
+        for case in cases() {
+            for (_, load) in histories(CHI) {
+                compare(&mut errors, case, &load, &times, &radii)?;
+            }
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
+#[test]
+fn single_precision_has_its_own_rounding() -> Result<(), ContactError> {
+    let mut errors = Errors::of_single(budget::FIELD);
+    let times: Vec<f32> = (0..500_u16).map(|row| f32::from(row) / 4.0).collect();
+    let radii: Vec<f32> = (0..40_u16).map(|k| f32::from(k) / 12.0).collect();
+    for case in cases() {
+        // A last radius of 3: 4^64 is beyond single precision.
+        let stiffness = 100.0 * (1.0 + CHI as f32 * 124.75) / case.single.load_integral(3.0);
+        let medium = Medium::from_constants(stiffness / FRAC_PI_4 as f32, CHI as f32);
+        let contact =
+            Contact::new(case.single, medium.unwrap_or_else(|e| unreachable!("{e}")), Constant(100.0))?;
+        let mut values = vec![f32::NAN; times.len() * radii.len()];
+        contact.pressure_field(&times, &radii, &mut values)?;
+        for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
+            let now = contact.at(t)?;
+            for (&r, &value) in radii.iter().zip(row) {
+                let a = now.radius();
+                let edge = if r < a { 1.0 + 2.0 * f64::from(a / (a - r)) } else { 1.0 };
+                errors.add(f64::from(value), f64::from(now.pressure(r)), edge, &(case, t, r));
+            }
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(random::cases(200))]
+
+    #[test]
+    fn a_field_is_its_snapshots_in_any_scene(
+        gap in random::positive_sums(),
+        folds in random::magnitude(-3.0..3.0),
+        growth in prop_oneof![Just(0.0), 0.0..20.0],
+        steps in proptest::collection::vec(random::magnitude(-4.0..0.0), 2..150),
+        radii in proptest::collection::vec(0.0..1.1, 1..20),
+    ) {
+        let end: f64 = steps.iter().sum();
+        let mut now = 0.0;
+        let times: Vec<f64> = steps.iter().map(|step| { now += step; now }).collect();
+        let load = through(&[(0.0, 1.0), (0.6 * end, 1.0 + growth), (2.0 * end, 1.0 + growth)]);
+        let chi = folds / end;
+        let stiffness = (load.force(now) + chi * load.impulse(now)) / gap.load_integral(1.0);
+        let medium = Medium::from_constants(stiffness / FRAC_PI_4, chi).unwrap_or_else(|e| unreachable!("{e}"));
+        let contact = Contact::new(&gap, medium, &load).unwrap_or_else(|e| unreachable!("{e}"));
+        let mut values = vec![f64::NAN; times.len() * radii.len()];
+        prop_assert_eq!(contact.pressure_field(&times, &radii, &mut values), Ok(()));
+        for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
+            let now = contact.at(t).unwrap_or_else(|e| unreachable!("{e}"));
+            for (&r, &value) in radii.iter().zip(row) {
+                let edge = if r < now.radius() { 1.0 + 2.0 * now.radius() / (now.radius() - r) } else { 1.0 };
+                let error = relative_error(value, now.pressure(r), f64::EPSILON) / edge;
+                prop_assert!(error <= budget::FIELD.double, "{error} ε at t = {t}, r = {r}: {value}");
+            }
+        }
+    }
+}
+
+/// Where a load falls as fast as e^(−χ t), the edge stands still and its time is as uncertain as a square
+/// root.
 #[test]
 fn a_step_of_the_field_may_begin_within_the_fastest_fall() -> Result<(), ContactError> {
     let fall = through(&[(0.0, 100.0), (12.5, 80.0), (100.0, 80.0)]);

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::BLOCK;
 use super::panel::Panel;
-use super::sweep::{Change, take_rows_from};
+use super::sweep::{Change, Changes, take_rows_from};
 use crate::Scalar;
 use crate::contact::{Contact, ContactError};
 use crate::load::Load;
@@ -26,8 +26,8 @@ pub(super) struct Block<'a, T, P, L> {
     most: usize,
     times: [T; BLOCK],
     radii: [T; BLOCK],
-    since_base: [Change<T>; BLOCK],
-    since_previous: [Change<T>; BLOCK],
+    since_base: Changes<T>,
+    since_previous: Changes<T>,
     /// The panel that the changes come from; without one they come from marches.
     panel: Option<Panel<'a, T, P, L>>,
 }
@@ -41,8 +41,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             most: BLOCK,
             times: [base.time; BLOCK],
             radii: [base.radius; BLOCK],
-            since_base: [Change::none(); BLOCK],
-            since_previous: [Change::none(); BLOCK],
+            since_base: Changes::none(),
+            since_previous: Changes::none(),
             panel: None,
         }
     }
@@ -73,19 +73,16 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         panel: Panel<'a, T, P, L>,
         times: &[T],
     ) -> Result<(), ContactError> {
-        let mut radii = [T::zero(); BLOCK];
-        contact.radii(times, &mut radii[..times.len()])?;
-        let mut changes = [Change::none(); BLOCK];
-        panel.changes(times, &mut changes);
-        for ((&time, &radius), &change) in times.iter().zip(&radii).zip(&changes) {
-            self.push(Edge { time, radius }, change);
-        }
+        self.count = times.len();
+        self.times[..times.len()].copy_from_slice(times);
+        contact.radii(times, &mut self.radii[..times.len()])?;
+        panel.changes(times, &mut self.since_previous, &mut self.since_base);
         self.panel = Some(panel);
         Ok(())
     }
 
-    /// Takes rows by one march each: one row under a load that the next may have a panel for, otherwise until half
-    /// the memory has faded.
+    /// Takes rows by one march each: one row under a load that the next may have a panel for, otherwise until
+    /// half the memory has faded.
     fn march(&mut self, contact: &Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
@@ -94,23 +91,21 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             let before = self.edge_before(self.count);
             let start = contact.moment(before.time, before.radius);
             let (transition, _) = march(contact, start, (time, radius), before.radius);
-            self.push(Edge { time, radius }, Change::of(transition, chi * (time - before.time)));
-            if self.since_base[self.count - 1].fades() {
+            let change = Change::of(transition, chi * (time - before.time));
+            let since_base = match self.count.checked_sub(1) {
+                Some(previous) => self.since_base.get(previous).then(change),
+                None => change,
+            };
+            self.times[self.count] = time;
+            self.radii[self.count] = radius;
+            self.since_previous.set(self.count, change);
+            self.since_base.set(self.count, since_base);
+            self.count += 1;
+            if since_base.fades() {
                 break;
             }
         }
         Ok(())
-    }
-
-    /// Adds a row.
-    #[inline(always)]
-    fn push(&mut self, edge: Edge<T>, change: Change<T>) {
-        let index = self.count;
-        self.times[index] = edge.time;
-        self.radii[index] = edge.radius;
-        self.since_previous[index] = change;
-        self.since_base[index] = if index == 0 { change } else { self.since_base[index - 1].then(change) };
-        self.count += 1;
     }
 
     /// The edge at the row before the one with an index.
@@ -130,16 +125,21 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         values: &mut [T],
     ) {
         let width = radii.len();
-        let changes = &self.since_base[..self.count];
         for run in runs {
             let in_base = run.start + radii[run.clone()].partition_point(|&r| r <= self.base.radius);
             let (base, rows) = values.split_at_mut(width);
-            take_rows_from(base, radii, run.start..in_base, changes, &mut rows[..self.count * width]);
+            take_rows_from(
+                base,
+                radii,
+                run.start..in_base,
+                &self.since_base,
+                &mut rows[..self.count * width],
+            );
             let mut covered = in_base;
             for index in 0..self.count {
                 let (before, row) = values[index * width..][..2 * width].split_at_mut(width);
                 let (before, row) = (&before[in_base..covered], &mut row[in_base..run.end]);
-                self.since_previous[index].apply_to_row(before, &radii[in_base..covered], row);
+                self.since_previous.get(index).apply_to_row(before, &radii[in_base..covered], row);
                 let radius = self.radii[index];
                 while covered < run.end && radii[covered] < radius {
                     row[covered - in_base] = self.first_pressure(contact, index, radii[covered]);

@@ -1,11 +1,12 @@
 //! Pressures at many times and radii with two scalars per time and two multiply-adds per value.
 //!
 //! Every radius covered at an earlier row takes its pressure from that row by one [`Change`](sweep::Change),
-//! whose scalars are shared by all radii; only a radius covered for the first time needs an integral of its own,
-//! once. A field of N times × M radii therefore costs O(N + M) integrals.
+//! whose scalars are shared by all radii; only a radius covered for the first time needs an integral of its
+//! own, once. A field of N times × M radii therefore costs O(N + M) integrals.
 //!
-//! Rows are done in blocks of up to [`BLOCK`]: [`panel`] finds the changes of a whole block from a few contact
-//! radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies them.
+//! Rows are done in blocks of up to [`BLOCK`]: [`panel`] finds the changes of a whole block from a few
+//! contact radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies
+//! them.
 //!
 //! **Rounding.** Taking every row from the one before it would add up N roundings. Rows are therefore taken
 //! from the last row before their block; only radii covered within the block go row by row. The roundings

@@ -7,7 +7,8 @@ use crate::Scalar;
 /// The longest ranges in which radii ascend.
 pub(super) struct Runs<'a, T> {
     radii: &'a [T],
-    /// Where the first of them ends; for radii that all ascend it is the only one and need not be searched again.
+    /// Where the first of them ends; for radii that all ascend it is the only one and need not be searched
+    /// again.
     first: usize,
 }
 
@@ -28,7 +29,12 @@ impl<'a, T: Scalar> Runs<'a, T> {
 
 /// How many radii ascend from the first one on.
 fn ascending<T: Scalar>(radii: &[T]) -> usize {
-    radii.windows(2).position(|pair| pair[1] < pair[0]).map_or(radii.len(), |last| last + 1)
+    let pairs = || radii.iter().zip(radii.iter().skip(1));
+    // All at once first, which is a loop without branches.
+    if pairs().fold(true, |all, (r, next)| all & (r <= next)) {
+        return radii.len();
+    }
+    pairs().position(|(r, next)| next < r).map_or(radii.len(), |last| last + 1)
 }
 
 #[cfg(test)]

@@ -1,11 +1,12 @@
 //! From one row of pressures to others.
 //!
 //! What bounds the speed is memory. Rows are taken two at a time, so that the pressures and radii they come
-//! from are read once for both, and in tiles of columns that stay in the first cache while all rows of a block
-//! pass over them; only the results travel.
+//! from are read once for both, and in tiles of columns that stay in the first cache while all rows of a
+//! block pass over them; only the results travel.
 
 use core::ops::Range;
 
+use super::BLOCK;
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::memory::Transition;
@@ -27,17 +28,6 @@ pub(super) struct Change<T> {
 }
 
 impl<T: Scalar> Change<T> {
-    /// The change with a decay of 1 + `gain`, for `gain` near 0.
-    #[inline(always)]
-    pub(super) fn slow(gain: T, on_axis: T, slope: T) -> Self {
-        Self { kept: T::one(), gain, on_axis, slope }
-    }
-
-    /// No change.
-    pub(super) fn none() -> Self {
-        Self::slow(T::zero(), T::zero(), T::zero())
-    }
-
     /// A transition over `folds` e-foldings of the memory.
     ///
     /// Taking its parabola from the axis instead of from `reach` costs up to ε reach/(a − r) near the edge.
@@ -45,7 +35,7 @@ impl<T: Scalar> Change<T> {
         let Transition { decay, offset, slope, reach } = transition;
         let on_axis = offset + slope * reach * reach;
         if decay > T::constant(0.5) {
-            Self::slow((-folds).exp_m1(), on_axis, slope)
+            Self { kept: T::one(), gain: (-folds).exp_m1(), on_axis, slope }
         } else {
             Self { kept: T::zero(), gain: decay, on_axis, slope }
         }
@@ -63,7 +53,7 @@ impl<T: Scalar> Change<T> {
         }
     }
 
-    /// Whether less than half of the pressure before is left.
+    /// Whether less than half of the pressure before it is left.
     pub(super) fn fades(self) -> bool {
         self.kept + self.gain < T::constant(0.5)
     }
@@ -74,6 +64,18 @@ impl<T: Scalar> Change<T> {
         self.kept * pressure + (self.gain * pressure + (self.on_axis - self.slope * square))
     }
 
+    /// Whether the decay is near 1: all but the last change of a block.
+    #[inline(always)]
+    fn is_slow(self) -> bool {
+        self.kept == T::one()
+    }
+
+    /// The pressure after a slow change, the same to the last bit as [`apply`](Self::apply) gives.
+    #[inline(always)]
+    fn apply_slow(self, pressure: T, square: T) -> T {
+        pressure + (self.gain * pressure + (self.on_axis - self.slope * square))
+    }
+
     /// The pressures after the change at `radii`.
     pub(super) fn apply_to_row(self, pressures: &[T], radii: &[T], results: &mut [T]) {
         for ((result, &pressure), &r) in results.iter_mut().zip(pressures).zip(radii) {
@@ -82,12 +84,46 @@ impl<T: Scalar> Change<T> {
     }
 }
 
+/// The changes of the rows of a block, each component by itself, so that vectors can take many rows at once.
+pub(super) struct Changes<T> {
+    kept: [T; BLOCK],
+    pub(super) gain: [T; BLOCK],
+    pub(super) on_axis: [T; BLOCK],
+    pub(super) slope: [T; BLOCK],
+}
+
+impl<T: Scalar> Changes<T> {
+    /// No changes.
+    pub(super) fn none() -> Self {
+        let zeros = [T::zero(); BLOCK];
+        Self { kept: [T::one(); BLOCK], gain: zeros, on_axis: zeros, slope: zeros }
+    }
+
+    /// Makes decays near 1 of them all, so that their gains are small.
+    pub(super) fn slow_down(&mut self) {
+        self.kept.fill(T::one());
+    }
+
+    pub(super) fn set(&mut self, row: usize, change: Change<T>) {
+        self.kept[row] = change.kept;
+        self.gain[row] = change.gain;
+        self.on_axis[row] = change.on_axis;
+        self.slope[row] = change.slope;
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, row: usize) -> Change<T> {
+        let (kept, gain) = (self.kept[row], self.gain[row]);
+        Change { kept, gain, on_axis: self.on_axis[row], slope: self.slope[row] }
+    }
+}
+
 /// Takes some columns of all `rows`, each as wide as `base`, from the row `base`.
 pub(super) fn take_rows_from<T: Scalar>(
     base: &[T],
     radii: &[T],
     columns: Range<usize>,
-    changes: &[Change<T>],
+    changes: &Changes<T>,
     rows: &mut [T],
 ) {
     wide(
@@ -100,15 +136,20 @@ pub(super) fn take_rows_from<T: Scalar>(
                 for (square, &r) in squares.iter_mut().zip(&radii[tile.clone()]) {
                     *square = r * r;
                 }
-                for (pair, changes) in rows.chunks_mut(2 * base.len()).zip(changes.chunks(2)) {
+                let pressures = &base[tile.clone()];
+                for (index, pair) in rows.chunks_mut(2 * base.len()).enumerate() {
                     let (first, second) = pair.split_at_mut(base.len());
-                    let (pressures, first) = (&base[tile.clone()], &mut first[tile.clone()]);
-                    match *changes {
-                        [one, two] => {
-                            take_two(pressures, squares, (one, first), (two, &mut second[tile.clone()]));
-                        }
-                        [one] => take_one(pressures, squares, one, first),
-                        _ => {}
+                    let (one, first) = (changes.get(2 * index), &mut first[tile.clone()]);
+                    if second.is_empty() {
+                        take_one(pressures, squares, one, first);
+                        continue;
+                    }
+                    let (two, second) = (changes.get(2 * index + 1), &mut second[tile.clone()]);
+                    if one.is_slow() && two.is_slow() {
+                        take_two_slow(pressures, squares, (one, first), (two, second));
+                    } else {
+                        take_one(pressures, squares, one, first);
+                        take_one(pressures, squares, two, second);
                     }
                 }
             }
@@ -117,15 +158,15 @@ pub(super) fn take_rows_from<T: Scalar>(
 }
 
 #[inline(always)]
-fn take_two<T: Scalar>(
+fn take_two_slow<T: Scalar>(
     pressures: &[T],
     squares: &[T],
     (one, first): (Change<T>, &mut [T]),
     (two, second): (Change<T>, &mut [T]),
 ) {
     for (((&pressure, &square), first), second) in pressures.iter().zip(squares).zip(first).zip(second) {
-        *first = one.apply(pressure, square);
-        *second = two.apply(pressure, square);
+        *first = one.apply_slow(pressure, square);
+        *second = two.apply_slow(pressure, square);
     }
 }
 
@@ -133,5 +174,50 @@ fn take_two<T: Scalar>(
 fn take_one<T: Scalar>(pressures: &[T], squares: &[T], change: Change<T>, results: &mut [T]) {
     for ((&pressure, &square), result) in pressures.iter().zip(squares).zip(results) {
         *result = change.apply(pressure, square);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows taken with wide vectors, beside the same arithmetic value by value; `T` is exact in either.
+    fn check<T: Scalar>() {
+        let width = TILE + 37;
+        let grid =
+            |scale: f64| (0..width).map(|k| T::constant((k as f64 * scale).sin() + 1.0)).collect::<Vec<T>>();
+        let (base, radii) = (grid(0.37), grid(0.011));
+        for count in [1, 2, 7] {
+            let mut changes = Changes::none();
+            for row in 0..count {
+                let x = T::constant(0.3 / (row + 3) as f64);
+                let kept = if row == 5 { T::zero() } else { T::one() };
+                changes.set(row, Change { kept, gain: -x, on_axis: x + x, slope: x * x });
+            }
+            let mut rows = vec![T::zero(); count * width];
+            take_rows_from(&base, &radii, 3..width - 2, &changes, &mut rows);
+            for (row, values) in rows.chunks(width).enumerate() {
+                let mut expected = vec![T::zero(); width];
+                let columns = 3..width - 2;
+                let expected_part = &mut expected[columns.clone()];
+                changes.get(row).apply_to_row(&base[columns.clone()], &radii[columns], expected_part);
+                assert!(values == expected, "row {row} of {count}");
+            }
+        }
+    }
+
+    #[test]
+    fn wide_vectors_change_no_bit() {
+        check::<f64>();
+        check::<f32>();
+    }
+
+    #[test]
+    fn a_change_after_another_is_both() {
+        for kept in [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)] {
+            let one = Change { kept: kept.0, gain: 0.25, on_axis: 3.0, slope: 0.5 };
+            let two = Change { kept: kept.1, gain: -0.125, on_axis: 1.0, slope: 0.25 };
+            assert_eq!(one.then(two).apply(8.0, 2.0), two.apply(one.apply(8.0, 2.0), 2.0), "{kept:?}");
+        }
     }
 }

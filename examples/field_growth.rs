@@ -1,0 +1,149 @@
+//! How the time for a pressure field grows with its size: like its times plus its radii plus its values.
+//!
+//! ```text
+//! cargo run --release --example field_growth
+//! ```
+//!
+//! The figure shows fields beside filling the same memory with a constant. Every point is the shortest of
+//! several runs, in which the two take turns. Both become slower per value where the memory no longer fits
+//! into the cache.
+
+use std::error::Error;
+use std::fs;
+use std::hint::black_box;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use cartcontact::{Contact, Layer, Medium, gap_profile, load};
+use examples::figure::{self, Axis, Curve, Dash, Ink, Panel};
+
+/// Patella on the patellar groove, in mm.
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+struct Patellofemoral;
+
+const LAYER: Layer<f64> = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+/// In N, from t = 0 on.
+const FORCE: f64 = 100.0;
+/// The last time, in s, and the last radius, in mm; the contact then has a radius of 7.7 mm.
+const LAST: (f64, f64) = (400.0, 9.0);
+
+/// How many times, or radii, or both; a matrix with the most of both would fill 0.8 GB.
+const COUNTS: [usize; 9] = [100, 500, 1000, 2000, 3000, 4000, 6000, 8000, 10_000];
+const LARGEST_SQUARE: usize = 3000;
+const FIXED: usize = 100;
+const RUNS: usize = 40;
+
+/// Where the figure goes, below the folder in which the program is run.
+const FOLDER: &str = "target/cartcontact";
+
+fn main() -> ExitCode {
+    examples::finish(run())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let contact = Contact::new(Patellofemoral, Medium::between(LAYER, LAYER)?, load::Constant(FORCE))?;
+    let mut out = io::stdout().lock();
+    writeln!(out, " times x radii   field, ms   filling, ms   ratio")?;
+    let mut measure = |sizes: &[(usize, usize)]| -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
+        let mut all = Vec::new();
+        for &(times, radii) in sizes {
+            let [field, filling] = milliseconds(&contact, times, radii)?;
+            writeln!(out, "{times:6} x {radii:<5} {field:11.4} {filling:13.4} {:7.2}", field / filling)?;
+            all.push([field, filling]);
+        }
+        Ok(all)
+    };
+    let by_times = COUNTS.map(|count| (count, FIXED));
+    let by_radii = COUNTS.map(|count| (FIXED, count));
+    let squares: Vec<_> =
+        COUNTS.into_iter().filter(|&n| n <= LARGEST_SQUARE).map(|count| (count, count)).collect();
+    let thousand = |count: usize| count as f64 / 1e3;
+    let panels = [
+        panel(
+            "N times × 100 radii",
+            "thousand times",
+            &by_times,
+            |size| thousand(size.0),
+            measure(&by_times)?,
+        ),
+        panel(
+            "100 times × N radii",
+            "thousand radii",
+            &by_radii,
+            |size| thousand(size.1),
+            measure(&by_radii)?,
+        ),
+        panel(
+            "N times × N radii",
+            "million values",
+            &squares,
+            |size| thousand(size.0) * thousand(size.1),
+            measure(&squares)?,
+        ),
+    ];
+    let folder = Path::new(FOLDER);
+    fs::create_dir_all(folder).map_err(|error| format!("cannot create {FOLDER}: {error}"))?;
+    let path = folder.join("field_growth.svg");
+    figure::write(&path, 62.0, &panels)?;
+    writeln!(out, "\nfigure: {}", path.display())?;
+    Ok(())
+}
+
+/// The times for a field and for filling its memory, in ms.
+fn milliseconds(
+    contact: &Contact<f64, Patellofemoral, load::Constant<f64>>,
+    times: usize,
+    radii: usize,
+) -> Result<[f64; 2], Box<dyn Error>> {
+    let (times, radii) = (steps(times, LAST.0), steps(radii, LAST.1));
+    let mut values = vec![0.0; times.len() * radii.len()];
+    let mut shortest = [f64::INFINITY; 2];
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        contact.pressure_field(black_box(&times), black_box(&radii), &mut values)?;
+        shortest[0] = shortest[0].min(start.elapsed().as_secs_f64() * 1e3);
+        let start = Instant::now();
+        black_box(&mut values[..]).fill(black_box(1.5));
+        shortest[1] = shortest[1].min(start.elapsed().as_secs_f64() * 1e3);
+    }
+    Ok(shortest)
+}
+
+/// `count` values from 0 to `end`.
+fn steps(count: usize, end: f64) -> Vec<f64> {
+    (0..count).map(|k| end * k as f64 / (count - 1) as f64).collect()
+}
+
+fn panel(
+    title: &str,
+    label: &'static str,
+    sizes: &[(usize, usize)],
+    x: impl Fn((usize, usize)) -> f64,
+    milliseconds: Vec<[f64; 2]>,
+) -> Panel {
+    let points = |which: usize| -> Vec<(f64, f64)> {
+        sizes.iter().zip(&milliseconds).map(|(&size, time)| (x(size), time[which])).collect()
+    };
+    let curve =
+        |name: &str, ink, dash, which| Curve { name: name.to_owned(), ink, dash, points: points(which) };
+    let longest = milliseconds.iter().fold(0.0, |longest: f64, time| longest.max(time[0]));
+    let decimals = if longest > 4.0 {
+        0
+    } else if longest > 0.4 {
+        1
+    } else {
+        2
+    };
+    Panel {
+        title: Some(title.to_owned()),
+        x: Axis { label, decimals: 0 },
+        x_end: sizes.last().map_or(1.0, |&size| x(size)),
+        y: Axis { label: "time, ms", decimals },
+        curves: vec![
+            curve("pressure field", Ink::Blue, Dash::Solid, 0),
+            curve("filling the same memory", Ink::Vermilion, Dash::Dashed, 1),
+        ],
+    }
+}
