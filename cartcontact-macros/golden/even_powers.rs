@@ -18,12 +18,12 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   3 × or ÷, 1 + or −
-/// approach              3 × or ÷, 1 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 3 × or ÷, 1 + or −
-/// load integral         5 × or ÷, 1 + or −
-/// log kernel            4 × or ÷, 1 + or −
-/// pressure kernel       6 × or ÷, 5 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
+/// pressure kernel       a routine of the run-time crate
 /// ```
 struct Patellofemoral;
 const _: () = {
@@ -34,16 +34,25 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, r: T) -> T {
-            let s = r * r;
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(0.000109375f64)) * s) * s
+            ::cartcontact::generated::precise_even_sum(
+                r,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.025f64),
+                    <T as ::cartcontact::Scalar>::constant(0.000109375f64),
+                ],
+            )
         }
         #[inline]
         fn approach(&self, a: T) -> T {
-            let s = a * a;
-            (<T as ::cartcontact::Scalar>::constant(0.0125f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64)) * s)
-                * s
+            ::cartcontact::generated::precise_even_sum(
+                a,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0125f64),
+                    <T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64),
+                ],
+            )
         }
         #[inline]
         fn approach_slope(&self, a: T) -> T {
@@ -54,31 +63,36 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, a: T) -> T {
-            let s = a * a;
-            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)
-                + (<T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64)) * s)
-                * s * s * s
+            ::cartcontact::generated::precise_even_sum(
+                a,
+                6u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64),
+                    <T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64),
+                ],
+            )
         }
         #[inline]
         fn log_kernel(&self, x: T) -> T {
-            let s = x * x;
-            (<T as ::cartcontact::Scalar>::constant(0.0015625f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64)) * s)
-                * s * s
+            ::cartcontact::generated::precise_even_sum(
+                x,
+                4u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                ],
+            )
         }
         #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {
-            if r >= a {
-                return <T as ::cartcontact::Scalar>::constant(0.0f64);
-            }
-            let (a_squared, r_squared) = (a * a, r * r);
-            let t1 = a_squared + r_squared;
-            let s2 = a_squared + t1;
-            let inset = (a - r) * (a + r);
-            inset
-                * (<T as ::cartcontact::Scalar>::constant(0.0015625f64)
-                    + <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64)
-                        * s2) * inset
+            ::cartcontact::generated::even_pressure_kernel(
+                a,
+                r,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                ],
+            )
         }
         #[inline]
         fn radius_within(

@@ -18,12 +18,12 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   3 × or ÷, 1 + or −
-/// approach              5 × or ÷, 1 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 4 × or ÷, 1 + or −
-/// load integral         7 × or ÷, 1 + or −
-/// log kernel            6 × or ÷, 1 + or −
-/// pressure kernel       8 × or ÷, 5 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
+/// pressure kernel       a routine of the run-time crate
 /// coefficients          4 × or ÷, 0 + or −, in addition
 /// ```
 struct Ball {
@@ -59,16 +59,19 @@ const _: () = {
         #[inline]
         fn gap(&self, r: T) -> T {
             let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = r * r;
-            (c0 + (c1) * s) * s
+            crate::renamed::generated::precise_even_sum(r, 2u32, [c0, c1])
         }
         #[inline]
         fn approach(&self, a: T) -> T {
             let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = a * a;
-            (c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
-                    * s) * s
+            crate::renamed::generated::precise_even_sum(
+                a,
+                2u32,
+                [
+                    c0 * <T as crate::renamed::Scalar>::constant(0.5f64),
+                    c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64),
+                ],
+            )
         }
         #[inline]
         fn approach_slope(&self, a: T) -> T {
@@ -81,35 +84,38 @@ const _: () = {
         #[inline]
         fn load_integral(&self, a: T) -> T {
             let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = a * a;
-            (c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
-                    * s) * s * s * s
+            crate::renamed::generated::precise_even_sum(
+                a,
+                6u32,
+                [
+                    c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64),
+                    c1 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64),
+                ],
+            )
         }
         #[inline]
         fn log_kernel(&self, x: T) -> T {
             let [c0, c1]: [T; 2usize] = coefficients(self);
-            let s = x * x;
-            (c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
-                + (c1 * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64))
-                    * s) * s * s
+            crate::renamed::generated::precise_even_sum(
+                x,
+                4u32,
+                [
+                    c0 * <T as crate::renamed::Scalar>::constant(0.0625f64),
+                    c1 * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64),
+                ],
+            )
         }
         #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {
             let [c0, c1]: [T; 2usize] = coefficients(self);
-            if r >= a {
-                return <T as crate::renamed::Scalar>::constant(0.0f64);
-            }
-            let (a_squared, r_squared) = (a * a, r * r);
-            let t1 = a_squared + r_squared;
-            let s2 = a_squared + t1;
-            let inset = (a - r) * (a + r);
-            inset
-                * (c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
-                    + c1
-                        * <T as crate::renamed::Scalar>::constant(
-                            0.027777777777777776f64,
-                        ) * s2) * inset
+            crate::renamed::generated::even_pressure_kernel(
+                a,
+                r,
+                [
+                    c0 * <T as crate::renamed::Scalar>::constant(0.0625f64),
+                    c1 * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64),
+                ],
+            )
         }
         #[inline]
         fn radius_within(

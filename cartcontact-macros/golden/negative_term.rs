@@ -18,11 +18,11 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   4 × or ÷, 2 + or −
-/// approach              4 × or ÷, 2 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 3 × or ÷, 2 + or −
-/// load integral         8 × or ÷, 2 + or −
-/// log kernel            6 × or ÷, 2 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
 /// pressure kernel       a routine of the run-time crate
 /// ```
 struct MixedSign;
@@ -34,17 +34,27 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, r: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.05f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.004f64)
-                    + (<T as ::cartcontact::Scalar>::constant(0.0002f64)) * r) * r) * r
-                * r
+            ::cartcontact::generated::precise_sum(
+                r,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.05f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.004f64),
+                    <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                ],
+            )
         }
         #[inline]
         fn approach(&self, a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
-                    + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
-                        * a) * a) * a * a
+            ::cartcontact::generated::precise_sum(
+                a,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.025f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.0016f64),
+                    <T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64),
+                ],
+            )
         }
         #[inline]
         fn approach_slope(&self, a: T) -> T {
@@ -55,17 +65,27 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.004166666666666667f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64)
-                    + (<T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
-                        * a) * a) * a * a * a * a * a * a
+            ::cartcontact::generated::precise_sum(
+                a,
+                6u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.004166666666666667f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64),
+                    <T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
+                ],
+            )
         }
         #[inline]
         fn log_kernel(&self, x: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.003125f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.00016f64)
-                    + (<T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64))
-                        * x) * x) * x * x * x * x
+            ::cartcontact::generated::precise_sum(
+                x,
+                4u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.003125f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.00016f64),
+                    <T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64),
+                ],
+            )
         }
         #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {

@@ -19,12 +19,12 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   2 × or ÷, 0 + or −
-/// approach              2 × or ÷, 0 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 1 × or ÷, 0 + or −
-/// load integral         4 × or ÷, 0 + or −
-/// log kernel            3 × or ÷, 0 + or −
-/// pressure kernel       3 × or ÷, 2 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
+/// pressure kernel       a routine of the run-time crate
 /// ```
 pub struct Paraboloid;
 const _: () = {
@@ -35,13 +35,19 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, r: T) -> T {
-            let s = r * r;
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)) * s
+            ::cartcontact::generated::precise_even_sum(
+                r,
+                2u32,
+                [<T as ::cartcontact::Scalar>::constant(0.025f64)],
+            )
         }
         #[inline]
         fn approach(&self, a: T) -> T {
-            let s = a * a;
-            (<T as ::cartcontact::Scalar>::constant(0.0125f64)) * s
+            ::cartcontact::generated::precise_even_sum(
+                a,
+                2u32,
+                [<T as ::cartcontact::Scalar>::constant(0.0125f64)],
+            )
         }
         #[inline]
         fn approach_slope(&self, a: T) -> T {
@@ -49,22 +55,27 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, a: T) -> T {
-            let s = a * a;
-            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)) * s * s
-                * s
+            ::cartcontact::generated::precise_even_sum(
+                a,
+                6u32,
+                [<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)],
+            )
         }
         #[inline]
         fn log_kernel(&self, x: T) -> T {
-            let s = x * x;
-            (<T as ::cartcontact::Scalar>::constant(0.0015625f64)) * s * s
+            ::cartcontact::generated::precise_even_sum(
+                x,
+                4u32,
+                [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
+            )
         }
         #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {
-            if r >= a {
-                return <T as ::cartcontact::Scalar>::constant(0.0f64);
-            }
-            let inset = (a - r) * (a + r);
-            inset * (<T as ::cartcontact::Scalar>::constant(0.0015625f64)) * inset
+            ::cartcontact::generated::even_pressure_kernel(
+                a,
+                r,
+                [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
+            )
         }
         #[inline]
         fn radius_within(

@@ -4,7 +4,8 @@ use core::marker::PhantomData;
 
 use crate::Scalar;
 use crate::admissibility::checked_range;
-use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop};
+use crate::evaluate::double_word::DoubleWord;
+use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop, weighted_power_sum};
 use crate::evaluate::pressure_kernel::pressure_kernel;
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
@@ -72,7 +73,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.terms.as_ref()
     }
 
-    fn map(&self, term: impl Fn(T, T) -> (T, T)) -> impl Iterator<Item = (T, T)> {
+    fn map<U>(&self, term: impl Fn(T, T) -> U) -> impl Iterator<Item = U> {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
@@ -90,7 +91,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn approach(&self, a: T) -> T {
         let two = T::constant(2.0);
-        power_sum(a, self.map(|c, n| (two * c / (n + two), n)))
+        weighted_power_sum(a, self.map(|c, n| (DoubleWord::of(two * c).over(DoubleWord::sum(n, two)), n)))
     }
 
     fn approach_slope(&self, a: T) -> T {
@@ -99,12 +100,15 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn load_integral(&self, a: T) -> T {
-        power_sum(a, self.load_integral_terms())
+        let (two, four) = (T::constant(2.0), T::constant(4.0));
+        let divisor = |n| DoubleWord::sum(n, two).times(DoubleWord::sum(n, four));
+        weighted_power_sum(a, self.map(|c, n| (DoubleWord::product(c, n).over(divisor(n)), n + four)))
     }
 
     fn log_kernel(&self, x: T) -> T {
         let two = T::constant(2.0);
-        power_sum(x, self.map(|c, n| (c / ((n + two) * (n + two)), n + two)))
+        let divisor = |n| DoubleWord::sum(n, two).power(2);
+        weighted_power_sum(x, self.map(|c, n| (DoubleWord::of(c).over(divisor(n)), n + two)))
     }
 
     fn pressure_kernel(&self, a: T, r: T) -> T {

@@ -52,18 +52,19 @@ pub(crate) fn solver(
     let coefficients = Coefficients::new(item, geometry, &names);
     let scalar = &names.scalar;
 
-    let sums = [
-        ("gap", "r", &forms.gap),
-        ("approach", "a", &forms.approach),
-        ("approach_slope", "a", &forms.approach_slope),
-        ("load_integral", "a", &forms.load_integral),
-        ("log_kernel", "x", &forms.log_kernel),
+    // The slope is what memory integrals evaluate at every node.
+    let sums: [(_, _, _, power_sum::Form); 5] = [
+        ("gap", "r", &forms.gap, power_sum::value),
+        ("approach", "a", &forms.approach, power_sum::value),
+        ("approach_slope", "a", &forms.approach_slope, power_sum::quick_value),
+        ("load_integral", "a", &forms.load_integral, power_sum::value),
+        ("log_kernel", "x", &forms.log_kernel, power_sum::value),
     ];
     let mut operations: Vec<Operations> = Vec::new();
-    let evaluators = sums.map(|(name, variable, sum)| {
+    let evaluators = sums.map(|(name, variable, sum, form)| {
         let (name, variable) = (format_ident!("{name}"), format_ident!("{variable}"));
         let preamble = coefficients.preamble();
-        let body = power_sum::value(sum, &variable, &coefficients, &names);
+        let body = form(sum, &variable, &coefficients, &names);
         operations.push(Operations::of(&body));
         quote! {
             #[inline]

@@ -1,31 +1,29 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! For even exponents up to 8 it is written out. With n = 2 k, A = a², R = r²,
-//!
-//! ```text
-//! G = (A − R)² Σ C/(n+2)² S_k,    S_k = Σ_{j<k} (k − j) R^j A^(k−1−j)
-//! S_1 = 1,  T_0 = 1,    T_k = A T_{k−1} + R^k,    S_{k+1} = A S_k + T_k
-//! ```
-//!
-//! which are sums of positive terms, without a division. Higher and other exponents go through the run-time
-//! crate's kernel, whose accuracy does not depend on the exponent.
+//! Even exponents up to 8 have a kernel of their own, without a division; higher and other exponents go through one
+//! whose time grows with the exponent less quickly. Both belong to the run-time crate: they carry every operation's
+//! rounding error along, which is too long to be written out.
 
 use num_traits::ToPrimitive;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::Names;
 use super::coefficients::Coefficients;
 use crate::gap::Gap;
 use crate::number::integer;
 
-const HIGHEST_WRITTEN_OUT: u32 = 8;
+const HIGHEST_EVEN: u32 = 8;
 
 pub(super) fn method(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let scalar = &names.scalar;
     let preamble = coefficients.preamble();
     let body = match half_exponents(gap) {
-        Some(halves) => written_out(gap, &halves, coefficients, names),
+        Some(halves) => {
+            let (kernel, weights) =
+                (names.generated("even_pressure_kernel"), weights(&halves, coefficients, names));
+            quote!(#kernel(a, r, [#(#weights),*]))
+        }
         None => {
             let (kernel, terms) = (names.generated("pressure_kernel"), coefficients.terms());
             quote!(#kernel(a, r, [#(#terms),*]))
@@ -41,37 +39,20 @@ pub(super) fn method(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'
 fn half_exponents(gap: &Gap) -> Option<Vec<u32>> {
     let half = |term: &crate::gap::Term| {
         let half = &term.exponent / integer(2);
-        half.is_integer().then(|| half.to_u32()).flatten().filter(|half| 2 * half <= HIGHEST_WRITTEN_OUT)
+        half.is_integer().then(|| half.to_u32()).flatten().filter(|half| 2 * half <= HIGHEST_EVEN)
     };
     gap.terms.iter().map(half).collect()
 }
 
-fn written_out(gap: &Gap, halves: &[u32], coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+/// C/(n+2)² for n = 2, 4, … up to the highest, zero where there is no term.
+fn weights(halves: &[u32], coefficients: &Coefficients<'_>, names: &Names<'_>) -> Vec<TokenStream> {
     let constant = names.constant();
-    let highest = halves.last().copied().unwrap_or(1);
-    let recurrences = (2..=highest).map(|k| {
-        let (t, s) = (format_ident!("t{}", k - 1), format_ident!("s{k}"));
-        if k == 2 {
-            return quote!(let #t = a_squared + r_squared; let #s = a_squared + #t;);
+    let weight = |half: u32| match halves.iter().position(|&own| own == half) {
+        Some(index) => {
+            let shifted = integer(2) * integer(half) + integer(2);
+            coefficients.times(index, &(&shifted * &shifted).recip())
         }
-        let (previous_t, previous_s) = (format_ident!("t{}", k - 2), format_ident!("s{}", k - 1));
-        let factors = (2..k).map(|_| quote!(* r_squared));
-        quote!(let #t = a_squared * #previous_t + r_squared #(#factors)*; let #s = a_squared * #previous_s + #t;)
-    });
-    let terms = gap.terms.iter().enumerate().zip(halves).map(|((index, term), &k)| {
-        let shifted = &term.exponent + integer(2);
-        let weight = coefficients.times(index, &(&shifted * &shifted).recip());
-        let s = format_ident!("s{k}");
-        if k == 1 { weight } else { quote!(#weight * #s) }
-    });
-    let squares = (highest > 1).then(|| quote!(let (a_squared, r_squared) = (a * a, r * r);));
-    quote! {
-        if r >= a {
-            return #constant(0.0f64);
-        }
-        #squares
-        #(#recurrences)*
-        let inset = (a - r) * (a + r);
-        inset * (#(#terms)+*) * inset
-    }
+        None => quote!(#constant(0.0f64)),
+    };
+    (1..=halves.last().copied().unwrap_or(1)).map(weight).collect()
 }

@@ -24,10 +24,17 @@ pub fn real_power<T: Scalar>(x: T, n: T) -> T {
     x.powf(n)
 }
 
-/// Σ c x^n over the terms (c, n), each term within 2 ε of its value.
+/// Σ c x^n over the terms (c, n), rounded once, in [`term`]'s arithmetic.
 #[inline]
 pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
-    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
+    weighted_power_sum(x, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
+}
+
+/// [`power_sum`] with coefficients that are not rounded.
+#[inline]
+pub(crate) fn weighted_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (DoubleWord<T>, T)>) -> T {
+    let terms = terms.into_iter().map(|(c, n)| double_term(c, x, n));
+    terms.fold(DoubleWord::of(T::zero()), DoubleWord::plus).rounded()
 }
 
 /// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
@@ -49,25 +56,29 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
     terms.into_iter().fold(T::zero(), |sum, (c, p)| sum - term(c, a, p) * (p * log_ratio).exp_m1())
 }
 
-/// c x^n within 2 ε.
+/// c x^n, rounded once if n is a multiple of 1/4, and within 2 ε otherwise.
+pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
+    double_term(DoubleWord::of(c), x, n).rounded()
+}
+
+/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
 ///
 /// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉, with k the whole part of n: the middle value is
 /// the geometric mean of c and the result, so it is in range whenever both of them are.
-pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
+pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
     let (whole, fraction) = parts(n);
     if whole < 0 || x.is_zero() {
-        return quick_term(c, x, n);
+        return DoubleWord::of(quick_term(c.rounded(), x, n));
     }
     let k = whole as u32;
-    let exact = if k < 4 {
-        integer_power(x, k) * c
+    let even = if k < 2 {
+        c
     } else {
         let half = DoubleWord::of(x).power(k / 2);
-        let even = half.times_word(c).times(half);
-        if k & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
+        half.times(c).times(half)
     };
-    // The exact products overflow a little before their results do.
-    if exact.is_finite() { exact * fractional_power(x, fraction) } else { quick_term(c, x, n) }
+    let power = if k & 1 == 1 { even.times_word(x) } else { even };
+    power.times(double_fractional_power(x, fraction))
 }
 
 /// c x^n with every product rounded, in halves as [`term`] does it.
@@ -91,29 +102,45 @@ fn parts<T: Scalar>(n: T) -> (i32, T) {
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
-pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+    match quarters(x, fraction) {
+        Some(0) => T::one(),
+        Some(1) => x.sqrt().sqrt(),
+        Some(2) => x.sqrt(),
+        Some(3) => {
+            let root = x.sqrt();
+            root * root.sqrt()
+        }
+        _ => real_fractional_power(x, fraction),
+    }
+}
+
+/// [`fractional_power`], multiples of 1/4 in twice the working precision.
+fn double_fractional_power<T: Scalar>(x: T, fraction: T) -> DoubleWord<T> {
+    let root = || DoubleWord::of(x).sqrt();
+    match quarters(x, fraction) {
+        Some(0) => DoubleWord::of(T::one()),
+        Some(1) => root().sqrt(),
+        Some(2) => root(),
+        Some(3) => root().times(root().sqrt()),
+        _ => DoubleWord::of(real_fractional_power(x, fraction)),
+    }
+}
+
+/// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
+fn quarters<T: Scalar>(x: T, fraction: T) -> Option<i32> {
+    let quarters = fraction * T::constant(4.0);
+    let whole = floor(quarters);
+    (is_plain::<T>() && !x.is_zero() && quarters == T::constant(f64::from(whole))).then_some(whole)
+}
+
+fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     // Zero has no finite slope here; dual numbers would turn it into NaN.
     if x.is_zero() {
         return if fraction.is_zero() { T::one() } else { T::zero() };
     }
-    if !is_plain::<T>() {
-        // The exponent may carry a derivative, even where its fraction is zero.
-        return (fraction * x.ln()).exp();
-    }
-    if fraction.is_zero() {
-        return T::one();
-    }
-    let quarters = fraction * T::constant(4.0);
-    if quarters == T::constant(2.0) {
-        x.sqrt()
-    } else if quarters == T::one() {
-        x.sqrt().sqrt()
-    } else if quarters == T::constant(3.0) {
-        let root = x.sqrt();
-        root * root.sqrt()
-    } else {
-        x.powf(fraction)
-    }
+    // The exponent may carry a derivative, even where its fraction is zero.
+    if is_plain::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
 }
 
 #[cfg(test)]
