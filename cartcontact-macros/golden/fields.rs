@@ -106,9 +106,37 @@ const _: () = {
             )
         }
         #[inline]
+        fn quick_approach(&self, a: T) -> T {
+            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let s = a * a;
+            (c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
+                + (c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
+                    * s) * s
+        }
+        #[inline]
+        fn quick_load_integral(&self, a: T) -> T {
+            let [c0, c1]: [T; 2usize] = coefficients(self);
+            let s = a * a;
+            (c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
+                + (c1 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64))
+                    * s) * s * s * s
+        }
+        #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {
             let [c0, c1]: [T; 2usize] = coefficients(self);
             crate::renamed::generated::even_pressure_kernel(
+                a,
+                r,
+                [
+                    c0 * <T as crate::renamed::Scalar>::constant(0.0625f64),
+                    c1 * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, a: T, r: T) -> T {
+            let [c0, c1]: [T; 2usize] = coefficients(self);
+            crate::renamed::generated::quick_even_pressure_kernel(
                 a,
                 r,
                 [

@@ -88,8 +88,43 @@ const _: () = {
             )
         }
         #[inline]
+        fn quick_approach(&self, a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.025f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
+                    + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
+                        * a) * a) * a * a
+        }
+        #[inline]
+        fn quick_load_integral(&self, a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.004166666666666667f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64)
+                    + (<T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
+                        * a) * a) * a * a * a * a * a * a
+        }
+        #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {
             ::cartcontact::generated::pressure_kernel(
+                a,
+                r,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.05f64),
+                        <T as ::cartcontact::Scalar>::constant(2.0f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(-0.004f64),
+                        <T as ::cartcontact::Scalar>::constant(3.0f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                        <T as ::cartcontact::Scalar>::constant(4.0f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, a: T, r: T) -> T {
+            ::cartcontact::generated::quick_pressure_kernel(
                 a,
                 r,
                 [

@@ -70,8 +70,27 @@ const _: () = {
             )
         }
         #[inline]
+        fn quick_approach(&self, a: T) -> T {
+            let s = a * a;
+            (<T as ::cartcontact::Scalar>::constant(0.0125f64)) * s
+        }
+        #[inline]
+        fn quick_load_integral(&self, a: T) -> T {
+            let s = a * a;
+            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)) * s * s
+                * s
+        }
+        #[inline]
         fn pressure_kernel(&self, a: T, r: T) -> T {
             ::cartcontact::generated::even_pressure_kernel(
+                a,
+                r,
+                [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, a: T, r: T) -> T {
+            ::cartcontact::generated::quick_even_pressure_kernel(
                 a,
                 r,
                 [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],

@@ -4,7 +4,11 @@ pub use crate::admissibility::{admissible_range, checked_range};
 pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
-pub use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop, real_power};
-pub use crate::evaluate::pressure_kernel::{even_pressure_kernel, pressure_kernel};
+pub use crate::evaluate::power::{
+    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, real_power,
+};
+pub use crate::evaluate::pressure_kernel::{
+    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
+};
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;

@@ -5,8 +5,10 @@ use core::marker::PhantomData;
 use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::evaluate::double_word::DoubleWord;
-use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop, weighted_power_sum};
-use crate::evaluate::pressure_kernel::pressure_kernel;
+use crate::evaluate::power::{
+    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, weighted_power_sum,
+};
+use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::scalar::floor;
@@ -73,7 +75,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.terms.as_ref()
     }
 
-    fn map<U>(&self, term: impl Fn(T, T) -> U) -> impl Iterator<Item = U> {
+    fn map<U>(&self, term: impl Fn(T, T) -> U + Clone) -> impl Iterator<Item = U> + Clone {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
@@ -96,7 +98,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        power_sum(a, self.map(|c, n| (two * c * (n / (n + two)), n - T::one())))
+        quick_power_sum(a, self.map(|c, n| (two * c * (n / (n + two)), n - T::one())))
     }
 
     fn load_integral(&self, a: T) -> T {
@@ -113,6 +115,19 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn pressure_kernel(&self, a: T, r: T) -> T {
         pressure_kernel(a, r, self.map(|c, n| (c, n)))
+    }
+
+    fn quick_approach(&self, a: T) -> T {
+        let two = T::constant(2.0);
+        quick_power_sum(a, self.map(|c, n| (two * c / (n + two), n)))
+    }
+
+    fn quick_load_integral(&self, a: T) -> T {
+        quick_power_sum(a, self.load_integral_terms())
+    }
+
+    fn quick_pressure_kernel(&self, a: T, r: T) -> T {
+        quick_pressure_kernel(a, r, self.map(|c, n| (c, n)))
     }
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {

@@ -53,12 +53,14 @@ pub(crate) fn solver(
     let scalar = &names.scalar;
 
     // The slope is what memory integrals evaluate at every node.
-    let sums: [(_, _, _, power_sum::Form); 5] = [
+    let sums: [(_, _, _, power_sum::Form); 7] = [
         ("gap", "r", &forms.gap, power_sum::value),
         ("approach", "a", &forms.approach, power_sum::value),
         ("approach_slope", "a", &forms.approach_slope, power_sum::quick_value),
         ("load_integral", "a", &forms.load_integral, power_sum::value),
         ("log_kernel", "x", &forms.log_kernel, power_sum::value),
+        ("quick_approach", "a", &forms.approach, power_sum::quick_value),
+        ("quick_load_integral", "a", &forms.load_integral, power_sum::quick_value),
     ];
     let mut operations: Vec<Operations> = Vec::new();
     let evaluators = sums.map(|(name, variable, sum, form)| {
@@ -71,8 +73,10 @@ pub(crate) fn solver(
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
         }
     });
-    let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
-    operations.push(Operations::of_function(&pressure_kernel));
+    // The quick forms, which are the last, are not part of the interface.
+    operations.truncate(5);
+    let pressure_kernels = pressure_kernel::methods(&geometry.gap, &coefficients, &names);
+    operations.push(Operations::of_function(&pressure_kernels[0]));
     let inversion = inversion::methods(&geometry.gap, &forms, &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
@@ -87,7 +91,7 @@ pub(crate) fn solver(
             #[automatically_derived]
             #header {
                 #(#evaluators)*
-                #pressure_kernel
+                #(#pressure_kernels)*
                 #inversion
                 #range
                 #shape

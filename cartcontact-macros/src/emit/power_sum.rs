@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | whole, up to 8; or of both parities without gaps, up to 16 | Horner's rule in twice the working precision | Horner's rule, written out |
 //! | all even or all odd without gaps, up to 24 | the same in r² | Horner's rule in r², corrected for the rounding of r² |
-//! | all others | every power in twice the working precision | the same |
+//! | all others | every power in twice the working precision | the same, rounded before they are added |
 //!
 //! Horner's rule in x rounds twice per step, at random; in r² it also repeats the rounding of r², in every step
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
@@ -92,7 +92,7 @@ pub(super) fn value(
     names: &Names<'_>,
 ) -> TokenStream {
     let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
-        return by_powers(sum, x, coefficients, names);
+        return by_powers("power_sum", sum, x, coefficients, names);
     };
     let lowest = whole.lowest();
     let dense = whole.dense(lowest, sum, coefficients, names);
@@ -116,7 +116,7 @@ pub(super) fn quick_value(
             let even = quote!(#even_sum(#x, [#(#dense),*]));
             if odd == 1 { quote!(#even * #x) } else { even }
         }
-        _ => by_powers(sum, x, coefficients, names),
+        _ => by_powers("quick_power_sum", sum, x, coefficients, names),
     }
 }
 
@@ -144,8 +144,14 @@ fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<
     quote!(#square (#nested) #(* #factors)* #odd)
 }
 
-fn by_powers(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let (power_sum, pairs) = (names.generated("power_sum"), pairs(sum, coefficients, names));
+fn by_powers(
+    function: &str,
+    sum: &PowerSum,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let (power_sum, pairs) = (names.generated(function), pairs(sum, coefficients, names));
     quote!(#power_sum(#x, [#(#pairs),*]))
 }
 

@@ -5,7 +5,7 @@
 //! rounding error along, which is too long to be written out.
 
 use num_traits::ToPrimitive;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::Names;
@@ -15,24 +15,21 @@ use crate::number::integer;
 
 const HIGHEST_EVEN: u32 = 8;
 
-pub(super) fn method(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let scalar = &names.scalar;
-    let preamble = coefficients.preamble();
-    let body = match half_exponents(gap) {
-        Some(halves) => {
-            let (kernel, weights) =
-                (names.generated("even_pressure_kernel"), weights(&halves, coefficients, names));
-            quote!(#kernel(a, r, [#(#weights),*]))
-        }
-        None => {
-            let (kernel, terms) = (names.generated("pressure_kernel"), coefficients.terms());
-            quote!(#kernel(a, r, [#(#terms),*]))
-        }
+/// The kernel as it is asked for, and as pressures are made of it.
+pub(super) fn methods(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> [TokenStream; 2] {
+    let (scalar, preamble) = (&names.scalar, coefficients.preamble());
+    let (kernel, arguments) = match half_exponents(gap) {
+        Some(halves) => ("even_pressure_kernel", weights(&halves, coefficients, names)),
+        None => ("pressure_kernel", coefficients.terms()),
     };
-    quote! {
-        #[inline]
-        fn pressure_kernel(&self, a: #scalar, r: #scalar) -> #scalar { #preamble #body }
-    }
+    let quick_kernel = format!("quick_{kernel}");
+    [("pressure_kernel", kernel), ("quick_pressure_kernel", quick_kernel.as_str())].map(|(method, function)| {
+        let (method, function) = (Ident::new(method, Span::call_site()), names.generated(function));
+        quote! {
+            #[inline]
+            fn #method(&self, a: #scalar, r: #scalar) -> #scalar { #preamble #function(a, r, [#(#arguments),*]) }
+        }
+    })
 }
 
 /// n/2 for every term, if all n are even and low.

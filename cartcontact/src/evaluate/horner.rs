@@ -39,14 +39,21 @@ pub fn even_sum<T: Scalar, const N: usize>(r: T, coefficients: [T; N]) -> T {
 /// terms besides.
 #[inline]
 pub fn precise_sum<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
-    precise_horner(DoubleWord::of(x), lowest, &coefficients).rounded()
+    let sum = precise_horner(DoubleWord::of(x), lowest, &coefficients);
+    sum.rounded_or(|| plain_horner(x, lowest, coefficients))
 }
 
 /// r^lowest Σ c\[k\] r^(2k), rounded once, see [`precise_sum`].
 #[inline]
 pub fn precise_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
     let sum = precise_horner(DoubleWord::product(r, r), lowest / 2, &coefficients);
-    if lowest & 1 == 1 { sum.times_word(r).rounded() } else { sum.rounded() }
+    let odd = if lowest & 1 == 1 { r } else { T::one() };
+    sum.times_word(odd).rounded_or(|| plain_horner(r * r, lowest / 2, coefficients) * odd)
+}
+
+/// x^lowest Σ c\[k\] x^k with every operation rounded.
+fn plain_horner<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
+    (0..lowest).fold(value_and_slope(x, coefficients).0, |sum, _| sum * x)
 }
 
 #[inline(always)]

@@ -24,7 +24,13 @@ pub fn real_power<T: Scalar>(x: T, n: T) -> T {
     x.powf(n)
 }
 
-/// Σ c x^n over the terms (c, n), rounded once, in [`term`]'s arithmetic.
+/// Σ c x^n over the terms (c, n), each term within 2 ε of its value: what is only integrated.
+#[inline]
+pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
+}
+
+/// Σ c x^n over the terms (c, n), rounded once; see [`double_term`].
 #[inline]
 pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
     weighted_power_sum(x, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
@@ -56,19 +62,34 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
     terms.into_iter().fold(T::zero(), |sum, (c, p)| sum - term(c, a, p) * (p * log_ratio).exp_m1())
 }
 
-/// c x^n, rounded once if n is a multiple of 1/4, and within 2 ε otherwise.
-pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
-    double_term(DoubleWord::of(c), x, n).rounded()
-}
-
-/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
+/// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
 ///
 /// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉, with k the whole part of n: the middle value is
 /// the geometric mean of c and the result, so it is in range whenever both of them are.
-pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
+#[inline]
+pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
     let (whole, fraction) = parts(n);
     if whole < 0 || x.is_zero() {
-        return DoubleWord::of(quick_term(c.rounded(), x, n));
+        return quick_term(c, x, n);
+    }
+    let k = whole as u32;
+    let power = if k < 4 {
+        integer_power(x, k) * c
+    } else {
+        let half = DoubleWord::of(x).power(k / 2);
+        let even = half.times_word(c).times(half);
+        if k & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
+    };
+    // The exact products overflow a little before their results do.
+    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n) }
+}
+
+/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
+pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
+    let (whole, fraction) = parts(n);
+    let quick = || quick_term(c.rounded(), x, n);
+    if whole < 0 || x.is_zero() {
+        return DoubleWord::of(quick());
     }
     let k = whole as u32;
     let even = if k < 2 {
@@ -78,7 +99,8 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord
         half.times(c).times(half)
     };
     let power = if k & 1 == 1 { even.times_word(x) } else { even };
-    power.times(double_fractional_power(x, fraction))
+    let term = power.times(double_fractional_power(x, fraction));
+    if term.rounded().is_finite() { term } else { DoubleWord::of(quick()) }
 }
 
 /// c x^n with every product rounded, in halves as [`term`] does it.
@@ -128,10 +150,10 @@ fn double_fractional_power<T: Scalar>(x: T, fraction: T) -> DoubleWord<T> {
 }
 
 /// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
-fn quarters<T: Scalar>(x: T, fraction: T) -> Option<i32> {
-    let quarters = fraction * T::constant(4.0);
-    let whole = floor(quarters);
-    (is_plain::<T>() && !x.is_zero() && quarters == T::constant(f64::from(whole))).then_some(whole)
+fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
+    let is = |quarters: f64| fraction == T::constant(0.25 * quarters);
+    let whole = [0, 1, 2, 3].into_iter().find(|&whole| is(f64::from(whole)));
+    whole.filter(|_| is_plain::<T>() && !x.is_zero())
 }
 
 fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
