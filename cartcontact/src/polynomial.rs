@@ -79,10 +79,10 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
-    /// The terms of J: (C n/((n+2)(n+4)), n+4).
+    /// The terms of J/a⁴: (C n/((n+2)(n+4)), n). To round n + 4 by δ would cost J a relative error of δ ln a.
     fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
-        self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n + four))
+        self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n))
     }
 }
 
@@ -93,7 +93,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn approach(&self, a: T) -> T {
         let two = T::constant(2.0);
-        weighted_power_sum(a, self.map(|c, n| (DoubleWord::of(two * c).over(DoubleWord::sum(n, two)), n)))
+        weighted_power_sum(a, 0, self.map(|c, n| (DoubleWord::of(two * c).over(DoubleWord::sum(n, two)), n)))
     }
 
     fn approach_slope(&self, a: T) -> T {
@@ -104,13 +104,13 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     fn load_integral(&self, a: T) -> T {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
         let divisor = |n| DoubleWord::sum(n, two).times(DoubleWord::sum(n, four));
-        weighted_power_sum(a, self.map(|c, n| (DoubleWord::product(c, n).over(divisor(n)), n + four)))
+        weighted_power_sum(a, 4, self.map(|c, n| (DoubleWord::product(c, n).over(divisor(n)), n)))
     }
 
     fn log_kernel(&self, x: T) -> T {
         let two = T::constant(2.0);
         let divisor = |n| DoubleWord::sum(n, two).power(2);
-        weighted_power_sum(x, self.map(|c, n| (DoubleWord::of(c).over(divisor(n)), n + two)))
+        weighted_power_sum(x, 2, self.map(|c, n| (DoubleWord::of(c).over(divisor(n)), n)))
     }
 
     fn pressure_kernel(&self, a: T, r: T) -> T {
@@ -123,7 +123,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn quick_load_integral(&self, a: T) -> T {
-        quick_power_sum(a, self.load_integral_terms())
+        quick_power_sum(a, self.load_integral_terms()) * a * a * a * a
     }
 
     fn quick_pressure_kernel(&self, a: T, r: T) -> T {
@@ -132,7 +132,9 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         invert(load_integral, limit, positive_terms(self.map(|c, n| (c, n))), self.has_negative_terms, |a| {
-            power_sum_and_log_slope(a, self.load_integral_terms())
+            let (value, log_slope) = power_sum_and_log_slope(a, self.load_integral_terms());
+            let four = T::constant(4.0);
+            (value * a * a * a * a, (log_slope + four * value) * a * a * a * a)
         })
     }
 
@@ -141,7 +143,8 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn load_integral_drop(&self, a: T, depth: T) -> T {
-        power_sum_drop(a, depth, self.load_integral_terms())
+        let four = T::constant(4.0);
+        power_sum_drop(a, depth, self.load_integral_terms().map(|(c, n)| (c, n + four)))
     }
 
     fn highest_exponent(&self) -> T {

@@ -32,15 +32,25 @@ pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>)
 
 /// Σ c x^n over the terms (c, n), rounded once; see [`double_term`].
 #[inline]
-pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
-    weighted_power_sum(x, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
+pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T), IntoIter: Clone>) -> T {
+    weighted_power_sum(x, 0, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
 }
 
-/// [`power_sum`] with coefficients that are not rounded.
+/// x^lowest Σ c x^n with coefficients that are not rounded, rounded once.
+///
+/// Nor is n + lowest: to round an exponent by δ costs a relative error of δ ln x.
 #[inline]
-pub(crate) fn weighted_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (DoubleWord<T>, T)>) -> T {
-    let terms = terms.into_iter().map(|(c, n)| double_term(c, x, n));
-    terms.fold(DoubleWord::of(T::zero()), DoubleWord::plus).rounded()
+pub(crate) fn weighted_power_sum<T: Scalar>(
+    x: T,
+    lowest: u32,
+    terms: impl Iterator<Item = (DoubleWord<T>, T)> + Clone,
+) -> T {
+    let term = |(c, n)| (0..lowest).fold(double_term(c, x, n), |term, _| term.times_word(x));
+    let sum = terms.clone().map(term).fold(DoubleWord::of(T::zero()), DoubleWord::plus);
+    sum.rounded_or(|| {
+        let sum = quick_power_sum(x, terms.map(|(c, n)| (c.rounded(), n)));
+        (0..lowest).fold(sum, |sum, _| sum * x)
+    })
 }
 
 /// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.

@@ -67,7 +67,9 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, terms: impl IntoItera
     let (edge, two) = (Edge::<T, A>::between(a, r), T::constant(2.0));
     terms.into_iter().fold(zero, |sum, (c, n)| {
         let weight = A::of(c).over(A::product(two * (n + two), n + two));
-        sum.plus(A::term(weight, a, n + two).times(edge.kernel(n)))
+        // The exponent n + 2 would have to be rounded.
+        let power = A::term(weight, a, n).times_word(a).times_word(a);
+        sum.plus(power.times(edge.kernel(n)))
     })
 }
 

@@ -1,5 +1,7 @@
 //! A gap and the integrals over it.
 
+use std::sync::{Mutex, PoisonError};
+
 use super::number::{Exponent, Real, decimal, double, rounded, size, whole};
 use super::quadrature::integrate;
 
@@ -26,16 +28,28 @@ struct Term {
 
 impl Term {
     fn of(coefficient: Real, exponent: Real) -> Self {
-        // 1e-72 and less, of which the bracket of the pressure kernel cancels up to 24 digits: the results have about
-        // twice the digits in which the last two agree.
-        let tolerance = decimal("1e-48");
-        let next = Exponent::of(&exponent + whole(1));
-        let [mean, load, log] = integrate(&whole(0), &whole(1), &tolerance, |x| {
-            let power = next.power_of(x);
-            [whole(2) * &power, &power * (whole(2) * x * x - whole(1)), -(power * x.ln())]
-        });
+        let [mean, load, log] = integrals(&exponent);
         Self { coefficient, exponent: Exponent::of(exponent), mean, load, log }
     }
+}
+
+/// 2 ∫₀¹ xⁿ⁺¹ dx, ∫₀¹ xⁿ⁺¹ (2x² − 1) dx and ∫₀¹ xⁿ⁺¹ ln(1/x) dx, evaluated once for every exponent that is met.
+fn integrals(exponent: &Real) -> [Real; 3] {
+    static KNOWN: Mutex<Vec<(Real, [Real; 3])>> = Mutex::new(Vec::new());
+    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, integrals)) = known().iter().find(|(known, _)| known == exponent) {
+        return integrals.clone();
+    }
+    // 1e-72 and less, of which the bracket of the pressure kernel cancels up to 24 digits: the results have about
+    // twice the digits in which the last two agree.
+    let tolerance = decimal("1e-48");
+    let next = Exponent::of(exponent + whole(1));
+    let integrals = integrate(&whole(0), &whole(1), &tolerance, |x| {
+        let power = next.power_of(x);
+        [whole(2) * &power, &power * (whole(2) * x * x - whole(1)), -(power * x.ln())]
+    });
+    known().push((exponent.clone(), integrals.clone()));
+    integrals
 }
 
 impl Profile {
