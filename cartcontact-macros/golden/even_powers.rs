@@ -20,12 +20,12 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   3 × or ÷, 1 + or −
-/// approach              3 × or ÷, 1 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 3 × or ÷, 1 + or −
-/// load integral         5 × or ÷, 1 + or −
-/// log kernel            4 × or ÷, 1 + or −
-/// pressure kernel       6 × or ÷, 5 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
+/// pressure kernel       a routine of the run-time crate
 /// ```
 struct Patellofemoral;
 const _: () = {
@@ -57,16 +57,25 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            let __s = __r * __r;
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(0.000109375f64)) * __s) * __s
+            ::cartcontact::generated::precise_even_sum(
+                __r,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.025f64),
+                    <T as ::cartcontact::Scalar>::constant(0.000109375f64),
+                ],
+            )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            let __s = __a * __a;
-            (<T as ::cartcontact::Scalar>::constant(0.0125f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64))
-                    * __s) * __s
+            ::cartcontact::generated::precise_even_sum(
+                __a,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0125f64),
+                    <T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64),
+                ],
+            )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
@@ -77,31 +86,61 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
+            ::cartcontact::generated::precise_even_sum(
+                __a,
+                6u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64),
+                    <T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64),
+                ],
+            )
+        }
+        #[inline]
+        fn log_kernel(&self, __x: T) -> T {
+            ::cartcontact::generated::precise_even_sum(
+                __x,
+                4u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach(&self, __a: T) -> T {
+            let __s = __a * __a;
+            (<T as ::cartcontact::Scalar>::constant(0.0125f64)
+                + (<T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64))
+                    * __s) * __s
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: T) -> T {
             let __s = __a * __a;
             (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)
                 + (<T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64))
                     * __s) * __s * __s * __s
         }
         #[inline]
-        fn log_kernel(&self, __x: T) -> T {
-            let __s = __x * __x;
-            (<T as ::cartcontact::Scalar>::constant(0.0015625f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64))
-                    * __s) * __s * __s
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            ::cartcontact::generated::even_pressure_kernel(
+                __a,
+                __r,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                ],
+            )
         }
         #[inline]
-        fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            if __r >= __a {
-                return <T as ::cartcontact::Scalar>::constant(0.0f64);
-            }
-            let (__a_squared, __r_squared) = (__a * __a, __r * __r);
-            let __t1 = __a_squared + __r_squared;
-            let __s2 = __a_squared + __t1;
-            let __inset = (__a - __r) * (__a + __r);
-            __inset
-                * (<T as ::cartcontact::Scalar>::constant(0.0015625f64)
-                    + <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64)
-                        * __s2) * __inset
+        fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
+            ::cartcontact::generated::quick_even_pressure_kernel(
+                __a,
+                __r,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                ],
+            )
         }
         #[inline]
         fn radius_within(

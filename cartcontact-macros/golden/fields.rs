@@ -20,12 +20,12 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   3 × or ÷, 1 + or −
-/// approach              5 × or ÷, 1 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 4 × or ÷, 1 + or −
-/// load integral         7 × or ÷, 1 + or −
-/// log kernel            6 × or ÷, 1 + or −
-/// pressure kernel       8 × or ÷, 5 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
+/// pressure kernel       a routine of the run-time crate
 /// coefficients          4 × or ÷, 0 + or −, in addition
 /// ```
 struct Ball {
@@ -90,16 +90,19 @@ const _: () = {
         #[inline]
         fn gap(&self, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            let __s = __r * __r;
-            (__c0 + (__c1) * __s) * __s
+            crate::renamed::generated::precise_even_sum(__r, 2u32, [__c0, __c1])
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            let __s = __a * __a;
-            (__c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
-                + (__c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
-                    * __s) * __s
+            crate::renamed::generated::precise_even_sum(
+                __a,
+                2u32,
+                [
+                    __c0 * <T as crate::renamed::Scalar>::constant(0.5f64),
+                    __c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64),
+                ],
+            )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
@@ -112,6 +115,45 @@ const _: () = {
         #[inline]
         fn load_integral(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            crate::renamed::generated::precise_even_sum(
+                __a,
+                6u32,
+                [
+                    __c0
+                        * <T as crate::renamed::Scalar>::constant(
+                            0.08333333333333333f64,
+                        ),
+                    __c1
+                        * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64),
+                ],
+            )
+        }
+        #[inline]
+        fn log_kernel(&self, __x: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            crate::renamed::generated::precise_even_sum(
+                __x,
+                4u32,
+                [
+                    __c0 * <T as crate::renamed::Scalar>::constant(0.0625f64),
+                    __c1
+                        * <T as crate::renamed::Scalar>::constant(
+                            0.027777777777777776f64,
+                        ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
+                + (__c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
+                    * __s) * __s
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
             let __s = __a * __a;
             (__c0 * <T as crate::renamed::Scalar>::constant(0.08333333333333333f64)
                 + (__c1
@@ -119,30 +161,34 @@ const _: () = {
                     * __s) * __s * __s * __s
         }
         #[inline]
-        fn log_kernel(&self, __x: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            let __s = __x * __x;
-            (__c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
-                + (__c1
-                    * <T as crate::renamed::Scalar>::constant(0.027777777777777776f64))
-                    * __s) * __s * __s
-        }
-        #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            if __r >= __a {
-                return <T as crate::renamed::Scalar>::constant(0.0f64);
-            }
-            let (__a_squared, __r_squared) = (__a * __a, __r * __r);
-            let __t1 = __a_squared + __r_squared;
-            let __s2 = __a_squared + __t1;
-            let __inset = (__a - __r) * (__a + __r);
-            __inset
-                * (__c0 * <T as crate::renamed::Scalar>::constant(0.0625f64)
-                    + __c1
+            crate::renamed::generated::even_pressure_kernel(
+                __a,
+                __r,
+                [
+                    __c0 * <T as crate::renamed::Scalar>::constant(0.0625f64),
+                    __c1
                         * <T as crate::renamed::Scalar>::constant(
                             0.027777777777777776f64,
-                        ) * __s2) * __inset
+                        ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            crate::renamed::generated::quick_even_pressure_kernel(
+                __a,
+                __r,
+                [
+                    __c0 * <T as crate::renamed::Scalar>::constant(0.0625f64),
+                    __c1
+                        * <T as crate::renamed::Scalar>::constant(
+                            0.027777777777777776f64,
+                        ),
+                ],
+            )
         }
         #[inline]
         fn radius_within(

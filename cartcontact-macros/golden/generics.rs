@@ -112,7 +112,7 @@ const _: () = {
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::power_sum(
+            ::cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (__c0, <S as ::cartcontact::Scalar>::constant(1.0f64)),
@@ -170,9 +170,64 @@ const _: () = {
             )
         }
         #[inline]
+        fn quick_approach(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            ::cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (
+                        __c0 * <S as ::cartcontact::Scalar>::constant(0.5f64),
+                        <S as ::cartcontact::Scalar>::constant(2.0f64),
+                    ),
+                    (
+                        __c1
+                            * <S as ::cartcontact::Scalar>::constant(
+                                0.4444444444444444f64,
+                            ),
+                        <S as ::cartcontact::Scalar>::constant(2.5f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            ::cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (
+                        __c0
+                            * <S as ::cartcontact::Scalar>::constant(
+                                0.08333333333333333f64,
+                            ),
+                        <S as ::cartcontact::Scalar>::constant(6.0f64),
+                    ),
+                    (
+                        __c1
+                            * <S as ::cartcontact::Scalar>::constant(
+                                0.08547008547008547f64,
+                            ),
+                        <S as ::cartcontact::Scalar>::constant(6.5f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::pressure_kernel(
+                __a,
+                __r,
+                [
+                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            ::cartcontact::generated::quick_pressure_kernel(
                 __a,
                 __r,
                 [

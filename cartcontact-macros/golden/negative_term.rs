@@ -20,11 +20,11 @@
 /// Operations of a call, as generated:
 ///
 /// ```text
-/// gap                   4 × or ÷, 2 + or −
-/// approach              4 × or ÷, 2 + or −
+/// gap                   a routine of the run-time crate
+/// approach              a routine of the run-time crate
 /// slope of the approach 3 × or ÷, 2 + or −
-/// load integral         8 × or ÷, 2 + or −
-/// log kernel            6 × or ÷, 2 + or −
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
 /// pressure kernel       a routine of the run-time crate
 /// ```
 struct MixedSign;
@@ -60,17 +60,27 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.05f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.004f64)
-                    + (<T as ::cartcontact::Scalar>::constant(0.0002f64)) * __r) * __r)
-                * __r * __r
+            ::cartcontact::generated::precise_sum(
+                __r,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.05f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.004f64),
+                    <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                ],
+            )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
-                    + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
-                        * __a) * __a) * __a * __a
+            ::cartcontact::generated::precise_sum(
+                __a,
+                2u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.025f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.0016f64),
+                    <T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64),
+                ],
+            )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
@@ -81,21 +91,66 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
+            ::cartcontact::generated::precise_sum(
+                __a,
+                6u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.004166666666666667f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64),
+                    <T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
+                ],
+            )
+        }
+        #[inline]
+        fn log_kernel(&self, __x: T) -> T {
+            ::cartcontact::generated::precise_sum(
+                __x,
+                4u32,
+                [
+                    <T as ::cartcontact::Scalar>::constant(0.003125f64),
+                    <T as ::cartcontact::Scalar>::constant(-0.00016f64),
+                    <T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach(&self, __a: T) -> T {
+            (<T as ::cartcontact::Scalar>::constant(0.025f64)
+                + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
+                    + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
+                        * __a) * __a) * __a * __a
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: T) -> T {
             (<T as ::cartcontact::Scalar>::constant(0.004166666666666667f64)
                 + (<T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64)
                     + (<T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
                         * __a) * __a) * __a * __a * __a * __a * __a * __a
         }
         #[inline]
-        fn log_kernel(&self, __x: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.003125f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.00016f64)
-                    + (<T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64))
-                        * __x) * __x) * __x * __x * __x * __x
-        }
-        #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::pressure_kernel(
+                __a,
+                __r,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.05f64),
+                        <T as ::cartcontact::Scalar>::constant(2.0f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(-0.004f64),
+                        <T as ::cartcontact::Scalar>::constant(3.0f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                        <T as ::cartcontact::Scalar>::constant(4.0f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
+            ::cartcontact::generated::quick_pressure_kernel(
                 __a,
                 __r,
                 [

@@ -82,7 +82,7 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            ::cartcontact::generated::power_sum(
+            ::cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (
@@ -131,8 +131,59 @@ const _: () = {
             )
         }
         #[inline]
+        fn quick_approach(&self, __a: T) -> T {
+            ::cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.005714285714285714f64),
+                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.0007619047619047619f64),
+                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: T) -> T {
+            ::cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as ::cartcontact::Scalar>::constant(5.5f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(
+                            0.00017077175697865354f64,
+                        ),
+                        <T as ::cartcontact::Scalar>::constant(7.25f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::pressure_kernel(
+                __a,
+                __r,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.01f64),
+                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.002f64),
+                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
+            ::cartcontact::generated::quick_pressure_kernel(
                 __a,
                 __r,
                 [

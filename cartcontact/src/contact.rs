@@ -175,15 +175,22 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.profile.radius_within(load_integral, self.max_radius)
     }
 
-    /// What a hereditary load exceeds that of a radius.
+    /// What a hereditary load exceeds that of a radius, as pressures need it.
     pub(crate) fn surplus(&self, hereditary: T, radius: T) -> T {
-        hereditary - self.stiffness() * self.profile.load_integral(radius)
+        hereditary - self.stiffness() * self.profile.quick_load_integral(radius)
     }
 
     /// A time with its contact radius, for integrals that begin or end there.
     pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
         let hereditary = self.load.force(time) + self.medium.chi() * self.load.impulse(time);
         Moment { time, radius, surplus: self.surplus(hereditary, radius) }
+    }
+
+    /// [`moment`](Self::moment) with a load integral that is rounded once.
+    pub(crate) fn precise_moment(&self, time: T, radius: T) -> Moment<T> {
+        let hereditary = self.load.force(time) + self.medium.chi() * self.load.impulse(time);
+        let surplus = hereditary - self.stiffness() * self.profile.load_integral(radius);
+        Moment { time, radius, surplus }
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {

@@ -3,12 +3,16 @@
 pub use crate::admissibility::{
     admissible_range, check_positive, checked_range, inside_surfaces, not_below_zero,
 };
-pub use crate::evaluate::horner::{divided_difference, even_sum, value_and_slope};
+pub use crate::evaluate::horner::{
+    divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
+};
 pub use crate::evaluate::power::{
     equal_terms, integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness,
-    real_power,
+    quick_power_sum, real_power,
 };
-pub use crate::evaluate::pressure_kernel::pressure_kernel;
+pub use crate::evaluate::pressure_kernel::{
+    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
+};
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
 pub use crate::seeds::{Scale, Seeds, Steepness, elsewhere};

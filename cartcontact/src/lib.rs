@@ -78,6 +78,9 @@ mod medium;
 mod memory;
 mod parameters;
 mod polynomial;
+#[cfg(doc)]
+#[doc = include_str!("printed_formulas.md")]
+pub mod printed_formulas {}
 mod profile;
 mod scalar;
 mod seeds;

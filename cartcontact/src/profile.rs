@@ -87,6 +87,24 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
+    /// The approach as pressures need it: within 4 ε, which is quicker.
+    #[doc(hidden)]
+    fn quick_approach(&self, a: T) -> T {
+        self.approach(a)
+    }
+
+    /// The load integral as pressures need it: within 4 ε, which is quicker.
+    #[doc(hidden)]
+    fn quick_load_integral(&self, a: T) -> T {
+        self.load_integral(a)
+    }
+
+    /// The pressure kernel as pressures need it: within 8 ε, which is quicker.
+    #[doc(hidden)]
+    fn quick_pressure_kernel(&self, a: T, r: T) -> T {
+        self.pressure_kernel(a, r)
+    }
+
     /// The contact radius `a`, in mm, at which J(a) equals `load_integral`: Eq. (14) solved.
     ///
     /// # Errors
@@ -200,6 +218,15 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     }
     fn pressure_kernel(&self, a: T, r: T) -> T {
         (**self).pressure_kernel(a, r)
+    }
+    fn quick_approach(&self, a: T) -> T {
+        (**self).quick_approach(a)
+    }
+    fn quick_load_integral(&self, a: T) -> T {
+        (**self).quick_load_integral(a)
+    }
+    fn quick_pressure_kernel(&self, a: T, r: T) -> T {
+        (**self).quick_pressure_kernel(a, r)
     }
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         (**self).radius_within(load_integral, limit)

@@ -37,7 +37,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// It belongs to the exact contact radius rather than to the rounded one, so that high powers do not multiply
     /// the rounding.
     pub fn approach(&self) -> T {
-        self.contact.profile().approach(self.radius) + self.moment().strip(self.contact.stiffness())
+        let moment = self.contact.precise_moment(self.time, self.radius);
+        self.contact.profile().approach(self.radius) + moment.strip(self.contact.stiffness())
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
@@ -121,7 +122,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     fn undrained_pressure(&self, moment: Moment<T>, r: T) -> T {
         let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), moment.radius);
         let strip = moment.strip(self.contact.stiffness()) * T::constant(0.25) * ((a - r) * (a + r));
-        medium.m() * (profile.pressure_kernel(a, r) + strip)
+        medium.m() * (profile.quick_pressure_kernel(a, r) + strip)
     }
 
     pub(crate) fn moment(&self) -> Moment<T> {

@@ -1,69 +1,130 @@
 //! The one table of allowed errors.
 //!
-//! Relative errors in units of ε (2⁻⁵² for `f64`, 2⁻²³ for `f32`). A test may multiply an entry by the
-//! condition number of what it computes, Σ|terms|/|sum|, and by nothing else that is not named here.
+//! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it, with
+//! ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε, so that a
+//! relative error in units of ε may be compared with the same number.
+//!
+//! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
+//! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here.
+//!
+//! What is `seen` is the worst error in all tests, against the oracle and its reference values. Tests fail if it is
+//! exceeded noticeably, so that it has to be kept; and where it was seen, also if it is no longer reached.
 
 /// What is allowed for one quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Allowance {
     /// The quantity.
     pub quantity: &'static str,
-    /// In units of the ε of `f64`.
+    /// In ulp of `f64`.
     pub double: f64,
-    /// In units of the ε of `f32`.
+    /// In ulp of `f32`.
     pub single: f64,
-    /// Why it is above 2, if it is.
+    /// The worst that was seen, in ulp of `f64` and of `f32`.
+    pub seen: [f64; 2],
+    /// Why it is what it is.
     pub reason: &'static str,
 }
 
-const fn allow(quantity: &'static str, double: f64, single: f64, reason: &'static str) -> Allowance {
-    Allowance { quantity, double, single, reason }
+const fn allow(
+    quantity: &'static str,
+    [double, single]: [f64; 2],
+    seen: [f64; 2],
+    reason: &'static str,
+) -> Allowance {
+    Allowance { quantity, double, single, seen, reason }
 }
 
+const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
+
 /// Φ(r).
-pub const GAP: Allowance = allow("gap", 3.0, 3.0, "Horner's rule rounds twice per term, six terms at most");
+pub const GAP: Allowance = allow("gap", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
 /// δ₀(a).
-pub const APPROACH: Allowance = allow("approach", 3.0, 3.0, "as the gap");
+pub const APPROACH: Allowance = allow("approach", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
 /// δ₀′(a).
-pub const APPROACH_SLOPE: Allowance = allow("approach slope", 3.0, 3.0, "as the gap");
+pub const APPROACH_SLOPE: Allowance = allow(
+    "approach slope",
+    [4.0, 4.0],
+    [2.9, 1.7],
+    "memory integrals evaluate it at every node, so it is in plain arithmetic: two roundings per power of r or r²",
+);
 /// J(a).
-pub const LOAD_INTEGRAL: Allowance = allow("load integral", 4.0, 4.0, "as the gap, and four more factors a");
+pub const LOAD_INTEGRAL: Allowance = allow("load integral", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
 /// J(a) − J(a − depth), relative to the same difference for the sizes of the terms.
 pub const LOAD_INTEGRAL_DROP: Allowance = allow(
     "drop of the load integral",
-    40.0,
-    40.0,
+    [40.0, 40.0],
+    [40.0, 40.0],
     "the rounding of a − depth, here and in the quadrature of the test, is multiplied by the degree of J, at most 68",
 );
 /// L(x).
-pub const LOG_KERNEL: Allowance = allow("log kernel", 3.0, 3.0, "as the gap");
+pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
 /// G(a, r), up to 1 − r/a = 1e-12.
-pub const PRESSURE_KERNEL: Allowance =
-    allow("pressure kernel", 8.0, 8.0, "two factors a − r, and for powers that are not whole a power of r/a");
+pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
+/// Φ, δ₀, δ₀′, J and L with exponents that are no multiples of 1/4.
+pub const REAL_POWERS: Allowance = allow(
+    "kernels of real powers",
+    [4.0, 4.0],
+    [1.8, 1.8],
+    "as the others, and `powf` is off by up to 1 ulp",
+);
+/// G(a, r) with exponents that are no multiples of 1/4, or are above 16 and no multiples of 1/2.
+pub const PRESSURE_KERNEL_OF_REAL_POWERS: Allowance = allow(
+    "pressure kernel of real powers",
+    [8.0, 8.0],
+    [3.7, 3.7],
+    "a logarithm of r/a and an exponential of it, each off by up to 1 ulp, in the differences of a series",
+);
 /// The inverse of J.
-pub const RADIUS: Allowance = allow("radius", 1.5, 1.5, "");
+pub const RADIUS: Allowance =
+    allow("radius", [1.0, 1.5], [1.0, 1.1], "the error of J in plain arithmetic, divided by the degree of J");
 /// a(t).
-pub const CONTACT_RADIUS: Allowance = allow("contact radius", 1.5, 1.5, "");
-/// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀: the radius is rounded before.
-pub const CONTACT_APPROACH: Allowance = allow("approach in time", 1.5, 1.5, "");
-/// P(r, t), to be multiplied by 1 + 2a/(a − r): how far the rounding of a moves the edge.
-pub const PRESSURE: Allowance =
-    allow("pressure", 8.0, 8.0, "dozens of nodes, whose ages are rounded before they go into exponentials");
+pub const CONTACT_RADIUS: Allowance =
+    allow("contact radius", [1.0, 1.5], [1.0, 1.1], "as the radius, and the hereditary load is rounded");
+/// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
+pub const CONTACT_APPROACH: Allowance = allow(
+    "approach in time",
+    [1.0, 1.0],
+    [0.5, 0.5],
+    "the rounding of the hereditary load moves the radius, and that the approach",
+);
+/// P(r, t), to be multiplied by 1 + 2a/(a − r).
+pub const PRESSURE: Allowance = allow(
+    "pressure",
+    [8.0, 8.0],
+    [2.1, 1.9],
+    "dozens of nodes, whose ages are rounded before they go into exponentials; the factor is how far the rounding of \
+     a moves the edge",
+);
 /// P(0, t).
 pub const PEAK_PRESSURE: Allowance =
-    allow("peak pressure", 16.0, 16.0, "as the pressure, with the factor 3 that it has at r = 0");
+    allow("peak pressure", [8.0, 8.0], [7.8, 6.2], "as the pressure, with the factor 3 that it has at r = 0");
+/// P(0, t) of a geometry with a power above 48.
+pub const PEAK_PRESSURE_OF_HIGH_POWERS: Allowance = allow(
+    "peak pressure of high powers",
+    [16.0, 16.0],
+    [15.3, 15.3],
+    "the rounding of every node is multiplied by the exponent in δ₀′",
+);
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
-pub const FIELD: Allowance = allow("pressure field", 16.0, 16.0, "both have the error of a pressure");
-/// 2π ∫ P r dr against F: 1e-13.
+pub const FIELD: Allowance =
+    allow("pressure field", [16.0, 16.0], [16.0, 16.0], "both have the error of a pressure");
+/// 2π ∫ P r dr against F: 1e-14.
 pub const BALANCE: Allowance = allow(
     "force balance",
-    450.0,
-    450.0,
+    [45.0, 45.0],
+    [34.0, 34.0],
     "some hundred pressures near the edge, where their own errors are largest, and the quadrature of the test",
+);
+/// 2π ∫ P r dr against F under a load of a user's own: 1.2e-13.
+pub const BALANCE_OF_OTHER_LOADS: Allowance = allow(
+    "force balance of other loads",
+    [550.0, 550.0],
+    [530.0, 530.0],
+    "steps of such a load are accepted when they agree to 512 ε",
 );
 
 /// All of them.
-pub const TABLE: [Allowance; 14] = [
+pub const TABLE: [Allowance; 18] = [
     GAP,
     APPROACH,
     APPROACH_SLOPE,
@@ -71,13 +132,17 @@ pub const TABLE: [Allowance; 14] = [
     LOAD_INTEGRAL_DROP,
     LOG_KERNEL,
     PRESSURE_KERNEL,
+    REAL_POWERS,
+    PRESSURE_KERNEL_OF_REAL_POWERS,
     RADIUS,
     CONTACT_RADIUS,
     CONTACT_APPROACH,
     PRESSURE,
     PEAK_PRESSURE,
+    PEAK_PRESSURE_OF_HIGH_POWERS,
     FIELD,
     BALANCE,
+    BALANCE_OF_OTHER_LOADS,
 ];
 
 #[cfg(test)]
@@ -85,10 +150,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_entry_above_two_has_a_reason() {
-        for entry in TABLE {
-            let generous = entry.double > 2.0 || entry.single > 2.0;
-            assert_eq!(generous, !entry.reason.is_empty(), "{}", entry.quantity);
+    fn nothing_seen_exceeds_what_is_allowed() {
+        for Allowance { quantity, double, single, seen, reason } in TABLE {
+            assert!(seen[0] <= double && seen[1] <= single, "{quantity}");
+            assert!(!reason.is_empty(), "{quantity}");
         }
     }
 }

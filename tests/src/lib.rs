@@ -3,6 +3,7 @@
 pub mod budget;
 pub mod loads;
 pub mod measure;
+pub mod oracle;
 pub mod profiles;
 pub mod quadrature;
 pub mod random;

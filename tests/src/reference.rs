@@ -1,7 +1,7 @@
 //! The reference values in `reference/`: inputs in full, results to 25 digits.
-//!
-//! A result is rounded to the nearest `f64` when it is read, so a measured error is off by half an ε at most.
 
+use crate::measure::Exact;
+use crate::oracle::decimal;
 use crate::profiles::{Case, case};
 
 /// The results of `kernels.csv` for one contact radius `a` and one distance `r` from the axis.
@@ -14,17 +14,17 @@ pub struct KernelRow {
     /// A distance from the axis.
     pub r: f64,
     /// Φ(a).
-    pub gap: f64,
+    pub gap: Exact,
     /// δ₀(a).
-    pub approach: f64,
+    pub approach: Exact,
     /// δ₀′(a).
-    pub approach_slope: f64,
+    pub approach_slope: Exact,
     /// J(a).
-    pub load_integral: f64,
+    pub load_integral: Exact,
     /// L(a).
-    pub log_kernel: f64,
+    pub log_kernel: Exact,
     /// G(a, r).
-    pub pressure_kernel: f64,
+    pub pressure_kernel: Exact,
 }
 
 /// One row of `radius.csv`: (π m/4) J(a) = y.
@@ -37,7 +37,7 @@ pub struct RadiusRow {
     /// The hereditary load.
     pub y: f64,
     /// The contact radius.
-    pub a: f64,
+    pub a: Exact,
 }
 
 /// One row of `contact.csv`.
@@ -56,13 +56,13 @@ pub struct ContactRow {
     /// A distance from the axis.
     pub r: f64,
     /// a(t).
-    pub radius: f64,
+    pub radius: Exact,
     /// δ₀(t).
-    pub approach: f64,
+    pub approach: Exact,
     /// P(r, t).
-    pub pressure: f64,
+    pub pressure: Exact,
     /// P(0, t).
-    pub peak_pressure: f64,
+    pub peak_pressure: Exact,
 }
 
 /// One row of `finite_element_history.csv`.
@@ -84,9 +84,9 @@ pub struct FiniteElementRow {
 #[must_use]
 pub fn kernels() -> Vec<KernelRow> {
     let row = |[name, rest @ ..]: [&str; 9]| {
-        let [a, r, gap, approach, approach_slope, load_integral, log_kernel, pressure_kernel] =
-            rest.map(number);
-        let case = case(name);
+        let [a, r, results @ ..] = rest;
+        let [gap, approach, approach_slope, load_integral, log_kernel, pressure_kernel] = results.map(exact);
+        let (case, a, r) = (case(name), number(a), number(r));
         KernelRow { case, a, r, gap, approach, approach_slope, load_integral, log_kernel, pressure_kernel }
     };
     rows(include_str!("../reference/kernels.csv")).map(row).collect()
@@ -95,10 +95,8 @@ pub fn kernels() -> Vec<KernelRow> {
 /// All of `radius.csv`.
 #[must_use]
 pub fn radii() -> Vec<RadiusRow> {
-    let row = |[name, rest @ ..]: [&str; 4]| {
-        let [m, y, a] = rest.map(number);
-        RadiusRow { case: case(name), m, y, a }
-    };
+    let row =
+        |[name, m, y, a]: [&str; 4]| RadiusRow { case: case(name), m: number(m), y: number(y), a: exact(a) };
     rows(include_str!("../reference/radius.csv")).map(row).collect()
 }
 
@@ -106,8 +104,9 @@ pub fn radii() -> Vec<RadiusRow> {
 #[must_use]
 pub fn contacts() -> Vec<ContactRow> {
     let row = |[name, m, chi, load, rest @ ..]: [&str; 10]| {
-        let [t, r, radius, approach, pressure, peak_pressure] = rest.map(number);
-        let (m, chi, knots) = (number(m), number(chi), knots(load));
+        let [t, r, results @ ..] = rest;
+        let [radius, approach, pressure, peak_pressure] = results.map(exact);
+        let ([m, chi, t, r], knots) = ([m, chi, t, r].map(number), knots(load));
         ContactRow { case: case(name), m, chi, knots, t, r, radius, approach, pressure, peak_pressure }
     };
     rows(include_str!("../reference/contact.csv")).map(row).collect()
@@ -140,4 +139,8 @@ fn knots(text: &str) -> Vec<(f64, f64)> {
 
 fn number(text: &str) -> f64 {
     text.parse().unwrap_or_else(|error| unreachable!("{text}: {error}"))
+}
+
+fn exact(text: &str) -> Exact {
+    Exact::from(&decimal(text))
 }

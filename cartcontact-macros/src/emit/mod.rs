@@ -61,26 +61,31 @@ pub(crate) fn solver(
     let coefficients = Coefficients::new(item, geometry, &names);
     let scalar = &names.scalar;
 
-    let sums = [
-        ("gap", "r", &forms.gap),
-        ("approach", "a", &forms.approach),
-        ("approach_slope", "a", &forms.approach_slope),
-        ("load_integral", "a", &forms.load_integral),
-        ("log_kernel", "x", &forms.log_kernel),
+    // The slope is what memory integrals evaluate at every node.
+    let sums: [(_, _, _, power_sum::Form); 7] = [
+        ("gap", "r", &forms.gap, power_sum::value),
+        ("approach", "a", &forms.approach, power_sum::value),
+        ("approach_slope", "a", &forms.approach_slope, power_sum::quick_value),
+        ("load_integral", "a", &forms.load_integral, power_sum::value),
+        ("log_kernel", "x", &forms.log_kernel, power_sum::value),
+        ("quick_approach", "a", &forms.approach, power_sum::quick_value),
+        ("quick_load_integral", "a", &forms.load_integral, power_sum::quick_value),
     ];
     let mut operations: Vec<Operations> = Vec::new();
-    let evaluators = sums.map(|(name, variable, sum)| {
+    let evaluators = sums.map(|(name, variable, sum, form)| {
         let (name, variable) = (format_ident!("{name}"), local(variable));
         let preamble = coefficients.preamble();
-        let body = power_sum::value(sum, &variable, &coefficients, &names);
+        let body = form(sum, &variable, &coefficients, &names);
         operations.push(Operations::of(&body));
         quote! {
             #[inline]
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
         }
     });
-    let pressure_kernel = pressure_kernel::method(&geometry.gap, &coefficients, &names);
-    operations.push(Operations::of_function(&pressure_kernel));
+    // The quick forms, which are the last, are not part of the interface.
+    operations.truncate(5);
+    let pressure_kernels = pressure_kernel::methods(&geometry.gap, &coefficients, &names);
+    operations.push(Operations::of_function(&pressure_kernels[0]));
     let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
     let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
     let table = seeds.as_ref().map(|seeds| seeds::items(seeds, &forms.load_integral, &coefficients, &names));
@@ -99,7 +104,7 @@ pub(crate) fn solver(
             #[automatically_derived]
             #header {
                 #(#evaluators)*
-                #pressure_kernel
+                #(#pressure_kernels)*
                 #inversion
                 #range
                 #shape

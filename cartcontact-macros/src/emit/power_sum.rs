@@ -1,10 +1,10 @@
-//! Sums of powers as code, each in the cheapest form that keeps its error below 4 ε.
+//! Sums of powers as code: precise, rounded once, for what is asked for; and quick for what is only integrated.
 //!
-//! | exponents | form |
-//! |---|---|
-//! | whole, up to 8; or of both parities without gaps, up to 16 | Horner's rule, written out |
-//! | all even or all odd without gaps, up to 24 | Horner's rule in r², corrected for the rounding of r² |
-//! | all others | every power in twice the working precision |
+//! | exponents | precise | quick, below 4 ε |
+//! |---|---|---|
+//! | whole, up to 8; or of both parities without gaps, up to 16 | Horner's rule in twice the working precision | Horner's rule, written out |
+//! | all even or all odd without gaps, up to 24 | the same in r² | Horner's rule in r², corrected for the rounding of r² |
+//! | all others | every power in twice the working precision | the same, rounded before they are added |
 //!
 //! Horner's rule in x rounds twice per step, at random; in r² it also repeats the rounding of r², in every step
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
@@ -17,6 +17,9 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::{Names, local};
 use crate::closed_forms::PowerSum;
+
+/// How a sum is written.
+pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> TokenStream;
 
 /// The whole exponents of a sum of powers.
 pub(super) struct Whole {
@@ -59,6 +62,15 @@ impl Whole {
         self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
     }
 
+    fn is_low(&self) -> bool {
+        let highest = self.highest();
+        highest <= 8 || (self.stride() == 1 && self.largest_gap() <= 2 && highest <= 16)
+    }
+
+    fn is_low_in_square(&self) -> bool {
+        self.stride() == 2 && self.largest_gap() <= 4 && self.highest() <= 24
+    }
+
     /// The coefficients of all powers from `from` in steps of the stride, zero where there is no summand.
     pub(super) fn dense(
         &self,
@@ -82,25 +94,40 @@ impl Whole {
     }
 }
 
-/// The value of the sum at `x`.
+/// The value of the sum at `x`, with one rounding besides those of the coefficients.
 pub(super) fn value(
     sum: &PowerSum,
     x: &Ident,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let Some(whole) = Whole::of(sum) else { return precise(sum, x, coefficients, names) };
-    let (highest, stride) = (whole.highest(), whole.stride());
-    if highest <= 8 || (stride == 1 && whole.largest_gap() <= 2 && highest <= 16) {
-        return horner(sum, &whole, x, coefficients);
+    let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
+        return by_powers("power_sum", sum, x, coefficients, names);
+    };
+    let lowest = whole.lowest();
+    let dense = whole.dense(lowest, sum, coefficients, names);
+    let function = if whole.stride() == 2 { "precise_even_sum" } else { "precise_sum" };
+    let function = names.generated(function);
+    quote!(#function(#x, #lowest, [#(#dense),*]))
+}
+
+/// The value of the sum at `x` in the cheapest form with an error below 4 ε.
+pub(super) fn quick_value(
+    sum: &PowerSum,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    match Whole::of(sum) {
+        Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
+        Some(whole) if whole.is_low_in_square() => {
+            let odd = whole.lowest() % 2;
+            let (even_sum, dense) = (names.generated("even_sum"), whole.dense(odd, sum, coefficients, names));
+            let even = quote!(#even_sum(#x, [#(#dense),*]));
+            if odd == 1 { quote!(#even * #x) } else { even }
+        }
+        _ => by_powers("quick_power_sum", sum, x, coefficients, names),
     }
-    if stride == 2 && whole.largest_gap() <= 4 && highest <= 24 {
-        let odd = whole.lowest() % 2;
-        let (even_sum, dense) = (names.generated("even_sum"), whole.dense(odd, sum, coefficients, names));
-        let even = quote!(#even_sum(#x, [#(#dense),*]));
-        return if odd == 1 { quote!(#even * #x) } else { even };
-    }
-    precise(sum, x, coefficients, names)
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
@@ -142,8 +169,14 @@ pub(super) fn nested(
     nested
 }
 
-fn precise(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let (power_sum, pairs) = (names.generated("power_sum"), pairs(sum, coefficients, names));
+fn by_powers(
+    function: &str,
+    sum: &PowerSum,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let (power_sum, pairs) = (names.generated(function), pairs(sum, coefficients, names));
     quote!(#power_sum(#x, [#(#pairs),*]))
 }
 

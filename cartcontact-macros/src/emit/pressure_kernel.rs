@@ -1,17 +1,11 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! For even exponents up to 8 it is written out. With n = 2 k, A = a², R = r²,
-//!
-//! ```text
-//! G = (A − R)² Σ C/(n+2)² S_k,    S_k = Σ_{j<k} (k − j) R^j A^(k−1−j)
-//! S_1 = 1,  T_0 = 1,    T_k = A T_{k−1} + R^k,    S_{k+1} = A S_k + T_k
-//! ```
-//!
-//! which are sums of positive terms, without a division. Higher and other exponents go through the run-time
-//! crate's kernel, whose accuracy does not depend on the exponent.
+//! Even exponents up to 8 have a kernel of their own, without a division; higher and other exponents go through one
+//! whose time grows with the exponent less quickly. Both belong to the run-time crate: they carry every operation's
+//! rounding error along, which is too long to be written out.
 
 use num_traits::ToPrimitive;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
@@ -19,71 +13,49 @@ use super::{Names, local};
 use crate::gap::Gap;
 use crate::number::integer;
 
-const HIGHEST_WRITTEN_OUT: u32 = 8;
+const HIGHEST_EVEN: u32 = 8;
 
-pub(super) fn method(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let scalar = &names.scalar;
-    let preamble = coefficients.preamble();
-    let (a, r) = (local("a"), local("r"));
-    let body = match half_exponents(gap) {
-        Some(halves) => written_out(gap, &halves, [&a, &r], coefficients, names),
-        None => {
-            let (kernel, terms) = (names.generated("pressure_kernel"), coefficients.terms());
-            quote!(#kernel(#a, #r, [#(#terms),*]))
-        }
+/// The kernel as it is asked for, and as pressures are made of it.
+pub(super) fn methods(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> [TokenStream; 2] {
+    let (scalar, preamble) = (&names.scalar, coefficients.preamble());
+    let (kernel, arguments) = match half_exponents(gap) {
+        Some(halves) => ("even_pressure_kernel", weights(&halves, coefficients, names)),
+        None => ("pressure_kernel", coefficients.terms()),
     };
-    quote! {
-        #[inline]
-        fn pressure_kernel(&self, #a: #scalar, #r: #scalar) -> #scalar { #preamble #body }
-    }
+    let (a, r) = (local("a"), local("r"));
+    let quick_kernel = format!("quick_{kernel}");
+    [("pressure_kernel", kernel), ("quick_pressure_kernel", quick_kernel.as_str())].map(
+        |(method, function)| {
+            let (method, function) = (Ident::new(method, Span::call_site()), names.generated(function));
+            quote! {
+                #[inline]
+                fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar {
+                    #preamble
+                    #function(#a, #r, [#(#arguments),*])
+                }
+            }
+        },
+    )
 }
 
 /// n/2 for every term, if all n are even and low.
 fn half_exponents(gap: &Gap) -> Option<Vec<u32>> {
     let half = |term: &crate::gap::Term| {
         let half = &term.exponent / integer(2);
-        half.is_integer().then(|| half.to_u32()).flatten().filter(|half| 2 * half <= HIGHEST_WRITTEN_OUT)
+        half.is_integer().then(|| half.to_u32()).flatten().filter(|half| 2 * half <= HIGHEST_EVEN)
     };
     gap.terms.iter().map(half).collect()
 }
 
-fn written_out(
-    gap: &Gap,
-    halves: &[u32],
-    [a, r]: [&Ident; 2],
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
+/// C/(n+2)² for n = 2, 4, … up to the highest, zero where there is no term.
+fn weights(halves: &[u32], coefficients: &Coefficients<'_>, names: &Names<'_>) -> Vec<TokenStream> {
     let constant = names.constant();
-    let [t, s] = [|k: u32| local(&format!("t{k}")), |k: u32| local(&format!("s{k}"))];
-    let (a_squared, r_squared, inset) = (local("a_squared"), local("r_squared"), local("inset"));
-    let highest = halves.last().copied().unwrap_or(1);
-    let recurrences = (2..=highest).map(|k| {
-        let (next_t, next_s) = (t(k - 1), s(k));
-        if k == 2 {
-            return quote!(let #next_t = #a_squared + #r_squared; let #next_s = #a_squared + #next_t;);
+    let weight = |half: u32| match halves.iter().position(|&own| own == half) {
+        Some(index) => {
+            let shifted = integer(2) * integer(half) + integer(2);
+            coefficients.times(index, &(&shifted * &shifted).recip())
         }
-        let (previous_t, previous_s) = (t(k - 2), s(k - 1));
-        let factors = (2..k).map(|_| &r_squared);
-        quote! {
-            let #next_t = #a_squared * #previous_t + #r_squared #(* #factors)*;
-            let #next_s = #a_squared * #previous_s + #next_t;
-        }
-    });
-    let terms = gap.terms.iter().enumerate().zip(halves).map(|((index, term), &k)| {
-        let shifted = &term.exponent + integer(2);
-        let weight = coefficients.times(index, &(&shifted * &shifted).recip());
-        let s = s(k);
-        if k == 1 { weight } else { quote!(#weight * #s) }
-    });
-    let squares = (highest > 1).then(|| quote!(let (#a_squared, #r_squared) = (#a * #a, #r * #r);));
-    quote! {
-        if #r >= #a {
-            return #constant(0.0f64);
-        }
-        #squares
-        #(#recurrences)*
-        let #inset = (#a - #r) * (#a + #r);
-        #inset * (#(#terms)+*) * #inset
-    }
+        None => quote!(#constant(0.0f64)),
+    };
+    (1..=halves.last().copied().unwrap_or(1)).map(weight).collect()
 }

@@ -1,11 +1,12 @@
 //! Numbers of twice the working precision, as unevaluated sums of two words.
 //!
-//! A product of k rounded factors is off by up to k/2 ε, and repeated squaring multiplies the first rounding
-//! by k/2; for r^64 that is 30 ε. With the rounding error of every product carried along, the power is
-//! right to the last place for any exponent.
+//! Every sum and product of words rounds once; a sum of powers in plain arithmetic is off by a few ε, and there are
+//! higher costs: a product of k rounded factors is off by up to k/2 ε, and
+//! repeated squaring multiplies the first rounding by k/2; for r^64 that is 30 ε. With the rounding error of every
+//! operation carried along, only the last one counts.
 //!
 //! Sources: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
-//! (1971), doi 10.1007/BF01397083 (split, product); M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous
+//! (1971), doi 10.1007/BF01397083 (split, product, sum of unequal words); M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous
 //! error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017),
 //! doi 10.1145/3121432 (product of double words, relative error below 7 · 2^-2p).
 
@@ -31,6 +32,24 @@ impl<T: Scalar> DoubleWord<T> {
         Self { high, low }
     }
 
+    /// The sum of two words, without any error (Knuth).
+    pub(crate) fn sum(x: T, y: T) -> Self {
+        let high = x + y;
+        let of_y = high - x;
+        let low = (x - (high - of_y)) + (y - of_y);
+        Self { high, low }
+    }
+
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let sum = Self::sum(self.high, other.high);
+        Self::renormalised(sum.high, sum.low + (self.low + other.low))
+    }
+
+    pub(crate) fn plus_word(self, word: T) -> Self {
+        let sum = Self::sum(self.high, word);
+        Self::renormalised(sum.high, sum.low + self.low)
+    }
+
     pub(crate) fn times(self, other: Self) -> Self {
         let product = Self::product(self.high, other.high);
         Self::renormalised(product.high, product.low + (self.high * other.low + self.low * other.high))
@@ -39,6 +58,22 @@ impl<T: Scalar> DoubleWord<T> {
     pub(crate) fn times_word(self, word: T) -> Self {
         let product = Self::product(self.high, word);
         Self::renormalised(product.high, product.low + self.low * word)
+    }
+
+    /// The quotient of two double words: that of the high words, and that of what it leaves.
+    pub(crate) fn over(self, other: Self) -> Self {
+        let quotient = self.high / other.high;
+        let back = other.times_word(quotient);
+        let rest = (self.high - back.high) + (self.low - back.low);
+        Self::renormalised(quotient, rest / other.high)
+    }
+
+    /// The square root of a positive number, with one step of Newton's method from that of the high word.
+    pub(crate) fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        let square = Self::product(root, root);
+        let rest = ((self.high - square.high) - square.low) + self.low;
+        Self::renormalised(root, rest / (root + root))
     }
 
     /// The k-th power by binary powering, k ≥ 1: at most 2 log₂ k products.
@@ -57,11 +92,19 @@ impl<T: Scalar> DoubleWord<T> {
         self.high + self.low
     }
 
+    /// The number rounded, or what plain arithmetic gives: beyond 2^996 the halves overflow a little before their
+    /// results do.
+    pub(crate) fn rounded_or(self, plain: impl FnOnce() -> T) -> T {
+        let rounded = self.rounded();
+        if rounded.is_finite() { rounded } else { plain() }
+    }
+
     /// What `high` lacks.
     pub(crate) fn low(self) -> T {
         self.low
     }
 
+    /// The sum of two words of which the second is the smaller by far (Dekker).
     fn renormalised(high: T, low: T) -> Self {
         let sum = high + low;
         Self { high: sum, low: low - (sum - high) }
@@ -97,5 +140,18 @@ mod tests {
         assert_eq!(DoubleWord::of(3.0_f32).power(15).rounded(), 14_348_907.0);
         let power = DoubleWord::of(1.0 + 2f64.powi(-20)).power(64).rounded();
         assert_eq!(power, 1.000_061_036_989_827_5);
+    }
+
+    #[test]
+    fn sums_quotients_and_roots_keep_what_is_lost() {
+        let tiny = 2f64.powi(-70);
+        let sum = DoubleWord::sum(1.0, tiny);
+        assert_eq!((sum.high, sum.low), (1.0, tiny));
+        // (1 + 2^-70)/3 and its product with 3; the root of (1 + 2^-70)².
+        let back = sum.over(DoubleWord::of(3.0)).times_word(3.0);
+        assert_eq!((back.high, back.low), (1.0, tiny));
+        let root = sum.times(sum).sqrt();
+        assert_eq!((root.high, root.low), (1.0, tiny));
+        assert_eq!(sum.plus(DoubleWord::of(-1.0)).high, tiny);
     }
 }

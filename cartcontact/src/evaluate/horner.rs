@@ -33,6 +33,42 @@ pub fn even_sum<T: Scalar, const N: usize>(r: T, coefficients: [T; N]) -> T {
     if corrected.is_finite() { corrected } else { value_and_slope(r * r, coefficients).0 }
 }
 
+/// x^lowest Σ c\[k\] x^k, rounded once: Horner's rule in twice the working precision.
+///
+/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients; otherwise 2^−100 times the sizes of the
+/// terms besides.
+#[inline]
+pub fn precise_sum<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
+    let sum = precise_horner(DoubleWord::of(x), lowest, &coefficients);
+    sum.rounded_or(|| plain_horner(x, lowest, coefficients))
+}
+
+/// r^lowest Σ c\[k\] r^(2k), rounded once, see [`precise_sum`].
+#[inline]
+pub fn precise_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
+    let sum = precise_horner(DoubleWord::product(r, r), lowest / 2, &coefficients);
+    let odd = if lowest & 1 == 1 { r } else { T::one() };
+    sum.times_word(odd).rounded_or(|| plain_horner(r * r, lowest / 2, coefficients) * odd)
+}
+
+/// x^lowest Σ c\[k\] x^k with every operation rounded.
+fn plain_horner<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
+    (0..lowest).fold(value_and_slope(x, coefficients).0, |sum, _| sum * x)
+}
+
+#[inline(always)]
+fn precise_horner<T: Scalar, const N: usize>(
+    x: DoubleWord<T>,
+    lowest: u32,
+    coefficients: &[T; N],
+) -> DoubleWord<T> {
+    let Some((&last, rest)) = coefficients.split_last() else { return DoubleWord::of(T::zero()) };
+    let step = |sum: DoubleWord<T>, &coefficient: &T| sum.times(x).plus_word(coefficient);
+    let sum = rest.iter().rev().fold(DoubleWord::of(last), step);
+    // One by one: a power of x alone may overflow though the result does not.
+    (0..lowest).fold(sum, |sum, _| sum.times(x))
+}
+
 /// The value P(x) and the slope P'(x).
 #[inline]
 pub fn value_and_slope<T: Scalar, const N: usize>(x: T, coefficients: [T; N]) -> (T, T) {
@@ -52,6 +88,8 @@ mod tests {
     #[test]
     fn small_integers_are_exact() {
         assert_eq!(even_sum(3.0, [1.0, 2.0, 0.0, 5.0]), 1.0 + 18.0 + 5.0 * 729.0);
+        assert_eq!(precise_even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
+        assert_eq!(precise_sum(3.0, 1, [1.0, 2.0]), 3.0 + 2.0 * 9.0);
         assert_eq!(value_and_slope(2.0, [1.0, 0.0, 3.0]), (13.0, 12.0));
         // (x³ − y³)/(x − y) = x² + x y + y².
         assert_eq!(divided_difference(3.0, 2.0, [7.0, 0.0, 0.0, 1.0]), 19.0);
@@ -61,5 +99,7 @@ mod tests {
     #[test]
     fn even_sum_stays_finite_up_to_the_end_of_the_range() {
         assert_eq!(even_sum(1e153, [0.0, 1e-10]), 1e306 * 1e-10);
+        assert_eq!(precise_even_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
+        assert_eq!(precise_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
     }
 }

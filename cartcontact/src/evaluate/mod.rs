@@ -1,5 +1,6 @@
 //! Arithmetic on sums of powers: what generated solvers and [`Polynomial`](crate::Polynomial) are made of.
 
+pub(crate) mod arithmetic;
 pub(crate) mod binary;
 pub(crate) mod double_word;
 pub(crate) mod horner;

@@ -25,10 +25,33 @@ pub fn real_power<T: Scalar>(x: T, n: T) -> T {
     x.powf(n)
 }
 
-/// Σ c x^n over the terms (c, n), each term within 2 ε of its value.
+/// Σ c x^n over the terms (c, n), each term within 2 ε of its value: what is only integrated.
 #[inline]
-pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
     terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
+}
+
+/// Σ c x^n over the terms (c, n), rounded once; see [`double_term`].
+#[inline]
+pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T), IntoIter: Clone>) -> T {
+    weighted_power_sum(x, 0, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
+}
+
+/// x^lowest Σ c x^n with coefficients that are not rounded, rounded once.
+///
+/// Nor is n + lowest: to round an exponent by δ costs a relative error of δ ln x.
+#[inline]
+pub(crate) fn weighted_power_sum<T: Scalar>(
+    x: T,
+    lowest: u32,
+    terms: impl Iterator<Item = (DoubleWord<T>, T)> + Clone,
+) -> T {
+    let term = |(c, n)| (0..lowest).fold(double_term(c, x, n), |term, _| term.times_word(x));
+    let sum = terms.clone().map(term).fold(DoubleWord::of(T::zero()), DoubleWord::plus);
+    sum.rounded_or(|| {
+        let sum = quick_power_sum(x, terms.map(|(c, n)| (c.rounded(), n)));
+        (0..lowest).fold(sum, |sum, _| sum * x)
+    })
 }
 
 /// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
@@ -84,17 +107,18 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
     terms.into_iter().fold(T::zero(), |sum, (c, p)| sum - term(c, a, p) * (p * log_ratio).exp_m1())
 }
 
-/// c x^n within 2 ε.
+/// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
 ///
 /// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉, with k the whole part of n: the middle value is
 /// the geometric mean of c and the result, so it is in range whenever both of them are.
+#[inline]
 pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
     let (whole, fraction) = parts(n);
     if whole < 0 || x.is_zero() {
         return quick_term(c, x, n);
     }
     let k = whole as u32;
-    let exact = if k < 4 {
+    let power = if k < 4 {
         integer_power(x, k) * c
     } else {
         let half = DoubleWord::of(x).power(k / 2);
@@ -102,7 +126,26 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
         if k & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if exact.is_finite() { exact * fractional_power(x, fraction) } else { quick_term(c, x, n) }
+    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n) }
+}
+
+/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
+pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
+    let (whole, fraction) = parts(n);
+    let quick = || quick_term(c.rounded(), x, n);
+    if whole < 0 || x.is_zero() {
+        return DoubleWord::of(quick());
+    }
+    let k = whole as u32;
+    let even = if k < 2 {
+        c
+    } else {
+        let half = DoubleWord::of(x).power(k / 2);
+        half.times(c).times(half)
+    };
+    let power = if k & 1 == 1 { even.times_word(x) } else { even };
+    let term = power.times(double_fractional_power(x, fraction));
+    if term.rounded().is_finite() { term } else { DoubleWord::of(quick()) }
 }
 
 /// c x^n with every product rounded, in halves as [`term`] does it.
@@ -126,29 +169,45 @@ fn parts<T: Scalar>(n: T) -> (i32, T) {
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
-pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+    match quarters(x, fraction) {
+        Some(0) => T::one(),
+        Some(1) => x.sqrt().sqrt(),
+        Some(2) => x.sqrt(),
+        Some(3) => {
+            let root = x.sqrt();
+            root * root.sqrt()
+        }
+        _ => real_fractional_power(x, fraction),
+    }
+}
+
+/// [`fractional_power`], multiples of 1/4 in twice the working precision.
+fn double_fractional_power<T: Scalar>(x: T, fraction: T) -> DoubleWord<T> {
+    let root = || DoubleWord::of(x).sqrt();
+    match quarters(x, fraction) {
+        Some(0) => DoubleWord::of(T::one()),
+        Some(1) => root().sqrt(),
+        Some(2) => root(),
+        Some(3) => root().times(root().sqrt()),
+        _ => DoubleWord::of(real_fractional_power(x, fraction)),
+    }
+}
+
+/// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
+fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
+    let is = |quarters: f64| fraction == T::constant(0.25 * quarters);
+    let whole = [0, 1, 2, 3].into_iter().find(|&whole| is(f64::from(whole)));
+    whole.filter(|_| is_plain::<T>() && !x.is_zero())
+}
+
+fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     // Zero has no finite slope here; dual numbers would turn it into NaN.
     if x.is_zero() {
         return if fraction.is_zero() { T::one() } else { T::zero() };
     }
-    if !is_plain::<T>() {
-        // The exponent may carry a derivative, even where its fraction is zero.
-        return (fraction * x.ln()).exp();
-    }
-    if fraction.is_zero() {
-        return T::one();
-    }
-    let quarters = fraction * T::constant(4.0);
-    if quarters == T::constant(2.0) {
-        x.sqrt()
-    } else if quarters == T::one() {
-        x.sqrt().sqrt()
-    } else if quarters == T::constant(3.0) {
-        let root = x.sqrt();
-        root * root.sqrt()
-    } else {
-        x.powf(fraction)
-    }
+    // The exponent may carry a derivative, even where its fraction is zero.
+    if is_plain::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
 }
 
 #[cfg(test)]

@@ -1,0 +1,121 @@
+//! The two arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, and
+//! double words where it is asked for itself.
+
+use super::double_word::DoubleWord;
+use super::power::{double_term, term};
+use crate::Scalar;
+
+/// What numbers made of words of type `T` can do.
+pub(crate) trait Arithmetic<T>: Copy {
+    fn of(word: T) -> Self;
+    fn sum(x: T, y: T) -> Self;
+    fn product(x: T, y: T) -> Self;
+    /// c x^n.
+    fn term(c: Self, x: T, n: T) -> Self;
+    fn plus(self, other: Self) -> Self;
+    fn plus_word(self, word: T) -> Self;
+    fn times(self, other: Self) -> Self;
+    fn times_word(self, word: T) -> Self;
+    fn over(self, other: Self) -> Self;
+    /// The square root of a positive number.
+    fn sqrt(self) -> Self;
+    fn rounded(self) -> T;
+}
+
+/// A word, rounded after every operation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Word<T>(T);
+
+impl<T: Scalar> Arithmetic<T> for Word<T> {
+    #[inline]
+    fn of(word: T) -> Self {
+        Self(word)
+    }
+    #[inline]
+    fn sum(x: T, y: T) -> Self {
+        Self(x + y)
+    }
+    #[inline]
+    fn product(x: T, y: T) -> Self {
+        Self(x * y)
+    }
+    #[inline]
+    fn term(c: Self, x: T, n: T) -> Self {
+        Self(term(c.0, x, n))
+    }
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+    #[inline]
+    fn plus_word(self, word: T) -> Self {
+        Self(self.0 + word)
+    }
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+    #[inline]
+    fn times_word(self, word: T) -> Self {
+        Self(self.0 * word)
+    }
+    #[inline]
+    fn over(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    #[inline]
+    fn rounded(self) -> T {
+        self.0
+    }
+}
+
+impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
+    #[inline]
+    fn of(word: T) -> Self {
+        Self::of(word)
+    }
+    #[inline]
+    fn sum(x: T, y: T) -> Self {
+        Self::sum(x, y)
+    }
+    #[inline]
+    fn product(x: T, y: T) -> Self {
+        Self::product(x, y)
+    }
+    #[inline]
+    fn term(c: Self, x: T, n: T) -> Self {
+        double_term(c, x, n)
+    }
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Self::plus(self, other)
+    }
+    #[inline]
+    fn plus_word(self, word: T) -> Self {
+        Self::plus_word(self, word)
+    }
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        Self::times(self, other)
+    }
+    #[inline]
+    fn times_word(self, word: T) -> Self {
+        Self::times_word(self, word)
+    }
+    #[inline]
+    fn over(self, other: Self) -> Self {
+        Self::over(self, other)
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        Self::sqrt(self)
+    }
+    #[inline]
+    fn rounded(self) -> T {
+        Self::rounded(self)
+    }
+}

@@ -1,0 +1,269 @@
+//! Random geometries and histories against the oracle, the same ones in every run.
+
+use core::f64::consts::FRAC_PI_4;
+
+use cartcontact::{Contact, GapProfile, Medium, gap_profile};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use tests::budget::{self, Allowance};
+use tests::loads::{Knots, through};
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Oracle, Profile, Real, double, rounded};
+use tests::random::{Sum, magnitude, sum};
+
+type Terms = Vec<(f64, f64)>;
+
+/// Multiples of 1/4 from 1/4 to 12 and whole numbers up to 64, small ones more often.
+fn quarters() -> impl Strategy<Value = f64> {
+    let quarters = |range: core::ops::RangeInclusive<u32>| range.prop_map(|count| f64::from(count) / 4.0);
+    prop_oneof![3 => quarters(1..=16), 2 => quarters(4..=48), 1 => (12..=64).prop_map(f64::from)]
+}
+
+/// A geometry of up to six terms, each of a size of 1e-3 to 1e3 at the radius 2, every third one negative where the
+/// geometry stays admissible; and the largest contact radius that is of interest.
+fn geometries(exponents: impl Strategy<Value = f64>, most: usize) -> impl Strategy<Value = (Terms, f64)> {
+    let term = (magnitude(-3.0..3.0), exponents, 0..3_u8);
+    proptest::collection::vec(term, 1..=most).prop_map(|terms| {
+        let positive: Terms = terms.iter().map(|&(size, n, _)| (size / 2_f64.powf(n), n)).collect();
+        let mixed =
+            terms.iter().zip(&positive).map(|(&(_, _, sign), &(c, n))| (if sign == 0 { -c } else { c }, n));
+        let mixed: Terms = mixed.collect();
+        match cartcontact::Polynomial::new(mixed.clone()) {
+            Ok(profile) if profile.max_radius() > 0.1 => (mixed, (0.9 * profile.max_radius()).min(8.0)),
+            _ => (positive, 8.0),
+        }
+    })
+}
+
+/// The values of a strategy, the same in every run.
+fn samples<S: Strategy>(strategy: &S, count: usize) -> Vec<S::Value> {
+    let mut runner = TestRunner::deterministic();
+    let sample = |_| strategy.new_tree(&mut runner).map(|tree| tree.current());
+    (0..count).map(sample).collect::<Result<_, _>>().unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+/// The geometry of the sizes of the terms.
+fn of_sizes(terms: &Terms) -> Sum {
+    sum(terms.iter().map(|&(c, n)| (c.abs(), n)).collect())
+}
+
+type Kernel = (fn(&dyn GapProfile<f64>, f64, f64) -> f64, fn(&Profile, &Real, &Real) -> Real);
+
+const KERNELS: [Kernel; 6] = [
+    (|profile, a, _| profile.gap(a), |oracle, a, _| oracle.gap(a)),
+    (|profile, a, _| profile.approach(a), |oracle, a, _| oracle.approach(a)),
+    (|profile, a, _| profile.approach_slope(a), |oracle, a, _| oracle.approach_slope(a)),
+    (|profile, a, _| profile.load_integral(a), |oracle, a, _| oracle.load_integral(a)),
+    (|profile, a, _| profile.log_kernel(a), |oracle, a, _| oracle.log_kernel(a)),
+    (|profile, a, r| profile.pressure_kernel(a, r), |oracle, a, r| oracle.pressure_kernel(a, r)),
+];
+
+/// Allowances of the kernels in this order.
+type Allowances = [Allowance; 6];
+
+const OF_QUARTERS: Allowances = [
+    budget::GAP,
+    budget::APPROACH,
+    budget::APPROACH_SLOPE,
+    budget::LOAD_INTEGRAL,
+    budget::LOG_KERNEL,
+    budget::PRESSURE_KERNEL,
+];
+
+const OF_REAL_POWERS: Allowances = {
+    let mut allowances = [budget::REAL_POWERS; 6];
+    allowances[5] = budget::PRESSURE_KERNEL_OF_REAL_POWERS;
+    allowances
+};
+
+/// Compares all kernels at a few places of a geometry.
+fn compare_kernels(
+    errors: &mut [Errors; 6],
+    profile: &dyn GapProfile<f64>,
+    sizes: &dyn GapProfile<f64>,
+    oracle: &Profile,
+    places: &[(f64, f64)],
+    name: &dyn core::fmt::Debug,
+) {
+    for &(a, depth) in places {
+        let r = a * (1.0 - depth);
+        for ((compute, define), errors) in KERNELS.into_iter().zip(errors.iter_mut()) {
+            let expected = Exact::from(&define(oracle, &double(a), &double(r)));
+            if expected.nearest != 0.0 {
+                let condition = (compute(sizes, a, r) / expected.nearest).max(1.0);
+                errors.add(compute(profile, a, r), expected, condition, &(name, a, r));
+            }
+        }
+    }
+}
+
+/// A contact radius up to `largest` and 1 − r/a from 1 to 1e-12.
+fn places(largest: f64) -> impl Strategy<Value = Vec<(f64, f64)>> {
+    let share = (magnitude(-2.0..0.0), prop_oneof![1 => Just(1.0), 6 => magnitude(-12.0..0.0)]);
+    proptest::collection::vec(share, 4)
+        .prop_map(move |places| places.into_iter().map(|(share, depth)| (largest * share, depth)).collect())
+}
+
+fn check_kernels(allowances: Allowances, geometries: &[(Terms, f64)]) {
+    let mut errors = allowances.map(Errors::of);
+    let all_places = samples(&places(1.0), geometries.len());
+    for ((terms, largest), places) in geometries.iter().zip(all_places) {
+        let oracle = Profile::of(terms);
+        let places: Vec<(f64, f64)> =
+            places.into_iter().map(|(share, depth)| (largest * share, depth)).collect();
+        compare_kernels(&mut errors, &sum(terms.clone()), &of_sizes(terms), &oracle, &places, terms);
+    }
+    errors.iter().for_each(Errors::check);
+}
+
+#[test]
+fn kernels_of_random_profiles_are_those_of_the_oracle() {
+    check_kernels(OF_QUARTERS, &samples(&geometries(quarters(), 6), 60));
+}
+
+#[test]
+fn kernels_of_powers_without_roots_are_those_of_the_oracle() {
+    check_kernels(OF_REAL_POWERS, &samples(&geometries(0.25..16.0, 2), 12));
+}
+
+/// Forms of generated code that the reference geometries do not have.
+mod shapes {
+    use super::gap_profile;
+
+    #[gap_profile(0.3 * r^0.25 + 0.01 * r^2)]
+    pub(super) struct Needle;
+    #[gap_profile(0.02 * r^7 + 1e-3 * r^9)]
+    pub(super) struct OddPowers;
+    #[gap_profile(0.1*r^2 + 1e-3*r^3 + 1e-4*r^4 + 1e-5*r^5 + 1e-6*r^6)]
+    pub(super) struct Dense;
+    #[gap_profile(0.01*r^2 + 1e-5*r^6 + 1e-9*r^10)]
+    pub(super) struct Sparse;
+    #[gap_profile(0.04*r^2 - 1e-3*r^3 + 5e-5*r^4 - 4e-7*r^5 + 1e-8*r^6)]
+    pub(super) struct Alternating;
+    #[gap_profile(0.02*r + 1e-30 * r^40)]
+    pub(super) struct FarApart;
+}
+
+/// A generated solver and the terms of its geometry as decimals.
+type Shape = (&'static dyn GapProfile<f64>, &'static [(&'static str, &'static str)]);
+
+const SHAPES: [Shape; 6] = [
+    (&shapes::Needle, &[("0.3", "0.25"), ("0.01", "2")]),
+    (&shapes::OddPowers, &[("0.02", "7"), ("1e-3", "9")]),
+    (&shapes::Dense, &[("0.1", "2"), ("1e-3", "3"), ("1e-4", "4"), ("1e-5", "5"), ("1e-6", "6")]),
+    (&shapes::Sparse, &[("0.01", "2"), ("1e-5", "6"), ("1e-9", "10")]),
+    (&shapes::Alternating, &[("0.04", "2"), ("-1e-3", "3"), ("5e-5", "4"), ("-4e-7", "5"), ("1e-8", "6")]),
+    (&shapes::FarApart, &[("0.02", "1"), ("1e-30", "40")]),
+];
+
+#[test]
+fn kernels_of_generated_solvers_are_those_of_the_oracle() {
+    let mut errors = OF_QUARTERS.map(Errors::of);
+    for (solver, terms) in SHAPES {
+        let oracle = Profile::of_decimals(terms);
+        let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
+        let sizes = of_sizes(&terms.iter().map(|(c, n)| (number(c), number(n))).collect());
+        let places: Vec<(f64, f64)> = samples(&places(8.0), 40).concat();
+        compare_kernels(&mut errors, solver, &sizes, &oracle, &places, &terms);
+    }
+    errors.iter().for_each(Errors::check);
+}
+
+/// A history in which the contact radius at the time of interest is given.
+#[derive(Clone, Debug)]
+struct Scene {
+    terms: Terms,
+    radius: f64,
+    depth: f64,
+    chi: f64,
+    knots: Vec<(f64, f64)>,
+    time: f64,
+}
+
+/// χ t from 0 to 200; constant loads, ramps, steps and slow falls.
+fn scenes(geometries: impl Strategy<Value = (Terms, f64)>) -> impl Strategy<Value = Scene> {
+    let depth = prop_oneof![1 => Just(1.0), 3 => magnitude(-12.0..0.0)];
+    let folds = prop_oneof![1 => Just(0.0), 6 => magnitude(-3.0..2.3)];
+    let history = (0..5_u8, magnitude(-2.0..2.0), magnitude(-1.0..1.0), 0.1..1.0);
+    (geometries, magnitude(-1.3..0.0), depth, magnitude(-4.0..1.0), folds, history).prop_map(
+        |((terms, largest), share, depth, chi, folds, (kind, force, factor, when))| {
+            let time = folds / chi;
+            let knot = when * time.max(0.1 / chi);
+            let knots = match kind {
+                0 => vec![(0.0, force)],
+                1 => vec![(0.0, 0.0), (knot, force)],
+                2 => vec![(0.0, force), (knot, force * (1.0 + factor))],
+                3 => vec![(0.0, force), (knot, force), (knot, force * (1.0 + factor))],
+                // F′ + χ F = F (χ − (1 − s)/knot) with 1 − s below χ knot times s.
+                _ => vec![(0.0, force), (knot, force / (1.0 + 0.5 * chi * knot)), (2.0 * knot, force)],
+            };
+            // Under a load that begins at zero there is no contact at time 0.
+            let time = if kind == 1 && time == 0.0 { 0.3 * knot } else { time };
+            Scene { terms, radius: largest * share, depth, chi, knots, time }
+        },
+    )
+}
+
+impl Scene {
+    fn load(&self) -> Knots {
+        through(&self.knots)
+    }
+
+    /// The stiffness with which the contact radius is what it should be.
+    fn m(&self, profile: &dyn GapProfile<f64>) -> f64 {
+        use cartcontact::load::Load;
+        let load = self.load();
+        let hereditary = load.force(self.time) + self.chi * load.impulse(self.time);
+        hereditary / profile.load_integral(self.radius) / FRAC_PI_4
+    }
+}
+
+fn check_contacts(scenes: Vec<Scene>) {
+    let mut radius = Errors::of(budget::CONTACT_RADIUS);
+    let mut approach = Errors::of(budget::CONTACT_APPROACH);
+    let (mut pressure, mut peak) = (Errors::of(budget::PRESSURE), Errors::of(budget::PEAK_PRESSURE));
+    let mut peak_of_high_powers = Errors::of(budget::PEAK_PRESSURE_OF_HIGH_POWERS);
+    for scene in scenes {
+        let profile = sum(scene.terms.clone());
+        let (m, r) = (scene.m(&profile), scene.radius * (1.0 - scene.depth));
+        let oracle = Oracle::new(Profile::of(&scene.terms), m, scene.chi, &scene.knots);
+        let found = || {
+            let contact = Contact::new(&profile, Medium::from_constants(m, scene.chi)?, scene.load())?;
+            let now = contact.at(scene.time)?;
+            Ok((now.radius(), now.approach(), now.pressure(r), now.peak_pressure()))
+        };
+        let found =
+            found().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{scene:?}: {error}"));
+        let exact_radius = oracle.radius(scene.time);
+        let a = rounded(&exact_radius);
+        // Σ|terms of J|/(a J′) and a δ₀′/δ₀ times Σ|terms|/|sum|.
+        let sizes = of_sizes(&scene.terms);
+        let condition = (sizes.load_integral(a) / (a.powi(5) * profile.approach_slope(a) / 2.0)).max(1.0);
+        let degree = a * profile.approach_slope(a) / profile.approach(a);
+        radius.add(found.0, &exact_radius, condition, &scene);
+        approach.add(found.1, &oracle.approach(scene.time), condition * (1.0 + degree), &scene);
+        let [exact_pressure, exact_peak] = oracle.pressures([r, 0.0], scene.time);
+        let distance = rounded(&(exact_radius - double(r)));
+        if distance > 0.0 {
+            pressure.add(found.2, &exact_pressure, 1.0 + 2.0 * a / distance, &scene);
+        }
+        let is_high = scene.terms.iter().any(|&(_, n)| n > 48.0);
+        let peak = if is_high { &mut peak_of_high_powers } else { &mut peak };
+        peak.add(found.3, &exact_peak, 1.0, &scene);
+    }
+    radius.check();
+    approach.check();
+    pressure.check();
+    peak.check();
+}
+
+#[test]
+fn contacts_of_random_profiles_are_those_of_the_oracle() {
+    check_contacts(samples(&scenes(geometries(quarters(), 6)), 24));
+}
+
+#[test]
+fn contacts_of_powers_without_roots_are_those_of_the_oracle() {
+    check_contacts(samples(&scenes(geometries(0.25..8.0, 2)), 2));
+}
