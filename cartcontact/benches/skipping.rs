@@ -1,59 +1,111 @@
-//! What a scene saves by what it does not need; each pair is the same scene without and with the need.
+//! What a scene saves by what it does not need: each pair is a scene without a need, and the same scene in which the
+//! need is there, or cannot be seen not to be.
 
 mod scenes;
 
 use std::hint::black_box;
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
-use cartcontact::{Contact, GapProfile, Medium};
+use cartcontact::{Contact, GapProfile, Medium, gap_profile};
 use criterion::{Criterion, criterion_group, criterion_main};
-use scenes::{LOAD, Patellofemoral, RATE, STIFFNESS, contact, run_time};
+use scenes::{LOAD, Paraboloid, Patellofemoral, RATE, STIFFNESS, contact, pressure_at};
+
+/// [`Paraboloid`] with a second term that counts for nothing.
+#[gap_profile(0.025 * r^2 + 1e-40 * r^4)]
+struct HiddenParaboloid;
+
+/// [`Patellofemoral`] with an odd power that counts for nothing.
+#[gap_profile(0.025 * r^2 + 1e-40 * r^3 + 1.09375e-4 * r^4)]
+struct HiddenEven;
+
+/// [`HiddenEven`] with exponents that are just not whole.
+#[gap_profile(0.025 * r^2.01 + 1e-40 * r^3.01 + 1.09375e-4 * r^4.01)]
+struct HardlyWhole;
 
 fn skipping(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("skipping");
+    let mut pair = |name: &str, scenes: [(&str, &dyn Fn() -> f64); 2]| {
+        for (scene, run) in scenes {
+            group.bench_function(format!("{name}/{scene}"), |b| b.iter(run));
+        }
+    };
     let joint = contact(Patellofemoral);
 
-    group.bench_function("memory/t = 0: none", |b| b.iter(|| pressure_at(&joint, 0.0, 3.0)));
-    group.bench_function("memory/t = 200 s", |b| b.iter(|| pressure_at(&joint, 200.0, 3.0)));
-
-    group
-        .bench_function("outside the contact/outside: zero", |b| b.iter(|| pressure_at(&joint, 200.0, 20.0)));
-    group.bench_function("outside the contact/inside", |b| b.iter(|| pressure_at(&joint, 200.0, 7.0)));
-
-    group.bench_function("on demand/radius only", |b| {
-        b.iter(|| joint.at(black_box(200.0)).map_or(0.0, |now| now.radius()));
-    });
-    group.bench_function("on demand/radius, approach and peak pressure", |b| {
-        b.iter(|| {
-            joint.at(black_box(200.0)).map_or(0.0, |now| now.radius() + now.approach() + now.peak_pressure())
-        });
-    });
-
-    let powers = contact(run_time());
-    group.bench_function("whole exponents/multiplications", |b| b.iter(|| pressure_at(&joint, 200.0, 3.0)));
-    group.bench_function("whole exponents/any exponent", |b| b.iter(|| pressure_at(&powers, 200.0, 3.0)));
-
-    if let Ok((straight, unknown)) = loads() {
-        group.bench_function("straight load/age by a formula", |b| {
-            b.iter(|| pressure_at(&straight, 200.0, 3.0));
-        });
-        group.bench_function("straight load/age by iteration", |b| {
-            b.iter(|| pressure_at(&unknown, 200.0, 3.0));
-        });
+    let (one, two) = (contact(Paraboloid), contact(HiddenParaboloid));
+    pair("one term", [("closed form", &|| radius_at(&one, 200.0)), ("Newton", &|| radius_at(&two, 200.0))]);
+    let odd = contact(HiddenEven);
+    pair(
+        "even powers",
+        [
+            ("in the square of r", &|| pressure_at(&joint, 200.0, 3.0)),
+            ("in r", &|| pressure_at(&odd, 200.0, 3.0)),
+        ],
+    );
+    let real = contact(HardlyWhole);
+    pair(
+        "whole powers",
+        [
+            ("multiplications", &|| pressure_at(&odd, 200.0, 3.0)),
+            ("powf", &|| pressure_at(&real, 200.0, 3.0)),
+        ],
+    );
+    pair(
+        "memory",
+        [
+            ("t = 0: none", &|| pressure_at(&joint, 0.0, 3.0)),
+            ("t = 200 s", &|| pressure_at(&joint, 200.0, 3.0)),
+        ],
+    );
+    if let Ok(undrained) = loaded(0.0, Constant(LOAD)) {
+        pair(
+            "drainage",
+            [
+                ("chi = 0: no memory", &|| pressure_at(&undrained, 200.0, 3.0)),
+                ("chi = 0.0015/s", &|| pressure_at(&joint, 200.0, 3.0)),
+            ],
+        );
+    }
+    if let Ok(unknown) = loaded(RATE, Unknown(LOAD)) {
+        pair(
+            "straight load",
+            [
+                ("age by a formula", &|| pressure_at(&joint, 200.0, 3.0)),
+                ("age by iteration", &|| pressure_at(&unknown, 200.0, 3.0)),
+            ],
+        );
     }
     if let Ok((short, long)) = histories() {
-        group.bench_function("faded history/40 e-foldings of knots", |b| {
-            b.iter(|| pressure_at(&short, 1000.0, 3.0));
-        });
-        group.bench_function("faded history/ten times as many knots", |b| {
-            b.iter(|| pressure_at(&long, 10_000.0, 3.0));
-        });
+        pair(
+            "faded history",
+            [
+                ("900 s of knots, the last 760 s count", &|| pressure_at(&short, 900.0, 3.0)),
+                ("9900 s of knots, the last 760 s count", &|| pressure_at(&long, 9900.0, 3.0)),
+            ],
+        );
     }
+    pair(
+        "outside the contact",
+        [
+            ("outside: zero", &|| pressure_at(&joint, 200.0, 20.0)),
+            ("inside", &|| pressure_at(&joint, 200.0, 7.0)),
+        ],
+    );
+    pair(
+        "on demand",
+        [
+            ("radius only", &|| radius_at(&joint, 200.0)),
+            ("radius, approach and peak pressure", &|| {
+                joint
+                    .at(black_box(200.0))
+                    .map_or(f64::NAN, |now| now.radius() + now.approach() + now.peak_pressure())
+            }),
+        ],
+    );
     group.finish();
 }
 
-fn pressure_at<P: GapProfile<f64>, L: Load<f64>>(contact: &Contact<f64, P, L>, t: f64, r: f64) -> f64 {
-    contact.at(black_box(t)).map_or(0.0, |now| now.pressure(black_box(r)))
+fn radius_at<P: GapProfile<f64>>(contact: &Contact<f64, P, Constant<f64>>, t: f64) -> f64 {
+    contact.at(black_box(t)).map_or(f64::NAN, |now| now.radius())
 }
 
 /// A constant load that does not say that it is one.
@@ -71,23 +123,19 @@ impl Load<f64> for Unknown {
 type Joint<L> = Contact<f64, Patellofemoral, L>;
 type Fault = Box<dyn std::error::Error>;
 
-fn loads() -> Result<(Joint<Constant<f64>>, Joint<Unknown>), Fault> {
-    let medium = Medium::from_constants(STIFFNESS, RATE)?;
-    let straight = Contact::new(Patellofemoral, medium, Constant(LOAD))?;
-    Ok((straight, Contact::new(Patellofemoral, medium, Unknown(LOAD))?))
+fn loaded<L: Load<f64>>(rate: f64, load: L) -> Result<Joint<L>, Fault> {
+    Ok(Contact::new(Patellofemoral, Medium::from_constants(STIFFNESS, rate)?, load)?)
 }
 
 type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
 
 /// Loads that rise every 10 s up to 1000 s and 10 000 s, in a medium that forgets in 20 s.
 fn histories() -> Result<(Joint<Knots>, Joint<Knots>), Fault> {
-    let medium = Medium::from_constants(STIFFNESS, 0.05)?;
     let rising = |count: u32| {
         let knots = (0..count).map(|k| (10.0 * f64::from(k), LOAD * (1.0 + f64::from(k + k % 2) / 1000.0)));
         PiecewiseLinear::new(knots.collect())
     };
-    let short = Contact::new(Patellofemoral, medium, rising(100)?)?;
-    Ok((short, Contact::new(Patellofemoral, medium, rising(1000)?)?))
+    Ok((loaded(0.05, rising(100)?)?, loaded(0.05, rising(1000)?)?))
 }
 
 criterion_group!(benches, skipping);

@@ -5,6 +5,12 @@
 //! f > 0, in steps h that cannot pass it: with M ≥ |f″| on [x, x + ρ], Taylor's theorem gives
 //! f(x + h) ≥ f + f′ h − M h²/2 for h ≤ ρ, and h is the zero of the right-hand side.
 //!
+//! **No zero at all.** Often that is seen at once. A negative term between the first and the last, both positive,
+//! k = θ k₁ + (1−θ) k₂, never outweighs them if d ≤ (d₁/θ)^θ (d₂/(1−θ))^(1−θ), by the inequality between weighted
+//! means; several do not if each is below its share of that. For three terms the condition is also necessary (S.
+//! Iliman, T. de Wolff, Res. Math. Sci. 3 (2016), doi 10.1186/s40687-016-0052-2, call the right-hand side the
+//! circuit number).
+//!
 //! **Bounds.** Below x₀, where each of the N−1 other terms is less than 1/N of the first, f > 0. Above x₁,
 //! where each is less than 1/N of the last, f has the sign of the last term. So the march runs from x₀ to x₁,
 //! or for ever if the last coefficient is negative: then there is a zero.
@@ -155,12 +161,15 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
     /// The terms (d, n − n₁) with d ≠ 0.
     fn exponentials(&self) -> impl Iterator<Item = (T, T)> + Clone + '_ {
         let two = T::constant(2.0);
-        let shifted = move |(c, n): (T, T)| (two * c * n / (n + two), n - self.smallest);
+        let shifted = move |(c, n): (T, T)| (c * (two * n / (n + two)), n - self.smallest);
         self.terms.clone().map(shifted).filter(|(d, _)| !d.is_zero())
     }
 
     fn first_zero(&self) -> T {
         let span = self.exponentials().fold(T::zero(), |most, (_, k)| most.max(k));
+        if self.is_positive_by_its_ends(span) {
+            return T::infinity();
+        }
         let step = span.recip();
         let rounding = T::default_epsilon() * T::constant(4.0);
         let end = self.last_term_dominates_from(span);
@@ -180,6 +189,31 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
             x += safe;
         }
         x.exp()
+    }
+
+    /// Whether the first and the last term outweigh the negative ones between them wherever that may be.
+    ///
+    /// Compared as logarithms; what is too close for them to tell is left to the march.
+    fn is_positive_by_its_ends(&self, span: T) -> bool {
+        let (zero, one) = (T::zero(), T::one());
+        let ends = (zero, zero, zero);
+        let (first, last, count) = self.exponentials().fold(ends, |(first, last, count), (d, k)| {
+            let at = |exponent| if k == exponent { d } else { zero };
+            (first + at(zero), last + at(span), count + if d < zero { one } else { zero })
+        });
+        if last <= zero {
+            return false;
+        }
+        let (log_first, log_last, log_count) = (first.ln(), last.ln(), count.ln());
+        let rounding = T::default_epsilon() * T::constant(16.0);
+        self.exponentials().filter(|&(d, _)| d < zero).all(|(d, k)| {
+            let weight = k / span;
+            let rest = one - weight;
+            let (of_first, of_last) = (rest * (log_first - rest.ln()), weight * (log_last - weight.ln()));
+            let log_size = (-d).ln() + log_count;
+            let size = log_size.abs() + log_first.abs() + log_last.abs() + one;
+            log_size + rounding * size < of_first + of_last
+        })
     }
 
     /// x₀: every other term is below 1/N of the first.

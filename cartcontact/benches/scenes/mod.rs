@@ -1,6 +1,9 @@
 //! The scenes that the benchmarks share, and the paper's formulas as printed to compare with.
 #![allow(dead_code, reason = "every benchmark uses a part of it")]
 
+use std::hint::black_box;
+
+use cartcontact::load::Load;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile, load};
 use gauss_quad::GaussLegendre;
 use roots::{SimpleConvergency, find_root_newton_raphson};
@@ -38,6 +41,20 @@ pub(crate) fn run_time() -> RunTime {
 pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
     let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
     Contact::new(profile, medium, load::Constant(LOAD)).expect("a valid contact")
+}
+
+/// One pressure, cold: nothing is kept from an earlier call.
+///
+/// # Panics
+///
+/// If the scene has no solution at that time: the time that an error takes is no result.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+pub(crate) fn pressure_at<P: GapProfile<f64>, L: Load<f64>>(
+    contact: &Contact<f64, P, L>,
+    t: f64,
+    r: f64,
+) -> f64 {
+    contact.at(black_box(t)).expect("a solution").pressure(black_box(r))
 }
 
 /// 64 load integrals spread over a load range of 1 : 1000, so that no branch is learnt by heart.

@@ -1,7 +1,5 @@
 //! A load given by its values at some times, linear between them.
 
-use core::marker::PhantomData;
-
 use super::{Load, LoadError, is_force};
 use crate::Scalar;
 
@@ -23,7 +21,8 @@ use crate::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
-    scalar: PhantomData<T>,
+    /// The largest −F′/F: with a faster memory than that the edge never recedes.
+    fastest_fall: T,
 }
 
 impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
@@ -35,7 +34,9 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
     /// three of them are equal, or a force is negative or not finite.
     pub fn new(knots: K) -> Result<Self, LoadError> {
         check_knots(knots.as_ref())?;
-        Ok(Self { knots, scalar: PhantomData })
+        let mut load = Self { knots, fastest_fall: T::zero() };
+        load.fastest_fall = load.pieces().fold(T::zero(), |fastest, piece| fastest.max(piece.fall()));
+        Ok(load)
     }
 
     /// The knots (time, force) as they were given.
@@ -115,9 +116,16 @@ impl<T: Scalar> Piece<T> {
         self.start.1 + (self.end.1 - self.start.1) * ((t - self.start.0) / self.duration())
     }
 
-    /// ∫F from the start of the piece to `t` within it.
+    /// ∫F from the start of the piece to `t`, or to its end if `t` is later.
     fn impulse(&self, t: T) -> T {
-        (t - self.start.0) * (self.start.1 + self.force(t)) * T::constant(0.5)
+        let (time, force) = if t < self.end.0 { (t, self.force(t)) } else { self.end };
+        (time - self.start.0) * (self.start.1 + force) * T::constant(0.5)
+    }
+
+    /// −F′/F at the end of the piece, where it is largest; 0 if the load does not fall.
+    fn fall(&self) -> T {
+        let drop = self.start.1 - self.end.1;
+        if drop > T::zero() { drop / (self.duration() * self.end.1) } else { T::zero() }
     }
 
     /// The first time within the piece at which F′ + χ F < 0.
@@ -159,7 +167,7 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
             if t <= piece.start.0 {
                 break;
             }
-            add(piece.impulse(t.min(piece.end.0)));
+            add(piece.impulse(t));
         }
         if let Some(&(time, force)) = self.knots.as_ref().last()
             && t > time
@@ -183,6 +191,9 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
     }
 
     fn recession(&self, chi: T, t: T) -> Option<T> {
+        if self.fastest_fall <= chi {
+            return None;
+        }
         let mut begun = self.pieces().take_while(|piece| piece.start.0 <= t);
         let (time, is_step) =
             begun.find_map(|piece| Some((piece.recession(chi)?, piece.duration().is_zero())))?;
