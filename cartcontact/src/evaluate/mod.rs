@@ -3,7 +3,6 @@
 pub(crate) mod arithmetic;
 pub(crate) mod binary;
 pub(crate) mod double_word;
-pub(crate) mod exponential;
 pub(crate) mod horner;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;

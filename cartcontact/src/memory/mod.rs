@@ -21,7 +21,6 @@ mod time_form;
 use crate::Scalar;
 
 pub(crate) use march::march;
-use quadrature::Eight;
 
 /// A time with the contact radius at it.
 ///
@@ -59,9 +58,8 @@ impl<T: Scalar> Moment<T> {
         if self.surplus.is_zero() {
             return T::zero();
         }
-        // Between the factors stiffness · a² lies between stiffness and the result, whatever their sizes.
         let square = self.radius * self.radius;
-        T::constant(2.0) * self.surplus / (stiffness * square * square)
+        T::constant(2.0) * self.surplus / stiffness / square / square
     }
 }
 
@@ -101,17 +99,5 @@ impl<T: Scalar> Increment<T> {
     fn add(&mut self, weight: T, s: T, low: T) {
         self.offset += weight * ((s - low) * (s + low));
         self.slope += weight;
-    }
-
-    /// [`add`](Self::add) for eight nodes at once.
-    #[inline(always)]
-    fn add_eight(&mut self, weights: Eight<T>, s: Eight<T>, low: T) {
-        let mut offsets = weights;
-        for (offset, s) in offsets.iter_mut().zip(s) {
-            *offset *= (s - low) * (s + low);
-        }
-        let sum = |[a, b, c, d, e, f, g, h]: Eight<T>| ((a + b) + (c + d)) + ((e + f) + (g + h));
-        self.offset += sum(offsets);
-        self.slope += sum(weights);
     }
 }

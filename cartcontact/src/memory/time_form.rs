@@ -12,7 +12,7 @@
 //! backwards, reaches zero, and panels keep their distance from it.
 
 use super::Increment;
-use super::quadrature::{Continuation, Rule, digits};
+use super::quadrature::Rule;
 use super::stretch::Stretch;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
@@ -36,24 +36,17 @@ where
         // Y > 0 throughout the stretch; rounding must not turn that round, or panels would shrink to nothing.
         zero.max(longest * (T::one() + T::default_epsilon().sqrt()))
     };
-    let digits = digits::<T>();
+    let most = Rule::FINEST.folds::<T>();
 
     let mut sum = Increment::zero();
     // The age of the rounded radius, at which the stretch ends.
     let mut start = stretch.age_at(T::zero());
-    // What is older than `digits` counts for nothing. A panel spans 22 e-foldings, or half of the way to the
-    // singularity, of which √ε lies beyond the stretch: two, or ½ log₂(1/ε), are the most there can be.
-    while start < longest && chi * start < digits {
-        let growth = digits * T::constant(1.0 / 3.0);
-        // An ellipse of this height around the first half of the way to a point on the axis leaves it outside.
-        let clearance = (singular - start) * T::constant(0.38);
-        let continuation = Continuation { extension: growth / chi, growth, clearance };
-        let wanted = digits - chi * start;
-        let (end, rule) = match continuation.rule(longest - start, wanted) {
-            Some(rule) => (longest, rule),
-            None => (longest.min(start + continuation.longest(wanted)), Rule::FINEST),
-        };
-        for (z, weight) in rule.nodes(start, end) {
+    // Beyond two panels' worth of e-foldings nothing counts any more.
+    while start < longest && chi * start < most + most {
+        // The finest rule reaches full accuracy on panels of 0.85 of the distance to a singularity.
+        let folds_per_time = chi + most / ((singular - start) * T::constant(0.85));
+        let end = (start + most / folds_per_time).min(longest);
+        for (z, weight) in Rule::for_folds(folds_per_time * (end - start)).nodes(start, end) {
             let deficit = z * (rate + half * rise * z) / stiffness;
             let s = contact.radius_of(final_integral - deficit).unwrap_or(low).max(low);
             let square = s * s;
