@@ -5,7 +5,7 @@ use core::fmt;
 use crate::error::Shown;
 use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
-use crate::memory::Moment;
+use crate::memory::{Moment, surplus_that_counts};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
@@ -170,8 +170,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// A time with its contact radius, for integrals that begin or end there.
     pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
-        let hereditary = self.load.force(time) + self.medium.chi() * self.load.impulse(time);
-        Moment { time, radius, surplus: self.surplus(hereditary, radius) }
+        let force = self.load.force(time);
+        let hereditary = force + self.medium.chi() * self.load.impulse(time);
+        Moment { time, radius, surplus: surplus_that_counts(self.surplus(hereditary, radius), force) }
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {

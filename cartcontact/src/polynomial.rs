@@ -4,7 +4,9 @@ use core::marker::PhantomData;
 
 use crate::Scalar;
 use crate::admissibility::checked_range;
-use crate::evaluate::power::{power_sum, power_sum_and_log_slope, power_sum_drop};
+use crate::evaluate::power::{
+    power_sum, raised_power_sum, raised_power_sum_and_log_slope, raised_power_sum_drop,
+};
 use crate::evaluate::pressure_kernel::pressure_kernel;
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
@@ -76,10 +78,10 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
-    /// The terms of J: (C n/((n+2)(n+4)), n+4).
+    /// The terms of J/a⁴: (C n/((n+2)(n+4)), n).
     fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
-        self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n + four))
+        self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n))
     }
 }
 
@@ -95,16 +97,16 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        power_sum(a, self.map(|c, n| (two * c * (n / (n + two)), n - T::one())))
+        raised_power_sum(a, -1, self.map(|c, n| (two * c * (n / (n + two)), n)))
     }
 
     fn load_integral(&self, a: T) -> T {
-        power_sum(a, self.load_integral_terms())
+        raised_power_sum(a, 4, self.load_integral_terms())
     }
 
     fn log_kernel(&self, x: T) -> T {
         let two = T::constant(2.0);
-        power_sum(x, self.map(|c, n| (c / ((n + two) * (n + two)), n + two)))
+        raised_power_sum(x, 2, self.map(|c, n| (c / ((n + two) * (n + two)), n)))
     }
 
     fn pressure_kernel(&self, a: T, r: T) -> T {
@@ -113,7 +115,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         invert(load_integral, limit, positive_terms(self.map(|c, n| (c, n))), self.has_negative_terms, |a| {
-            power_sum_and_log_slope(a, self.load_integral_terms())
+            raised_power_sum_and_log_slope(a, 4, self.load_integral_terms())
         })
     }
 
@@ -122,7 +124,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn load_integral_drop(&self, a: T, depth: T) -> T {
-        power_sum_drop(a, depth, self.load_integral_terms())
+        raised_power_sum_drop(a, depth, 4, self.load_integral_terms())
     }
 
     fn highest_exponent(&self) -> T {

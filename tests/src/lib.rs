@@ -7,3 +7,4 @@ pub mod profiles;
 pub mod quadrature;
 pub mod random;
 pub mod reference;
+pub mod stress;

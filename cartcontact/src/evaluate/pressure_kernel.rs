@@ -20,7 +20,7 @@
 //!
 //! Source of K: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (26), (28), doi 10.1016/j.mechrescom.2010.11.006.
 
-use super::power::term;
+use super::power::raised_term;
 use crate::Scalar;
 use crate::scalar::{floor, is_plain};
 
@@ -36,7 +36,7 @@ pub fn pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T
     let edge = Edge { inset: (a - r) / a, ratio: r / a };
     terms.into_iter().fold(T::zero(), |sum, (c, n)| {
         let two = T::constant(2.0);
-        let weight = term(c / (two * (n + two) * (n + two)), a, n + two);
+        let weight = raised_term(c / (two * (n + two) * (n + two)), a, n, 2);
         sum + weight * edge.kernel(n)
     })
 }

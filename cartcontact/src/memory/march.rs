@@ -43,6 +43,16 @@ where
     (march.transition, march.now)
 }
 
+/// The surplus of a moment, unless it is too large for its radius to be taken as exact to first order.
+///
+/// A surplus of x times the force is a pressure of x times the force, and makes all ages later by x e-foldings; to
+/// first order the two cancel, since a held load has little more to drain. When the hereditary load is 1/√ε times
+/// the force and more, its rounding makes x² more than rounding. Leaving the surplus out moves the radius by a rounding
+/// error and no more.
+pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
+    if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
+}
+
 /// A transition on its way.
 struct March<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
@@ -74,7 +84,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (before, after) = (load.force_before(end), load.force(end));
         if after > before {
             let radius = self.radius_under(end, after);
-            self.cover(radius, Course::Step, after - before);
+            self.cover((radius, after), Course::Step, after - before);
         }
     }
 
@@ -85,7 +95,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let impulse = duration * (first + last) * T::constant(0.5);
         self.impulse += impulse;
         let radius = self.radius_under(end, last);
-        self.cover(radius, Course::straight(chi, duration, (first, last)), (last - first) + chi * impulse);
+        let gain = (last - first) + chi * impulse;
+        self.cover((radius, last), Course::straight(chi, duration, (first, last)), gain);
         self.now.time = end;
     }
 
@@ -123,15 +134,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let last = load.force_before(end);
         let radius = self.radius_under(end, last);
         let course = Course::Smooth { load, start, duration: end - start };
-        self.cover(radius, course, last + chi * self.impulse - before);
+        self.cover((radius, last), course, last + chi * self.impulse - before);
         self.now.time = end;
     }
 
-    /// Extends the contact to a radius along a course of the load, on which the hereditary load gains `gain`.
-    fn cover(&mut self, high: T, course: Course<'_, T, L>, gain: T) {
+    /// Extends the contact to a radius with its force along a course of the load, on which the hereditary load gains
+    /// `gain`.
+    fn cover(&mut self, (high, force): (T, T), course: Course<'_, T, L>, gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let growth = contact.profile().load_integral_drop(high, high - self.now.radius);
         let surplus = self.now.surplus + (gain - contact.stiffness() * growth);
+        let surplus = surplus_that_counts(surplus, force);
         let low = self.transition.reach.max(self.now.radius);
         let decay = course.decay(chi);
         let increment = Stretch { contact, course, low, high, surplus }.increment();

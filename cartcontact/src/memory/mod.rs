@@ -20,7 +20,7 @@ mod time_form;
 
 use crate::Scalar;
 
-pub(crate) use march::march;
+pub(crate) use march::{march, surplus_that_counts};
 
 /// A time with the contact radius at it.
 ///

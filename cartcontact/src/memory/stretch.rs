@@ -3,6 +3,7 @@
 use super::{Increment, radius_form, time_form};
 use crate::contact::Contact;
 use crate::load::Load;
+use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 
 /// The radii from `low` to `high` that the edge passed while the load took a course.
@@ -53,8 +54,12 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
                 let two = T::constant(2.0);
                 // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes
                 // at the end, count as a long time after it.
-                let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
-                if (rate + then).is_zero() { T::zero() } else { two * deficit / (rate + then) }
+                let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
+                let size = straight + bend.abs();
+                if !(size.is_finite() && size * T::default_epsilon() > smallest_normal()) {
+                    return age_in_units(rate, (chi, load_rate), deficit);
+                }
+                two * deficit / (rate + (straight - bend).abs().sqrt())
             }
             Self::Smooth { load, start, duration } => {
                 let end = start + duration;
@@ -64,6 +69,21 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
             }
         }
     }
+}
+
+/// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
+/// in units of the largest.
+fn age_in_units<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
+    let two = T::constant(2.0);
+    let curved = chi.sqrt() * load_rate.abs().sqrt() * deficit.abs().sqrt();
+    let unit = rate.max(curved);
+    if unit.is_zero() {
+        return T::zero();
+    }
+    let (straight, curved) = (rate / unit, curved / unit);
+    let bend = if (load_rate > T::zero()) == (deficit > T::zero()) { two } else { -two };
+    let then = (straight * straight - bend * curved * curved).abs().sqrt();
+    two * (deficit / unit) / (straight + then)
 }
 
 /// The z in [0, `longest`] at which the increasing `deficit_of` reaches `deficit`.
@@ -133,13 +153,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let half = T::constant(0.5);
         let profile = self.contact.profile();
         let load_integral = profile.load_integral(top);
+        // a J′/J = a⁵ δ₀′/(2 J), in an order that keeps the fifth power in range.
         let square = top * top;
-        let degree = square * square * top * profile.approach_slope(top) * half / load_integral;
+        let degree = (top * profile.approach_slope(top) * half) * (square / (load_integral / square));
         let off_axis = |radius: T| radius * T::constant(2.8) / degree;
         match self.course {
             Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
                 let chi = self.contact.medium().chi();
-                let deficit = rate * rate * half / (chi * load_rate);
+                let deficit = (rate / load_rate) * (rate / chi) * half;
                 let singular = profile.load_integral(self.high) - deficit / self.contact.stiffness();
                 let radius = top * (singular.abs() / load_integral).powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);

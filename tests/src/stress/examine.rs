@@ -1,0 +1,336 @@
+//! One scene through every public result, compared with the exact ones.
+
+use cartcontact::load::PiecewiseLinear;
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
+
+use super::exact::{Kernels, Profile, Sum};
+use super::fields;
+use super::finding::{Fault, Findings, Quantity};
+use super::history::History;
+use super::precision::Precision;
+use super::scene::{Form, Scene};
+use super::wide::Wide;
+use crate::profiles::cases;
+use crate::quadrature::Graded;
+
+/// How much of a scene is looked at.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Depth {
+    /// The pressure after drainage against its integral in 31 digits: some milliseconds.
+    pub memory: bool,
+    /// The balance of the pressure with the load, by some thousand pressures: some milliseconds.
+    pub balance: bool,
+}
+
+type Loaded<'a, T> = Contact<T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
+
+/// Computes a scene and reports what is found.
+pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
+    let profile = match solver(scene) {
+        Ok(profile) => profile,
+        Err(error) => {
+            let is_usable = scene.terms.iter().all(|(c, _)| c.is_finite()) && scene.terms.iter().any(|(c, _)| !c.is_zero());
+            if is_usable {
+                findings.fault(Fault::Refused, &error);
+            }
+            return;
+        }
+    };
+    let contact = match contact(scene, &*profile) {
+        Ok(contact) => contact,
+        // Medium and load are checked by tests of their own; scenes that leave the format are none.
+        Err(_) => return,
+    };
+    let examination = Examination { scene, contact, exact: exact(scene), findings };
+    examination.run(depth);
+}
+
+/// The solver of a scene's geometry.
+///
+/// # Errors
+///
+/// As [`Polynomial::new`].
+pub fn solver<T: Precision>(scene: &Scene<T>) -> Result<Box<dyn GapProfile<T>>, cartcontact::ProfileError> {
+    Ok(match (scene.form, scene.max_radius) {
+        (Form::Constant(index), _) => Box::new(T::solver(&cases()[index])),
+        (Form::Fields(index), _) => {
+            let coefficients = core::array::from_fn(|term| scene.terms[term].0);
+            let solver = fields::solver(index, coefficients);
+            solver.check()?;
+            solver
+        }
+        (Form::Polynomial, None) => Box::new(Polynomial::new(scene.terms.clone())?),
+        (Form::Polynomial, Some(end)) => Box::new(Polynomial::with_max_radius(scene.terms.clone(), end)?),
+    })
+}
+
+/// The contact of a scene.
+///
+/// # Errors
+///
+/// Whatever its parts complain of.
+pub fn contact<'a, T: Precision>(
+    scene: &'a Scene<T>,
+    profile: &'a dyn GapProfile<T>,
+) -> Result<Loaded<'a, T>, Box<dyn core::error::Error>> {
+    let load = PiecewiseLinear::new(scene.knots.as_slice())?;
+    Ok(Contact::new(profile, Medium::from_constants(scene.m, scene.chi)?, load)?)
+}
+
+fn exact<T: Precision>(scene: &Scene<T>) -> History {
+    let knots: Vec<_> = scene.knots.iter().map(|&(t, force)| (t.value(), force.value())).collect();
+    History::new(Profile::new(scene.exact_terms()), (scene.m.value(), scene.chi.value()), &knots)
+}
+
+struct Examination<'a, T: Precision> {
+    scene: &'a Scene<T>,
+    contact: Loaded<'a, T>,
+    exact: History,
+    findings: &'a mut dyn Findings,
+}
+
+impl<T: Precision> Examination<'_, T> {
+    fn run(mut self, depth: Depth) {
+        let contact = self.contact;
+        let time = Wide::of(self.scene.time.value());
+        let hereditary = self.exact.hereditary(time);
+        if !hereditary.is_positive() {
+            self.unloaded();
+            return;
+        }
+        let y = hereditary / self.exact.stiffness();
+        let now = contact.at(self.scene.time);
+        let found = now.as_ref().map_or(f64::NAN, |now| now.radius().value());
+        let estimate = if found > 0.0 { Wide::of(found) } else { self.exact.profile.one_term_radius(y) };
+        let radius = self.exact.profile.radius(y, estimate);
+        match (now, radius) {
+            (Ok(now), Some(a)) => self.solved(&now, a, depth),
+            (Ok(_), None) => self.findings.fault(Fault::Accepted, &found),
+            (Err(error), radius) => self.refused(&error, y, radius),
+        }
+    }
+
+    /// No load, no contact.
+    fn unloaded(&mut self) {
+        match self.contact.at(self.scene.time) {
+            Ok(now) if now.radius().is_zero() && now.peak_pressure().is_zero() => {}
+            Ok(now) => self.findings.fault(Fault::Accepted, &now.radius().value()),
+            Err(error) => self.findings.fault(Fault::Refused, &error),
+        }
+    }
+
+    /// An error is right beyond the admissible range, and where J or a J′ leave the format.
+    fn refused(&mut self, error: &ContactError, y: Wide, radius: Option<Wide>) {
+        let is_right = match (error, radius) {
+            (ContactError::BeyondRange { max_radius, .. }, Some(a)) => a.value() > max_radius * (1.0 - 4.0 * T::EPSILON),
+            (ContactError::BeyondRange { .. }, None) => true,
+            (_, radius) => {
+                let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
+                y.value() < T::LEAST || slope.value() > T::MOST
+            }
+        };
+        if !is_right {
+            self.findings.fault(Fault::Refused, error);
+        }
+    }
+
+    fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
+        let here = self.exact.profile.kernels(a);
+        let found = now.radius().value();
+        // An error of J is divided by its degree; terms of both signs multiply it by their sizes' sum.
+        let condition = (here.load_integral.size / here.log_slope.value).value().max(1.0);
+        self.measure(Quantity::Radius, found, a, condition);
+        if !(found > 0.0 && found.is_finite()) {
+            self.findings.fault(Fault::NotANumber, &format_args!("radius {found:e} instead of {:e}", a.value()));
+            return;
+        }
+        let degree = (a * here.approach_slope.value / here.approach.value).value();
+        self.measure(Quantity::ContactApproach, now.approach().value(), here.approach.value, condition * (1.0 + degree));
+        self.kernels(now);
+        self.pressures(now, a, &here, depth);
+        self.field(now);
+        self.units(now);
+        if depth.balance {
+            self.balance(now);
+        }
+    }
+
+    /// A distance from the axis by its distance from the edge.
+    fn place(&self, radius: T, inset: f64) -> T {
+        T::rounded(radius.value() * (1.0 - inset)).min(radius)
+    }
+
+    fn kernels(&mut self, now: &Now<'_, '_, T>) {
+        let profile = *self.contact.profile();
+        let a = now.radius();
+        let r = self.place(a, self.scene.inset);
+        let exact = self.exact.profile.kernels(Wide::of(a.value()));
+        let sums = [
+            (Quantity::Gap, profile.gap(a), exact.gap),
+            (Quantity::Approach, profile.approach(a), exact.approach),
+            (Quantity::ApproachSlope, profile.approach_slope(a), exact.approach_slope),
+            (Quantity::LoadIntegral, profile.load_integral(a), exact.load_integral),
+            (Quantity::LogKernel, profile.log_kernel(a), exact.log_kernel),
+        ];
+        for (quantity, found, Sum { value, size }) in sums {
+            self.measure(quantity, found.value(), value, Sum { value, size }.condition());
+        }
+        if r < a {
+            let exact = self.exact.profile.pressure_kernel(Wide::of(a.value()), Wide::of(r.value()));
+            let found = profile.pressure_kernel(a, r).value();
+            self.measure(Quantity::PressureKernel, found, exact.value, exact.condition());
+        }
+    }
+
+    fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, here: &Kernels, depth: Depth) {
+        self.course(now, a);
+        let condition = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition()
+            * (here.load_integral.size / here.log_slope.value).value().max(1.0);
+        let is_undrained = (self.scene.chi * self.scene.time).is_zero();
+        let r = self.place(now.radius(), self.scene.inset);
+        for (quantity, r) in [(Quantity::PeakPressure, T::zero()), (Quantity::Pressure, r)] {
+            if r >= now.radius() {
+                continue;
+            }
+            let exact = Wide::of(r.value());
+            let expected = if is_undrained {
+                Some(self.exact.undrained_pressure(a, exact))
+            } else if depth.memory {
+                self.exact.pressure(Wide::of(self.scene.time.value()), a, exact)
+            } else {
+                None
+            };
+            let edge = if quantity == Quantity::Pressure { edge(now.radius(), r) } else { 1.0 };
+            if let Some(expected) = expected {
+                self.measure(quantity, now.pressure(r).value(), expected, edge * condition);
+            }
+        }
+    }
+
+    /// Pressures are finite, not negative, and fall from the axis to the edge.
+    fn course(&mut self, now: &Now<'_, '_, T>, a: Wide) {
+        let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
+        let mut inner = f64::INFINITY;
+        for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 0.0] {
+            let r = self.place(now.radius(), inset);
+            let pressure = now.pressure(r).value();
+            let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
+            if pressure < 0.0 {
+                self.findings.fault(Fault::NegativePressure, &place);
+            } else if pressure.is_nan() || is_representable && pressure.is_infinite() {
+                self.findings.fault(Fault::NotANumber, &place);
+            } else if pressure > inner * (1.0 + 16.0 * T::EPSILON * edge(now.radius(), r)) + 16.0 * T::LEAST * T::EPSILON {
+                self.findings.fault(Fault::RisingPressure, &place);
+            }
+            inner = pressure;
+        }
+    }
+
+    fn field(&mut self, now: &Now<'_, '_, T>) {
+        let third = self.scene.time * T::rounded(1.0 / 3.0);
+        let times = [third, self.scene.time];
+        let radii = [T::zero(), self.place(now.radius(), 0.4), self.place(now.radius(), self.scene.inset)];
+        let mut values = [T::zero(); 6];
+        if let Err(error) = self.contact.pressure_field(&times, &radii, &mut values) {
+            self.findings.fault(Fault::Refused, &error);
+            return;
+        }
+        for (&r, value) in radii.iter().zip(&values[3..]) {
+            let expected = now.pressure(r).value();
+            if expected.is_finite() && r < now.radius() {
+                self.measure(Quantity::Field, value.value(), Wide::of(expected), edge(now.radius(), r));
+            }
+        }
+    }
+
+    /// 2π ∫₀ᵃ P r dr = F, between the radii at which the pressure has a kink.
+    fn balance(&mut self, now: &Now<'_, '_, T>) {
+        let force = now.force().value();
+        let a = now.radius();
+        let greatest = self.exact.undrained_pressure(Wide::of(a.value()), Wide::ZERO).value();
+        if !(force > T::LEAST / T::EPSILON && greatest < T::MOST / 16.0 && greatest > T::LEAST / T::EPSILON) {
+            return;
+        }
+        let mut borders = vec![0.0];
+        for &(time, _) in self.scene.knots.iter().filter(|knot| knot.0 <= self.scene.time) {
+            borders.extend(self.radii_at(time, a));
+        }
+        borders.push(1.0);
+        borders.sort_by(f64::total_cmp);
+        let rule = Graded::new(10, 24);
+        let shares = borders.windows(2).filter(|ends| ends[0] < ends[1]).map(|ends| {
+            rule.integrate(ends[0], ends[1], |q| now.pressure(T::rounded(q * a.value())).value() * q)
+        });
+        let carried = core::f64::consts::TAU * shares.sum::<f64>();
+        // In two factors, because a² may be out of range.
+        let carried = Wide::of(carried) * Wide::of(a.value()) * Wide::of(a.value());
+        self.measure(Quantity::Balance, carried.value(), Wide::of(force), 1.0);
+    }
+
+    /// The radii just before and just after a time, as shares of the radius `a`.
+    fn radii_at(&self, time: T, a: T) -> [f64; 2] {
+        let before = time * (T::one() - T::rounded(T::EPSILON * 4.0));
+        [before, time].map(|time| self.contact.at(time).map_or(0.0, |then| (then.radius() / a).value().min(1.0)))
+    }
+
+    /// Lengths, forces and times in units that differ by powers of two: the same bits.
+    fn units(&mut self, now: &Now<'_, '_, T>) {
+        let lengths = if matches!(self.scene.form, Form::Constant(_)) { 0 } else { 4 };
+        for (length, force, time) in [(lengths, 0, 0), (-lengths, 5, 0), (0, -7, 3)] {
+            let Some(scene) = self.scene.in_units(length, force, time) else { continue };
+            let Ok(profile) = solver(&scene) else { continue };
+            let Ok(contact) = contact(&scene, &*profile) else { continue };
+            let r = self.place(now.radius(), self.scene.inset);
+            let unit = T::power_of_two(length);
+            let pressure = T::power_of_two(force) / (unit * unit);
+            let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
+            let intermediate = [self.contact.profile().load_integral(now.radius())];
+            let has_room = |x: &T| {
+                x.is_zero() || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
+            };
+            let inputs = self.scene.terms.iter().flat_map(|&(c, _)| [c]);
+            let inputs = inputs.chain(self.scene.knots.iter().flat_map(|&(t, f)| [t, f])).chain([self.scene.m, self.scene.chi, self.scene.time]);
+            if !expected.iter().chain(&intermediate).all(has_room) || !inputs.into_iter().all(|x| has_room(&x)) {
+                continue;
+            }
+            let found = match contact.at(scene.time) {
+                Ok(then) => [then.radius(), then.approach(), then.pressure(r * unit)],
+                Err(error) => {
+                    self.findings.fault(Fault::Refused, &error);
+                    continue;
+                }
+            };
+            if found != expected {
+                let [found, expected] = [found, expected].map(|values| values.map(Precision::shown));
+                let units = (length, force, time);
+                self.findings.fault(Fault::NotInvariant, &format_args!("{found:?}, not {expected:?} in units 2^{units:?}"));
+            }
+        }
+    }
+
+    /// Notes an error in units of ε, relative to a normal number at least, as a share of what is allowed.
+    fn measure(&mut self, quantity: Quantity, found: f64, expected: Wide, condition: f64) {
+        let value = expected.value();
+        if value.abs() > T::MOST * (1.0 - T::EPSILON) {
+            // The exact result is out of range; anything but a wrong number will do.
+            if found.is_nan() || found.abs() < T::MOST * (1.0 - 64.0 * T::EPSILON * condition) {
+                self.findings.fault(Fault::NotANumber, &format_args!("{} {found:e} instead of {value:e}", quantity.symbol()));
+            }
+            return;
+        }
+        if !found.is_finite() {
+            self.findings.fault(Fault::NotANumber, &format_args!("{} {found:e} instead of {value:e}", quantity.symbol()));
+            return;
+        }
+        let scale = expected.abs().max(Wide::of(T::LEAST));
+        let error = ((Wide::of(found) - expected) / scale).value().abs() / T::EPSILON;
+        self.findings.error(quantity, error / condition / T::allowed(quantity.allowance()));
+    }
+}
+
+type Now<'c, 'a, T> = Snapshot<'c, T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
+
+/// 1 + 2a/(a − r), by how much an error of the radius counts at r.
+fn edge<T: Precision>(a: T, r: T) -> f64 {
+    if r < a { 1.0 + 2.0 * a.value() / (a - r).value() } else { 1.0 }
+}
