@@ -7,6 +7,7 @@ use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
 use crate::memory::{Moment, surplus_that_counts};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
+use crate::scalar::smallest_normal;
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
 
@@ -87,10 +88,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
+    /// This holds over the whole range of the format: as long as the input, Y, J(a), a J′(a) and the result are
+    /// normal numbers, powers and products on the way to them need not be. Coefficients are normal numbers with a
+    /// margin of 2¹³, because they are divided by up to 2 (n+2)² first.
+    ///
     /// # Errors
     ///
     /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the
-    /// geometry, or the load has fallen so fast that the edge recedes.
+    /// geometry, the load has fallen so fast that the edge recedes, or Y, J(a) or χ F leave the range of the
+    /// format.
     ///
     /// # References
     ///
@@ -183,6 +189,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if let Some(since) = self.load.recession(self.medium.chi(), t) {
             return Err(ContactError::Receding { time: t.value(), since: since.value() });
         }
+        self.check_digits(t, hereditary)?;
         self.radius_under(hereditary).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
@@ -191,6 +198,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })
+    }
+
+    /// Whether a load is large enough to have all its digits: as it is, over π m/4, and times χ.
+    fn check_digits(&self, t: T, hereditary: T) -> Result<(), ContactError> {
+        let (force, chi) = (self.load.force(t), self.medium.chi());
+        let has_digits = |x: T| x >= smallest_normal();
+        let is_absent = hereditary.is_zero() && force.is_zero();
+        let drains = chi.is_zero() || t.is_zero() || force.is_zero() || has_digits(chi * force);
+        if is_absent || has_digits(hereditary) && has_digits(hereditary / self.stiffness()) && drains {
+            return Ok(());
+        }
+        Err(ContactError::TooSmall { time: t.value(), force: force.value() })
     }
 
     /// Y(t) = F(t) + χ ∫₀ᵗ F, from forces and impulses that a load of the user's own may get wrong.
@@ -266,6 +285,13 @@ pub enum ContactError {
         /// The time at which the edge begins to recede, in s.
         since: f64,
     },
+    /// The load is so small that its quotient by m or its product with χ loses digits.
+    TooSmall {
+        /// The time, in s.
+        time: f64,
+        /// The force at that time, in N.
+        force: f64,
+    },
     /// There is no contact radius at a time for another reason.
     Radius {
         /// The time, in s.
@@ -330,6 +356,13 @@ impl fmt::Display for ContactError {
                  slowly",
                 Shown(since),
                 Shown(time)
+            ),
+            Self::TooSmall { time, force } => write!(
+                f,
+                "the force at time {} is {}, which over m or times chi is too small a number to have all its \
+                 digits; choose units in which forces or lengths are larger numbers, or ask for later times",
+                Shown(time),
+                Shown(force)
             ),
             Self::Radius { time, error } => write!(f, "at time {}: {error}", Shown(time)),
             Self::Empty { what } => write!(f, "`{what}` is empty; give at least one"),

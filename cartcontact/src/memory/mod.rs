@@ -68,8 +68,11 @@ impl<T: Scalar> Transition<T> {
     }
 
     /// The pressure after the transition, at a radius up to `reach`, from that before it.
+    ///
+    /// Between the exact and the rounded edge the strip that the radius has too much leaves a negative rest.
     pub(crate) fn apply(&self, pressure: T, radius: T) -> T {
-        self.decay * pressure + (self.offset + self.slope * ((self.reach - radius) * (self.reach + radius)))
+        let gain = self.offset + self.slope * ((self.reach - radius) * (self.reach + radius));
+        not_negative(self.decay * pressure + gain)
     }
 
     /// [`apply`](Self::apply) to many radii, with two multiply-adds and a square per value.
@@ -78,7 +81,7 @@ impl<T: Scalar> Transition<T> {
     pub(crate) fn apply_to_row(&self, pressures: &[T], radii: &[T], results: &mut [T]) {
         let on_axis = self.offset + self.slope * self.reach * self.reach;
         for ((result, &pressure), &r) in results.iter_mut().zip(pressures).zip(radii) {
-            *result = self.decay * pressure + (on_axis - self.slope * (r * r));
+            *result = not_negative(self.decay * pressure + (on_axis - self.slope * (r * r)));
         }
     }
 
@@ -107,6 +110,11 @@ impl<T: Scalar> Transition<T> {
         self.offset = self.offset * decay + quarter_m * (increment.offset + increment.slope * margin);
         self.slope = self.slope * decay + quarter_m * increment.slope;
     }
+}
+
+/// A pressure without the negative rest that rounding may leave at the edge; what is not a number remains so.
+pub(crate) fn not_negative<T: Scalar>(pressure: T) -> T {
+    if pressure < T::zero() { T::zero() } else { pressure }
 }
 
 impl<T: Scalar> Increment<T> {

@@ -35,9 +35,9 @@ where
     while depth < core {
         let rate = folds_per_length(stretch, depth, age);
         let end =
-            if rate * (core - depth) <= most { core } else { (depth + most / rate).max(depth + shortest) };
+            if rate * (core - depth) <= most { core } else { (depth + (most / rate).max(shortest)).min(core) };
         for (h, weight) in Rule::for_folds(rate * (end - depth)).nodes(depth, end) {
-            sum.add(weight * stretch.density(h), high - h, low);
+            sum.add(weight * stretch.density(high - h, h), high - h, low);
         }
         depth = end;
         if depth < deepest {
@@ -68,7 +68,7 @@ where
         let cube = x * x * x;
         let s = (cube * x).max(stretch.low);
         let slope = T::constant(4.0) * cube;
-        sum.add(weight * slope * stretch.density(stretch.high - s), s, stretch.low);
+        sum.add(weight * slope * stretch.density(s, stretch.high - s), s, stretch.low);
     }
 }
 

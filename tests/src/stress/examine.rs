@@ -3,7 +3,7 @@
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
 
-use super::exact::{Kernels, Profile, Sum};
+use super::exact::{Profile, Sum};
 use super::fields;
 use super::finding::{Fault, Findings, Quantity};
 use super::history::History;
@@ -124,9 +124,15 @@ impl<T: Precision> Examination<'_, T> {
         let is_right = match (error, radius) {
             (ContactError::BeyondRange { max_radius, .. }, Some(a)) => a.value() > max_radius * (1.0 - 4.0 * T::EPSILON),
             (ContactError::BeyondRange { .. }, None) => true,
+            (ContactError::InvalidTime { time }, _) => !time.is_finite(),
+            (ContactError::TooSmall { .. }, _) => {
+                let force = self.exact.force(Wide::of(self.scene.time.value())).value();
+                let numbers = [y.value(), (y * self.exact.stiffness()).value(), force * self.scene.chi.value()];
+                numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
+            }
             (_, radius) => {
                 let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
-                y.value() < T::LEAST || slope.value() > T::MOST
+                slope.value() > T::MOST
             }
         };
         if !is_right {
@@ -147,8 +153,9 @@ impl<T: Precision> Examination<'_, T> {
         let degree = (a * here.approach_slope.value / here.approach.value).value();
         self.measure(Quantity::ContactApproach, now.approach().value(), here.approach.value, condition * (1.0 + degree));
         self.kernels(now);
-        self.pressures(now, a, &here, depth);
-        self.field(now);
+        let condition = condition * self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
+        self.pressures(now, a, condition, depth);
+        self.field(now, condition);
         self.units(now);
         if depth.balance {
             self.balance(now);
@@ -182,10 +189,8 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, here: &Kernels, depth: Depth) {
+    fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64, depth: Depth) {
         self.course(now, a);
-        let condition = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition()
-            * (here.load_integral.size / here.log_slope.value).value().max(1.0);
         let is_undrained = (self.scene.chi * self.scene.time).is_zero();
         let r = self.place(now.radius(), self.scene.inset);
         for (quantity, r) in [(Quantity::PeakPressure, T::zero()), (Quantity::Pressure, r)] {
@@ -211,7 +216,7 @@ impl<T: Precision> Examination<'_, T> {
     fn course(&mut self, now: &Now<'_, '_, T>, a: Wide) {
         let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
         let mut inner = f64::INFINITY;
-        for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 0.0] {
+        for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-15, 0.0] {
             let r = self.place(now.radius(), inset);
             let pressure = now.pressure(r).value();
             let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
@@ -226,7 +231,8 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    fn field(&mut self, now: &Now<'_, '_, T>) {
+    /// A field of two times agrees with the snapshot at the second.
+    fn field(&mut self, now: &Now<'_, '_, T>, condition: f64) {
         let third = self.scene.time * T::rounded(1.0 / 3.0);
         let times = [third, self.scene.time];
         let radii = [T::zero(), self.place(now.radius(), 0.4), self.place(now.radius(), self.scene.inset)];
@@ -237,8 +243,12 @@ impl<T: Precision> Examination<'_, T> {
         }
         for (&r, value) in radii.iter().zip(&values[3..]) {
             let expected = now.pressure(r).value();
+            if value.value() < 0.0 {
+                self.findings.fault(Fault::NegativePressure, &format_args!("{:e} in a field", value.value()));
+            }
             if expected.is_finite() && r < now.radius() {
-                self.measure(Quantity::Field, value.value(), Wide::of(expected), edge(now.radius(), r));
+                let condition = condition * edge(now.radius(), r);
+                self.measure(Quantity::Field, value.value(), Wide::of(expected), condition);
             }
         }
     }
