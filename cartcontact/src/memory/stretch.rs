@@ -2,6 +2,7 @@
 
 use super::{Increment, radius_form, time_form};
 use crate::contact::Contact;
+use crate::evaluate::binary::{scale, split};
 use crate::load::Load;
 use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
@@ -72,18 +73,18 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
 }
 
 /// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
-/// in units of the largest.
+/// in units of a power of two near the largest, so that not a bit depends on the units of the load.
 fn age_in_units<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
     let two = T::constant(2.0);
     let curved = chi.sqrt() * load_rate.abs().sqrt() * deficit.abs().sqrt();
-    let unit = rate.max(curved);
-    if unit.is_zero() {
+    let largest = rate.max(curved);
+    if largest.is_zero() {
         return T::zero();
     }
-    let (straight, curved) = (rate / unit, curved / unit);
-    let bend = if (load_rate > T::zero()) == (deficit > T::zero()) { two } else { -two };
-    let then = (straight * straight - bend * curved * curved).abs().sqrt();
-    two * (deficit / unit) / (straight + then)
+    let (_, exponent) = split(largest);
+    let [rate, load_rate, deficit] = [rate, load_rate, deficit].map(|x| scale(x, -exponent));
+    let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
+    two * deficit / (rate + then)
 }
 
 /// The z in [0, `longest`] at which the increasing `deficit_of` reaches `deficit`.

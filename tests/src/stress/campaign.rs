@@ -12,7 +12,7 @@ use crate::random::Stream;
 /// Every how many cases memory and balance are looked at as well.
 const DEEP: u64 = 97;
 
-/// A seed, and how often scenes are looked at closely.
+/// Scenes from a seed.
 #[derive(Clone, Copy, Debug)]
 pub struct Campaign {
     /// Determines every scene.
@@ -37,6 +37,22 @@ pub struct Faults {
     pub count: u64,
     /// The first: its case, and what it is about.
     pub first: Option<(u64, String)>,
+}
+
+impl Worst {
+    fn merge(&mut self, other: Self) {
+        let is_worse = other.share > self.share || other.share == self.share && other.case < self.case;
+        let worse = if is_worse { other } else { *self };
+        *self = Self { count: self.count + other.count, ..worse };
+    }
+}
+
+impl Faults {
+    fn merge(&mut self, other: Self) {
+        self.count += other.count;
+        let first = [self.first.take(), other.first].into_iter().flatten();
+        self.first = first.min_by_key(|first| first.0);
+    }
 }
 
 /// What was found in one format.
@@ -71,27 +87,61 @@ impl Campaign {
 
     /// Examines one case: three in f64, the fourth in f32, through all regions in turn.
     pub fn run(&self, case: u64, report: &mut Report) {
-        if case % 4 == 3 { self.run_in::<f32>(case, &mut report.ledgers[1]) } else { self.run_in::<f64>(case, &mut report.ledgers[0]) }
+        let is_deep = case.is_multiple_of(DEEP);
+        self.run_to(Depth { memory: is_deep, balance: is_deep }, case, report);
+    }
+
+    /// Examines one case with all that there is.
+    pub fn run_closely(&self, case: u64, report: &mut Report) {
+        self.run_to(Depth { memory: true, balance: true }, case, report);
+    }
+
+    fn run_to(&self, depth: Depth, case: u64, report: &mut Report) {
+        let [double, single] = &mut report.ledgers;
+        match Format::of(case) {
+            Format::Double => self.run_in::<f64>(depth, case, double),
+            Format::Single => self.run_in::<f32>(depth, case, single),
+        }
         report.cases += 1;
     }
 
-    /// The region of a case, and its scene.
+    /// The numbers of a case, as text.
     #[must_use]
-    pub fn scene<T: Precision>(&self, case: u64) -> (usize, Scene<T>) {
+    pub fn shown(&self, case: u64) -> String {
+        match Format::of(case) {
+            Format::Double => format!("{:?}", self.scene::<f64>(case).1),
+            Format::Single => format!("{:?}", self.scene::<f32>(case).1),
+        }
+    }
+
+    /// The region of a case, and its scene.
+    fn scene<T: Precision>(&self, case: u64) -> (usize, Scene<T>) {
         let mut stream = Stream::of_case(self.seed, case);
         let region = (case % Region::ALL.len() as u64) as usize;
         (region, Region::ALL[region].draw::<T>(&mut stream).rounded())
     }
 
-    fn run_in<T: Precision>(&self, case: u64, ledger: &mut Ledger) {
+    fn run_in<T: Precision>(&self, depth: Depth, case: u64, ledger: &mut Ledger) {
         let (region, scene) = self.scene::<T>(case);
-        let is_deep = case % DEEP == 0;
-        let depth = Depth { memory: is_deep, balance: is_deep };
         let mut entry = Entry { ledger, region, case };
         // A panic must end neither the campaign nor what was found before it.
-        if catch_unwind(AssertUnwindSafe(|| examine(&scene, depth, &mut entry))).is_err() {
-            entry.fault(Fault::Panic, &"");
+        if let Err(panic) = catch_unwind(AssertUnwindSafe(|| examine(&scene, depth, &mut entry))) {
+            let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+            let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+            entry.fault(Fault::Panic, &text.unwrap_or_default());
         }
+    }
+}
+
+/// In which format a case is computed.
+enum Format {
+    Double,
+    Single,
+}
+
+impl Format {
+    fn of(case: u64) -> Self {
+        if case % 4 == 3 { Self::Single } else { Self::Double }
     }
 }
 
@@ -119,6 +169,19 @@ impl Findings for Entry<'_> {
 }
 
 impl Report {
+    /// Adds what was found in other cases of the same campaign; the order does not matter.
+    pub fn merge(&mut self, other: Self) {
+        self.cases += other.cases;
+        for (ledger, other) in self.ledgers.iter_mut().zip(other.ledgers) {
+            for (worst, other) in ledger.errors.iter_mut().flatten().zip(other.errors.into_iter().flatten()) {
+                worst.merge(other);
+            }
+            for (faults, other) in ledger.faults.iter_mut().flatten().zip(other.faults.into_iter().flatten()) {
+                faults.merge(other);
+            }
+        }
+    }
+
     /// Whether every error is within its bound and nothing is at fault.
     #[must_use]
     pub fn holds(&self) -> bool {

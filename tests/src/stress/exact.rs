@@ -107,10 +107,11 @@ impl Profile {
         sum
     }
 
-    /// The root of J(a) = y nearest to an estimate, by Newton's method on logarithms; None if it does not converge.
+    /// The root of J(a) = y nearest to an estimate, by Newton's method on logarithms, until steps below 1e-17 no longer
+    /// shrink; None if they do not come to that.
     #[must_use]
     pub fn radius(&self, y: Wide, estimate: Wide) -> Option<Wide> {
-        let mut a = estimate;
+        let (mut a, mut last) = (estimate, f64::INFINITY);
         // Where J is nearly flat Newton's method gains no more than a third at a time.
         for _ in 0..400 {
             let here = self.kernels(a);
@@ -122,9 +123,10 @@ impl Profile {
             // The logarithm's step far away, where a ratio of powers is all that counts.
             let step = if change.abs() < 0.1 { change } else { (value / y).ln().value() / (slope / value).value() };
             a = a * (Wide::ONE - Wide::of(step.clamp(-0.7, 0.5)));
-            if step.abs() < 1e-25 {
+            if step.abs() < 1e-17 && (step.abs() >= last || step.abs() < 1e-27) {
                 return Some(a);
             }
+            last = step.abs();
         }
         None
     }

@@ -3,7 +3,7 @@
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
 
-use super::exact::{Profile, Sum};
+use super::exact::{Kernels, Profile, Sum};
 use super::fields;
 use super::finding::{Fault, Findings, Quantity};
 use super::history::History;
@@ -122,7 +122,11 @@ impl<T: Precision> Examination<'_, T> {
     /// An error is right beyond the admissible range, and where J or a J′ leave the format.
     fn refused(&mut self, error: &ContactError, y: Wide, radius: Option<Wide>) {
         let is_right = match (error, radius) {
-            (ContactError::BeyondRange { max_radius, .. }, Some(a)) => a.value() > max_radius * (1.0 - 4.0 * T::EPSILON),
+            (ContactError::BeyondRange { max_radius, .. }, Some(a)) => {
+                // Rounding of J may hide whether a radius next to the end is inside.
+                let slack = 4.0 * T::EPSILON * radius_condition(&self.exact.profile.kernels(a));
+                a.value() > max_radius * (1.0 - slack)
+            }
             (ContactError::BeyondRange { .. }, None) => true,
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
             (ContactError::TooSmall { .. }, _) => {
@@ -143,8 +147,7 @@ impl<T: Precision> Examination<'_, T> {
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
         let here = self.exact.profile.kernels(a);
         let found = now.radius().value();
-        // An error of J is divided by its degree; terms of both signs multiply it by their sizes' sum.
-        let condition = (here.load_integral.size / here.log_slope.value).value().max(1.0);
+        let condition = radius_condition(&here);
         self.measure(Quantity::Radius, found, a, condition);
         if !(found > 0.0 && found.is_finite()) {
             self.findings.fault(Fault::NotANumber, &format_args!("radius {found:e} instead of {:e}", a.value()));
@@ -294,13 +297,14 @@ impl<T: Precision> Examination<'_, T> {
             let unit = T::power_of_two(length);
             let pressure = T::power_of_two(force) / (unit * unit);
             let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
-            let intermediate = [self.contact.profile().load_integral(now.radius())];
+            let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
+            let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
+            let intermediate = [self.contact.profile().load_integral(now.radius()), least];
             let has_room = |x: &T| {
                 x.is_zero() || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
             };
-            let inputs = self.scene.terms.iter().flat_map(|&(c, _)| [c]);
-            let inputs = inputs.chain(self.scene.knots.iter().flat_map(|&(t, f)| [t, f])).chain([self.scene.m, self.scene.chi, self.scene.time]);
-            if !expected.iter().chain(&intermediate).all(has_room) || !inputs.into_iter().all(|x| has_room(&x)) {
+            let mut inputs = self.scene.numbers().chain(scene.numbers());
+            if !expected.iter().chain(&intermediate).all(has_room) || !inputs.all(|x| has_room(&x)) {
                 continue;
             }
             let found = match contact.at(scene.time) {
@@ -339,6 +343,11 @@ impl<T: Precision> Examination<'_, T> {
 }
 
 type Now<'c, 'a, T> = Snapshot<'c, T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
+
+/// Σ|terms of J|/(a J′), if it is above 1: errors of J are divided by its degree and grow where its terms cancel.
+fn radius_condition(here: &Kernels) -> f64 {
+    (here.load_integral.size / here.log_slope.value).value().max(1.0)
+}
 
 /// 1 + 2a/(a − r), by how much an error of the radius counts at r.
 fn edge<T: Precision>(a: T, r: T) -> f64 {

@@ -20,8 +20,8 @@ struct Whole<T> {
     third: T,
 }
 
-/// Powers that are not whole.
-#[gap_profile(first * r^0.25 + second * r^2.5 + third * r^3.3)]
+/// Powers that are not whole, the last not even a multiple of 1/4; all of them exact in binary.
+#[gap_profile(first * r^0.25 + second * r^2.5 + third * r^3.28125)]
 #[derive(Clone, Copy, Debug)]
 struct Real<T> {
     first: T,
@@ -39,7 +39,7 @@ struct High<T> {
 }
 
 /// The exponents of each geometry.
-pub const EXPONENTS: [[f64; 3]; 4] = [[2.0, 4.0, 8.0], [1.0, 2.0, 5.0], [0.25, 2.5, 3.3], [2.0, 12.0, 64.0]];
+pub const EXPONENTS: [[f64; 3]; 4] = [[2.0, 4.0, 8.0], [1.0, 2.0, 5.0], [0.25, 2.5, 3.28125], [2.0, 12.0, 64.0]];
 
 /// The generated solver of the geometry `index` with these coefficients.
 #[must_use]

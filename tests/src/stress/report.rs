@@ -9,12 +9,12 @@ use super::region::Region;
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{} cases from seed {}", self.cases, self.seed)?;
-        for ledger in &self.ledgers {
+        let measured = |ledger: &&Ledger| ledger.errors.iter().flatten().any(|worst| worst.count > 0);
+        for ledger in self.ledgers.iter().filter(measured) {
             shares(ledger, f)?;
             worst(ledger, f)?;
-            faults(ledger, f)?;
         }
-        Ok(())
+        self.ledgers.iter().try_for_each(|ledger| faults(ledger, f))
     }
 }
 
@@ -27,6 +27,9 @@ fn shares(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     }
     writeln!(f)?;
     for (region, row) in Region::ALL.into_iter().zip(&ledger.errors) {
+        if row.iter().all(|worst| worst.count == 0) {
+            continue;
+        }
         write!(f, "{:17}", region.name())?;
         for worst in row {
             match worst.share {
@@ -47,6 +50,9 @@ fn worst(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for quantity in Quantity::ALL {
         let column = ledger.errors.iter().map(|row| row[quantity as usize]);
         let count: u64 = column.clone().map(|worst| worst.count).sum();
+        if count == 0 {
+            continue;
+        }
         let allowance = quantity.allowance();
         let allowed = if ledger.format == "f32" { allowance.single } else { allowance.double };
         let greatest = Region::ALL.into_iter().zip(column).max_by(|x, y| x.1.share.total_cmp(&y.1.share));

@@ -77,6 +77,13 @@ impl<T: Precision> Scene<T> {
         self.terms.iter().map(|&(c, n)| (Wide::of(c.value()), n.value())).collect()
     }
 
+    /// Every number that has a unit.
+    pub fn numbers(&self) -> impl Iterator<Item = T> {
+        let coefficients = self.terms.iter().map(|&(c, _)| c);
+        let knots = self.knots.iter().flat_map(|&(t, force)| [t, force]);
+        coefficients.chain(knots).chain([self.m, self.chi, self.time])
+    }
+
     /// Lengths, forces and times multiplied by powers of two; none if the numbers of the scene do not allow it.
     #[must_use]
     pub fn in_units(&self, length: i32, force: i32, time: i32) -> Option<Self> {
