@@ -204,9 +204,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     fn check_digits(&self, t: T, hereditary: T) -> Result<(), ContactError> {
         let (force, chi) = (self.load.force(t), self.medium.chi());
         let has_digits = |x: T| x >= smallest_normal();
-        let is_absent = hereditary.is_zero() && force.is_zero();
-        let drains = chi.is_zero() || t.is_zero() || force.is_zero() || has_digits(chi * force);
-        if is_absent || has_digits(hereditary) && has_digits(hereditary / self.stiffness()) && drains {
+        let has_force = force.is_zero() || has_digits(force) && (chi.is_zero() || has_digits(chi * force));
+        if has_force && (hereditary.is_zero() || has_digits(hereditary / self.stiffness())) {
             return Ok(());
         }
         Err(ContactError::TooSmall { time: t.value(), force: force.value() })

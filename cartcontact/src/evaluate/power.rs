@@ -112,9 +112,12 @@ pub(crate) fn raised_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
 fn quick_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
     let (whole, fraction) = parts(n);
     let whole = whole + k;
+    if whole < 0 && x.is_zero() {
+        return c / x;
+    }
     if whole < 0 {
-        // Only slopes of gaps with an exponent below 1: c / x^(−n).
-        return c / quick_term(T::one(), x, -n, -k);
+        // Only slopes of gaps with an exponent below 1. Turning the sign of n would round its fraction.
+        return quick_term(c, x, n, k + 1) / x;
     }
     let degree = whole as u32;
     let half = integer_power(x, degree / 2);

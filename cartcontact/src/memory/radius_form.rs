@@ -36,6 +36,7 @@ where
         let rate = folds_per_length(stretch, depth, age);
         let end =
             if rate * (core - depth) <= most { core } else { (depth + (most / rate).max(shortest)).min(core) };
+        let end = end_of_panel(stretch, (depth, age), end, shortest);
         for (h, weight) in Rule::for_folds(rate * (end - depth)).nodes(depth, end) {
             sum.add(weight * stretch.density(high - h, h), high - h, low);
         }
@@ -54,6 +55,24 @@ where
         increment_of_core(stretch, high - core, &mut sum);
     }
     sum
+}
+
+/// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates.
+///
+/// The rate at its beginning does not bound that where δ₀′ nearly vanishes there and rises further in.
+fn end_of_panel<T, P, L>(stretch: &Stretch<'_, T, P, L>, (depth, age): (T, T), end: T, shortest: T) -> T
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    let chi = stretch.contact.medium().chi();
+    let most = Rule::FINEST.folds::<T>();
+    let mut length = end - depth;
+    while length > shortest && chi * (stretch.age_at(depth + length) - age) > most {
+        length *= T::constant(0.5);
+    }
+    depth + length
 }
 
 /// Adds the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).

@@ -43,6 +43,14 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
         }
     }
 
+    /// 1 − decay, to full accuracy.
+    pub(super) fn fading(&self, chi: T) -> T {
+        match self {
+            Self::Step => T::zero(),
+            Self::Linear { duration, .. } | Self::Smooth { duration, .. } => -(-(chi * *duration)).exp_m1(),
+        }
+    }
+
     /// How long before the end Y was smaller than at the end by `deficit`.
     ///
     /// Along a straight load Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without

@@ -131,7 +131,7 @@ impl<T: Precision> Examination<'_, T> {
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
             (ContactError::TooSmall { .. }, _) => {
                 let force = self.exact.force(Wide::of(self.scene.time.value())).value();
-                let numbers = [y.value(), (y * self.exact.stiffness()).value(), force * self.scene.chi.value()];
+                let numbers = [y.value(), force, force * self.scene.chi.value()];
                 numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
             }
             (_, radius) => {
@@ -288,7 +288,10 @@ impl<T: Precision> Examination<'_, T> {
 
     /// Lengths, forces and times in units that differ by powers of two: the same bits.
     fn units(&mut self, now: &Now<'_, '_, T>) {
-        let lengths = if matches!(self.scene.form, Form::Constant(_)) { 0 } else { 4 };
+        // Coefficients of constant geometries have no other units; the end of a range that is searched for is the zero of a
+        // sum of exponentials of ln r, and rounded as such.
+        let is_bound = matches!(self.scene.form, Form::Constant(_)) || self.scene.terms.iter().any(|(c, _)| *c < T::zero());
+        let lengths = if is_bound { 0 } else { 4 };
         for (length, force, time) in [(lengths, 0, 0), (-lengths, 5, 0), (0, -7, 3)] {
             let Some(scene) = self.scene.in_units(length, force, time) else { continue };
             let Ok(profile) = solver(&scene) else { continue };

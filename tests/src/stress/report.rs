@@ -14,6 +14,7 @@ impl fmt::Display for Report {
             shares(ledger, f)?;
             worst(ledger, f)?;
         }
+        self.ledgers.iter().try_for_each(|ledger| exceeded(ledger, f))?;
         self.ledgers.iter().try_for_each(|ledger| faults(ledger, f))
     }
 }
@@ -66,6 +67,17 @@ fn worst(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 worst.case,
                 region.name()
             )?;
+        }
+    }
+    Ok(())
+}
+
+/// Where errors exceed what is allowed.
+fn exceeded(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    for (region, row) in Region::ALL.into_iter().zip(&ledger.errors) {
+        for (quantity, worst) in Quantity::ALL.into_iter().zip(row).filter(|(_, worst)| worst.share > 1.0) {
+            let (share, case, symbol) = (worst.share, worst.case, quantity.symbol());
+            writeln!(f, "{}, {}: {symbol} is off by {share:.3e} of its bound in case {case}", ledger.format, region.name())?;
         }
     }
     Ok(())
