@@ -200,12 +200,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         })
     }
 
-    /// Whether a load is large enough to have all its digits: as it is, over π m/4, and times χ.
+    /// Whether a load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
     fn check_digits(&self, t: T, hereditary: T) -> Result<(), ContactError> {
         let (force, chi) = (self.load.force(t), self.medium.chi());
         let has_digits = |x: T| x >= smallest_normal();
         let has_force = force.is_zero() || has_digits(force) && (chi.is_zero() || has_digits(chi * force));
-        if has_force && (hereditary.is_zero() || has_digits(hereditary / self.stiffness())) {
+        // Of an impulse only what is not rounding beside the force has to be right.
+        let has_impulse = chi * smallest_normal() <= force || has_digits(self.load.impulse(t));
+        let is_unloaded = hereditary.is_zero();
+        if is_unloaded || has_force && has_impulse && has_digits(hereditary / self.stiffness()) {
             return Ok(());
         }
         Err(ContactError::TooSmall { time: t.value(), force: force.value() })

@@ -144,6 +144,29 @@ impl Profile {
     }
 }
 
+impl Profile {
+    /// The radius up to `a` at which a J′ is smallest beside the sizes of the terms of J, where the gap has terms of both
+    /// signs: the contact passes it in no time, and rounding moves it most.
+    #[must_use]
+    pub fn flattest_radius(&self, a: Wide) -> Option<Wide> {
+        if self.terms.iter().all(|(c, _)| c.is_positive()) {
+            return None;
+        }
+        let steepness = |share: f64| {
+            let here = self.kernels(a * Wide::of(share));
+            (here.log_slope.value / here.load_integral.size).value()
+        };
+        let shares = (1..=200).map(|step| f64::from(step) / 200.0);
+        let flattest = shares.min_by(|&x, &y| steepness(x).total_cmp(&steepness(y)))?;
+        let (mut low, mut high) = (flattest - 0.005, (flattest + 0.005_f64).min(1.0));
+        for _ in 0..60 {
+            let (left, right) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if steepness(left) < steepness(right) { high = right } else { low = left }
+        }
+        Some(a * Wide::of((low + high) / 2.0))
+    }
+}
+
 /// K(q) = n − (n+2) q² + 2 q^(n+2), from q and 1 − q.
 ///
 /// With δ = 1 − q the binomial series of q^(n+2) leaves n (n+2) δ² + 2 Σ_{j≥3} binom(n+2, j) (−δ)^j. The bracket loses

@@ -131,7 +131,9 @@ impl<T: Precision> Examination<'_, T> {
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
             (ContactError::TooSmall { .. }, _) => {
                 let force = self.exact.force(Wide::of(self.scene.time.value())).value();
-                let numbers = [y.value(), force, force * self.scene.chi.value()];
+                let chi = self.scene.chi.value();
+                let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
+                let numbers = [y.value(), force, force * chi, impulse];
                 numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
             }
             (_, radius) => {
@@ -156,12 +158,15 @@ impl<T: Precision> Examination<'_, T> {
         let degree = (a * here.approach_slope.value / here.approach.value).value();
         self.measure(Quantity::ContactApproach, now.approach().value(), here.approach.value, condition * (1.0 + degree));
         self.kernels(now);
-        let condition = condition * self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
+        // Pressures remember all radii on the way, of which the flattest is the least certain.
+        let flattest = self.exact.profile.flattest_radius(a);
+        let on_the_way = flattest.map_or(1.0, |s| radius_condition(&self.exact.profile.kernels(s)));
+        let condition = condition.max(on_the_way) * self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
         self.pressures(now, a, condition, depth);
         self.field(now, condition);
         self.units(now);
         if depth.balance {
-            self.balance(now);
+            self.balance(now, on_the_way);
         }
     }
 
@@ -257,7 +262,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     /// 2π ∫₀ᵃ P r dr = F, between the radii at which the pressure has a kink.
-    fn balance(&mut self, now: &Now<'_, '_, T>) {
+    fn balance(&mut self, now: &Now<'_, '_, T>, condition: f64) {
         let force = now.force().value();
         let a = now.radius();
         let greatest = self.exact.undrained_pressure(Wide::of(a.value()), Wide::ZERO).value();
@@ -268,6 +273,8 @@ impl<T: Precision> Examination<'_, T> {
         for &(time, _) in self.scene.knots.iter().filter(|knot| knot.0 <= self.scene.time) {
             borders.extend(self.radii_at(time, a));
         }
+        let flattest = self.exact.profile.flattest_radius(Wide::of(a.value()));
+        borders.extend(flattest.map(|s| s.value() / a.value()));
         borders.push(1.0);
         borders.sort_by(f64::total_cmp);
         let rule = Graded::new(10, 24);
@@ -277,7 +284,7 @@ impl<T: Precision> Examination<'_, T> {
         let carried = core::f64::consts::TAU * shares.sum::<f64>();
         // In two factors, because a² may be out of range.
         let carried = Wide::of(carried) * Wide::of(a.value()) * Wide::of(a.value());
-        self.measure(Quantity::Balance, carried.value(), Wide::of(force), 1.0);
+        self.measure(Quantity::Balance, carried.value(), Wide::of(force), condition);
     }
 
     /// The radii just before and just after a time, as shares of the radius `a`.
