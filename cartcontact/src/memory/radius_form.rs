@@ -36,8 +36,8 @@ where
         let rate = folds_per_length(stretch, depth, age);
         let end =
             if rate * (core - depth) <= most { core } else { (depth + (most / rate).max(shortest)).min(core) };
-        let end = end_of_panel(stretch, (depth, age), end, shortest);
-        for (h, weight) in Rule::for_folds(rate * (end - depth)).nodes(depth, end) {
+        let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
+        for (h, weight) in Rule::for_folds((rate * (end - depth)).max(fading)).nodes(depth, end) {
             sum.add(weight * stretch.density(high - h, h), high - h, low);
         }
         depth = end;
@@ -57,22 +57,26 @@ where
     sum
 }
 
-/// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates.
+/// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
+/// and by how many e-foldings it does, with the margin of [`folds_per_length`].
 ///
 /// The rate at its beginning does not bound that where δ₀′ nearly vanishes there and rises further in.
-fn end_of_panel<T, P, L>(stretch: &Stretch<'_, T, P, L>, (depth, age): (T, T), end: T, shortest: T) -> T
+fn end_of_panel<T, P, L>(stretch: &Stretch<'_, T, P, L>, (depth, age): (T, T), end: T, shortest: T) -> (T, T)
 where
     T: Scalar,
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let chi = stretch.contact.medium().chi();
+    let rate = stretch.contact.medium().chi() * T::constant(1.3);
     let most = Rule::FINEST.folds::<T>();
     let mut length = end - depth;
-    while length > shortest && chi * (stretch.age_at(depth + length) - age) > most {
+    loop {
+        let fading = rate * (stretch.age_at(depth + length) - age);
+        if fading <= most || length <= shortest {
+            return (depth + length, fading);
+        }
         length *= T::constant(0.5);
     }
-    depth + length
 }
 
 /// Adds the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
@@ -109,5 +113,7 @@ where
     let powers = (profile.highest_exponent() + T::one()) / top;
     let fading = chi * (stretch.age_at(depth + step) - age) / step;
     let of_singularity = stretch.singularity(top).map_or(T::zero(), |distance| T::constant(14.4) / distance);
-    (powers + fading) * T::constant(1.3) + of_singularity
+    // s^(n−1) next to s = 0, which a short rule notices from far away.
+    let of_centre = if profile.is_smooth_at_centre() { T::zero() } else { T::constant(14.4) / top };
+    (powers + fading) * T::constant(1.3) + of_singularity + of_centre
 }

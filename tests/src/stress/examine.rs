@@ -105,7 +105,7 @@ impl<T: Precision> Examination<'_, T> {
         let radius = self.exact.profile.radius(y, estimate);
         match (now, radius) {
             (Ok(now), Some(a)) => self.solved(&now, a, depth),
-            (Ok(_), None) => self.findings.fault(Fault::Accepted, &found),
+            (Ok(_), None) => self.accepted(found, y),
             (Err(error), radius) => self.refused(&error, y, radius),
         }
     }
@@ -116,6 +116,15 @@ impl<T: Precision> Examination<'_, T> {
             Ok(now) if now.radius().is_zero() && now.peak_pressure().is_zero() => {}
             Ok(now) => self.findings.fault(Fault::Accepted, &now.radius().value()),
             Err(error) => self.findings.fault(Fault::Refused, &error),
+        }
+    }
+
+    /// A radius beyond the last exact one is right if J there is as much as rounding lets it be told apart.
+    fn accepted(&mut self, found: f64, y: Wide) {
+        let load_integral = self.exact.profile.kernels(Wide::of(found)).load_integral;
+        let error = ((load_integral.value - y) / load_integral.size).value().abs() / T::EPSILON;
+        if error > T::allowed(Quantity::LoadIntegral.allowance()) {
+            self.findings.fault(Fault::Accepted, &format_args!("radius {found:e}, where J is off by {error:.1} ε"));
         }
     }
 
@@ -161,13 +170,21 @@ impl<T: Precision> Examination<'_, T> {
         // Pressures remember all radii on the way, of which the flattest is the least certain.
         let flattest = self.exact.profile.flattest_radius(a);
         let on_the_way = flattest.map_or(1.0, |s| radius_condition(&self.exact.profile.kernels(s)));
-        let condition = condition.max(on_the_way) * self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
+        let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
+        let condition = condition.max(on_the_way) * kernel * self.condition_of_fall(now.force());
         self.pressures(now, a, condition, depth);
         self.field(now, condition);
         self.units(now);
         if depth.balance {
-            self.balance(now, on_the_way);
+            self.balance(now, on_the_way * self.condition_of_fall(now.force()));
         }
+    }
+
+    /// Y/F under a load that falls, at most e^(χ t): what is left of it is the less certain the more has drained.
+    fn condition_of_fall(&self, force: T) -> f64 {
+        let falls = self.scene.knots.windows(2).any(|pair| pair[1].1 < pair[0].1 && pair[0].0 < self.scene.time);
+        let hereditary = self.exact.hereditary(Wide::of(self.scene.time.value()));
+        if falls { (hereditary / Wide::of(force.value())).value().max(1.0) } else { 1.0 }
     }
 
     /// A distance from the axis by its distance from the edge.
@@ -255,8 +272,11 @@ impl<T: Precision> Examination<'_, T> {
                 self.findings.fault(Fault::NegativePressure, &format_args!("{:e} in a field", value.value()));
             }
             if expected.is_finite() && r < now.radius() {
-                let condition = condition * edge(now.radius(), r);
-                self.measure(Quantity::Field, value.value(), Wide::of(expected), condition);
+                // Of two pressures so near the edge that one is 0 the other is the scale.
+                let (found, scale) = (value.value(), value.value().max(expected));
+                let condition = condition * edge(now.radius(), r) * if expected > 0.0 { scale / expected } else { 1.0 };
+                let (found, expected) = if expected > 0.0 { (found, expected) } else { (expected, found) };
+                self.measure(Quantity::Field, found, Wide::of(expected), condition);
             }
         }
     }
