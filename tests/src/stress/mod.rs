@@ -10,4 +10,5 @@ pub mod precision;
 pub mod region;
 mod report;
 pub mod scene;
+pub mod soundness;
 pub mod wide;
