@@ -174,7 +174,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let decay = course.decay(chi);
         let depth = high - self.now.radius;
-        if depth <= high * T::default_epsilon() * T::constant(16.0) && self.transition.reach <= self.now.radius {
+        if depth <= high * T::default_epsilon() * T::constant(16.0)
+            && self.transition.reach <= self.now.radius
+        {
             self.cover_at_once(high, course.fading(chi), decay, forces);
             return;
         }

@@ -29,8 +29,11 @@ pub(super) enum Course<'a, T, L> {
 }
 
 impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
-    /// A straight load between two forces.
+    /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
+        if last > first && chi * duration <= T::default_epsilon() * T::constant(0.125) {
+            return Self::Step;
+        }
         let load_rate = (last - first) / duration;
         // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
         Self::Linear { rate: (load_rate + chi * last).max(T::zero()), load_rate, duration }

@@ -98,9 +98,8 @@ impl Request {
         let first = self.cases.min(FIRST);
         let mut report = run_all(&campaign, 0..first, announced.map(|limit| start + limit));
         let per_case = start.elapsed().as_secs_f64() / first as f64;
-        let limit = announced.unwrap_or_else(|| {
-            Duration::from_secs_f64((per_case * self.cases as f64 * MARGIN).ceil())
-        });
+        let limit = announced
+            .unwrap_or_else(|| Duration::from_secs_f64((per_case * self.cases as f64 * MARGIN).ceil()));
         if self.cases > first {
             eprintln!("at most {}", shown(limit));
             report.merge(run_all(&campaign, first..self.cases, Some(start + limit)));
@@ -164,7 +163,11 @@ fn show_progress(done: u64, count: u64, begun: Instant, deadline: Option<Instant
     let left = limit.map_or(left, |limit| left.min(limit.saturating_sub(elapsed).as_secs_f64()));
     let full = (share * 40.0) as usize;
     let bar = format!("{}{}", "█".repeat(full), "░".repeat(40 - full));
-    eprint!("\r{bar} {:3.0} %  {done} cases, {} left   ", share * 100.0, shown(Duration::from_secs_f64(left)));
+    eprint!(
+        "\r{bar} {:3.0} %  {done} cases, {} left   ",
+        share * 100.0,
+        shown(Duration::from_secs_f64(left))
+    );
     // A terminal that is gone is no reason to stop.
     let _ = stderr().flush();
 }

@@ -176,7 +176,8 @@ impl Report {
             for (worst, other) in ledger.errors.iter_mut().flatten().zip(other.errors.into_iter().flatten()) {
                 worst.merge(other);
             }
-            for (faults, other) in ledger.faults.iter_mut().flatten().zip(other.faults.into_iter().flatten()) {
+            for (faults, other) in ledger.faults.iter_mut().flatten().zip(other.faults.into_iter().flatten())
+            {
                 faults.merge(other);
             }
         }

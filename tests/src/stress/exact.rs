@@ -121,7 +121,8 @@ impl Profile {
             }
             let change = ((value - y) / slope).value();
             // The logarithm's step far away, where a ratio of powers is all that counts.
-            let step = if change.abs() < 0.1 { change } else { (value / y).ln().value() / (slope / value).value() };
+            let step =
+                if change.abs() < 0.1 { change } else { (value / y).ln().value() / (slope / value).value() };
             a = a * (Wide::ONE - Wide::of(step.clamp(-0.7, 0.5)));
             if step.abs() < 1e-17 && (step.abs() >= last || step.abs() < 1e-27) {
                 return Some(a);

@@ -230,7 +230,11 @@ mod tests {
     #[test]
     fn roots_at_both_ends_are_integrated() {
         let integral = graded(Wide::ONE, |x| (x * (Wide::ONE - x)).sqrt());
-        assert!((integral.value() / (core::f64::consts::PI / 8.0) - 1.0).abs() < 3e-16, "{:e}", integral.value());
+        assert!(
+            (integral.value() / (core::f64::consts::PI / 8.0) - 1.0).abs() < 3e-16,
+            "{:e}",
+            integral.value()
+        );
     }
 
     #[test]

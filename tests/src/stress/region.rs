@@ -1,10 +1,10 @@
 //! The corners from which scenes are drawn.
 
 use super::exact::Profile;
+use super::fields;
 use super::precision::Precision;
 use super::scene::{Form, Scene};
 use super::wide::Wide;
-use super::fields;
 use crate::profiles::cases;
 use crate::random::Stream;
 
@@ -105,8 +105,30 @@ impl Region {
 
 /// Exponents of every kind: even, odd, halves, quarters, decimals, irrational numbers.
 const ALL_EXPONENTS: [f64; 24] = [
-    0.25, 0.3, 0.5, 0.75, 1.0, 1.5, 1.9, 2.0, 2.25, 2.5, 3.0, 3.141_592_653_589_793, 4.0, 5.0, 6.0, 7.3, 8.0, 10.5,
-    12.0, 17.0, 24.75, 31.4, 48.0, 64.0,
+    0.25,
+    0.3,
+    0.5,
+    0.75,
+    1.0,
+    1.5,
+    1.9,
+    2.0,
+    2.25,
+    2.5,
+    3.0,
+    3.141_592_653_589_793,
+    4.0,
+    5.0,
+    6.0,
+    7.3,
+    8.0,
+    10.5,
+    12.0,
+    17.0,
+    24.75,
+    31.4,
+    48.0,
+    64.0,
 ];
 
 /// A scene without its load.
@@ -128,10 +150,8 @@ impl Draft {
     /// Terms that are alike in size at the radius `size`, times ten to the power of up to `spread`.
     fn new(form: Form, exponents: &[f64], size: f64, spread: f64, stream: &mut Stream) -> Self {
         let gap = size * stream.magnitude(-3.0, 0.0);
-        let terms = exponents
-            .iter()
-            .map(|&n| (gap * stream.magnitude(-spread, spread) * size.powf(-n), n))
-            .collect();
+        let terms =
+            exponents.iter().map(|&n| (gap * stream.magnitude(-spread, spread) * size.powf(-n), n)).collect();
         Self {
             form,
             terms,

@@ -77,7 +77,12 @@ fn exceeded(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (region, row) in Region::ALL.into_iter().zip(&ledger.errors) {
         for (quantity, worst) in Quantity::ALL.into_iter().zip(row).filter(|(_, worst)| worst.share > 1.0) {
             let (share, case, symbol) = (worst.share, worst.case, quantity.symbol());
-            writeln!(f, "{}, {}: {symbol} is off by {share:.3e} of its bound in case {case}", ledger.format, region.name())?;
+            writeln!(
+                f,
+                "{}, {}: {symbol} is off by {share:.3e} of its bound in case {case}",
+                ledger.format,
+                region.name()
+            )?;
         }
     }
     Ok(())

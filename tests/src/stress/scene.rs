@@ -39,7 +39,8 @@ impl Scene<f64> {
     /// The scene in another format; loads that would recede there for rounding are held instead.
     #[must_use]
     pub fn rounded<T: Precision>(&self) -> Scene<T> {
-        let pairs = |pairs: &[(f64, f64)]| pairs.iter().map(|&(x, y)| (T::rounded(x), T::rounded(y))).collect();
+        let pairs =
+            |pairs: &[(f64, f64)]| pairs.iter().map(|&(x, y)| (T::rounded(x), T::rounded(y))).collect();
         let mut scene = Scene {
             form: self.form,
             terms: pairs(&self.terms),

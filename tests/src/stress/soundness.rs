@@ -65,7 +65,8 @@ impl Findings for Unsound {
     fn error(&mut self, quantity: Quantity, share: f64) {
         let error = share * f64::allowed(quantity.allowance()) * f64::EPSILON;
         if quantity == Quantity::Balance && error > BALANCE {
-            self.0.get_or_insert_with(|| format!("the pressure carries another load, by a share of {error:e}"));
+            self.0
+                .get_or_insert_with(|| format!("the pressure carries another load, by a share of {error:e}"));
         }
     }
 

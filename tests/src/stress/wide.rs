@@ -18,7 +18,8 @@ pub struct Wide {
 }
 
 /// ln 2 = high + low; the second word is the rounded difference to ln 2 in 40 digits.
-const LN_2: Wide = Wide { high: core::f64::consts::LN_2 * 2.0, low: 2.319_046_813_846_299_6e-17 * 2.0, exponent: -1 };
+const LN_2: Wide =
+    Wide { high: core::f64::consts::LN_2 * 2.0, low: 2.319_046_813_846_299_6e-17 * 2.0, exponent: -1 };
 
 impl Wide {
     /// Zero.
@@ -26,8 +27,11 @@ impl Wide {
     /// One.
     pub const ONE: Self = Self { high: 1.0, low: 0.0, exponent: 0 };
     /// π/4; the second word is that of π in the usual tables, divided by 4.
-    pub const FRAC_PI_4: Self =
-        Self { high: core::f64::consts::FRAC_PI_4 * 2.0, low: 1.224_646_799_147_353_2e-16 / 2.0, exponent: -1 };
+    pub const FRAC_PI_4: Self = Self {
+        high: core::f64::consts::FRAC_PI_4 * 2.0,
+        low: 1.224_646_799_147_353_2e-16 / 2.0,
+        exponent: -1,
+    };
 
     /// The number itself; `x` must be finite.
     #[must_use]
@@ -246,7 +250,8 @@ impl Div for Wide {
         let quotient = self.high / other.high;
         let first = Self { high: quotient, low: 0.0, exponent: self.exponent - other.exponent };
         let rest = self - other * first;
-        let second = Self { high: rest.high / other.high, low: 0.0, exponent: rest.exponent - other.exponent };
+        let second =
+            Self { high: rest.high / other.high, low: 0.0, exponent: rest.exponent - other.exponent };
         first.normalised() + second.normalised()
     }
 }
