@@ -6,8 +6,9 @@ use crate::dispatch::wide;
 use crate::error::Shown;
 use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
-use crate::memory::Moment;
+use crate::memory::{Moment, surplus_that_counts};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
+use crate::scalar::smallest_normal;
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
 
@@ -94,10 +95,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
+    /// This holds over the whole range of the format: as long as the input, Y, J(a), a J′(a) and the result are
+    /// normal numbers, powers and products on the way to them need not be. Coefficients are normal numbers with a
+    /// margin of 2¹³, because they are divided by up to 2 (n+2)² first.
+    ///
     /// # Errors
     ///
     /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the
-    /// geometry, or the load has fallen so fast that the edge recedes.
+    /// geometry, the load has fallen so fast that the edge recedes, or Y, J(a) or χ F leave the range of the
+    /// format.
     ///
     /// # References
     ///
@@ -182,15 +188,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// A time with its contact radius, for integrals that begin or end there.
     pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
-        let hereditary = self.load.force(time) + self.medium.chi() * self.load.impulse(time);
-        Moment { time, radius, surplus: self.surplus(hereditary, radius) }
+        let force = self.load.force(time);
+        let hereditary = force + self.medium.chi() * self.load.impulse(time);
+        Moment { time, radius, surplus: surplus_that_counts(self.surplus(hereditary, radius), force) }
     }
 
     /// [`moment`](Self::moment) with a load integral that is rounded once.
     pub(crate) fn precise_moment(&self, time: T, radius: T) -> Moment<T> {
-        let hereditary = self.load.force(time) + self.medium.chi() * self.load.impulse(time);
+        let force = self.load.force(time);
+        let hereditary = force + self.medium.chi() * self.load.impulse(time);
         let surplus = hereditary - self.stiffness() * self.profile.load_integral(radius);
-        Moment { time, radius, surplus }
+        Moment { time, radius, surplus: surplus_that_counts(surplus, force) }
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
@@ -227,6 +235,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             let (force, impulse) = (self.load.force(time), self.load.impulse(time));
             valid &= is_time(time) & is_force(force) & is_force(impulse);
             *load_integral = (force + self.medium.chi() * impulse) * self.per_stiffness;
+            valid &= self.has_digits(force, impulse, *load_integral);
         }
         valid
     }
@@ -237,10 +246,24 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::InvalidTime { time: t.value() });
         }
         let hereditary = self.hereditary_load(t)?;
-        match self.load.recession(self.medium.chi(), t) {
-            Some(since) => Err(ContactError::Receding { time: t.value(), since: since.value() }),
-            None => Ok(hereditary * self.per_stiffness),
+        if let Some(since) = self.load.recession(self.medium.chi(), t) {
+            return Err(ContactError::Receding { time: t.value(), since: since.value() });
         }
+        let (force, load_integral) = (self.load.force(t), hereditary * self.per_stiffness);
+        if hereditary.is_zero() || self.has_digits(force, self.load.impulse(t), load_integral) {
+            return Ok(load_integral);
+        }
+        Err(ContactError::TooSmall { time: t.value(), force: force.value() })
+    }
+
+    /// Whether a load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
+    #[inline(always)]
+    fn has_digits(&self, force: T, impulse: T, load_integral: T) -> bool {
+        let (chi, least) = (self.medium.chi(), smallest_normal());
+        let has_force = force.is_zero() | ((force >= least) & (chi.is_zero() | (chi * force >= least)));
+        // Of an impulse only what is not rounding beside the force has to be right.
+        let has_impulse = (chi * least <= force) | (impulse >= least);
+        has_force & has_impulse & (load_integral >= least)
     }
 
     /// Y(t) = F(t) + χ ∫₀ᵗ F, from forces and impulses that a load of the user's own may get wrong.
@@ -326,6 +349,13 @@ pub enum ContactError {
         /// The time at which the edge begins to recede, in s.
         since: f64,
     },
+    /// The load is so small that its quotient by m or its product with χ loses digits.
+    TooSmall {
+        /// The time, in s.
+        time: f64,
+        /// The force at that time, in N.
+        force: f64,
+    },
     /// There is no contact radius at a time for another reason.
     Radius {
         /// The time, in s.
@@ -390,6 +420,13 @@ impl fmt::Display for ContactError {
                  slowly",
                 Shown(since),
                 Shown(time)
+            ),
+            Self::TooSmall { time, force } => write!(
+                f,
+                "the force at time {} is {}, which over m or times chi is too small a number to have all its \
+                 digits; choose units in which forces or lengths are larger numbers, or ask for later times",
+                Shown(time),
+                Shown(force)
             ),
             Self::Radius { time, error } => write!(f, "at time {}: {error}", Shown(time)),
             Self::Empty { what } => write!(f, "`{what}` is empty; give at least one"),

@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::Scalar;
 use crate::error::Shown;
+use crate::scalar::smallest_normal;
 
 /// One biphasic layer on its bone.
 ///
@@ -55,7 +56,7 @@ impl<T: Scalar> Medium<T> {
     /// and m and χ are representable.
     pub fn between(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
         let m = (first.compliance()? + second.compliance()?).recip();
-        Self::from_constants(m, m * (first.conductance() + second.conductance()))
+        Self::from_constants(m, first.rate_within(m) + second.rate_within(m))
     }
 
     /// Two layers in contact, with the rate as the paper prints it, for comparison with published curves.
@@ -94,19 +95,21 @@ impl<T: Scalar> Medium<T> {
     /// [`MediumError`] as for [`between`](Self::between).
     pub fn against_rigid(layer: Layer<T>) -> Result<Self, MediumError> {
         let m = layer.compliance()?.recip();
-        Self::from_constants(m, m * layer.conductance())
+        Self::from_constants(m, layer.rate_within(m))
     }
 
     /// The constants themselves: m in MPa/mm³, χ in 1/s.
     ///
     /// # Errors
     ///
-    /// [`MediumError`] unless m is positive, χ is not negative and both are finite.
+    /// [`MediumError`] unless m is positive, χ is 0 or positive and both are finite and have all their digits, from
+    /// 2⁻¹⁰²² in f64 and 2⁻¹²⁶ in f32.
     pub fn from_constants(m: T, chi: T) -> Result<Self, MediumError> {
-        if !(m > T::zero() && m.is_finite()) {
+        let is_normal = |x: T| x >= smallest_normal() && x.is_finite();
+        if !is_normal(m) {
             return Err(MediumError::Stiffness { m: m.value() });
         }
-        if !(chi >= T::zero() && chi.is_finite()) {
+        if !(chi.is_zero() || is_normal(chi)) {
             return Err(MediumError::Rate { chi: chi.value() });
         }
         Ok(Self { m, chi })
@@ -137,18 +140,27 @@ impl<T: Scalar> Layer<T> {
             return Err(MediumError::Permeability { permeability: self.permeability.value() });
         }
         let h = self.thickness;
-        Ok(h * h * h / (T::constant(3.0) * self.shear_modulus))
+        // Neither h³ nor 3 μ need be in range.
+        Ok(h / T::constant(3.0) / self.shear_modulus * h * h)
     }
 
-    /// h k.
-    fn conductance(&self) -> T {
-        self.thickness * self.permeability
+    /// m h k, what the layer adds to the rate of a medium.
+    fn rate_within(&self, m: T) -> T {
+        product_of_three(m, self.thickness, self.permeability)
     }
 
     /// 3 μ k/h², the rate of the layer on its own.
     fn own_rate(&self) -> T {
-        T::constant(3.0) * self.shear_modulus * self.permeability / (self.thickness * self.thickness)
+        let square = self.thickness * self.thickness;
+        T::constant(3.0) * product_of_three(self.shear_modulus, self.permeability, square.recip())
     }
+}
+
+/// x y z of numbers from 0, the largest times the smallest first: that product is out of range only if x y z is.
+fn product_of_three<T: Scalar>(x: T, y: T, z: T) -> T {
+    let (low, high) = (x.min(y), x.max(y));
+    let middle = low.max(high.min(z));
+    (low.min(z) * high.max(z)) * middle
 }
 
 /// Why layers do not make a medium.
@@ -205,13 +217,13 @@ impl fmt::Display for MediumError {
             ),
             Self::Stiffness { m } => write!(
                 f,
-                "the stiffness m is {}, but it must be a positive number; check the units of thickness and \
+                "the stiffness m is {}, but it must be a positive number with all its digits; check the units of thickness and \
                  shear modulus",
                 Shown(m)
             ),
             Self::Rate { chi } => write!(
                 f,
-                "the rate chi is {}, but it must be 0 (no drainage) or a positive number; check the units of \
+                "the rate chi is {}, but it must be 0 (no drainage) or a positive number with all its digits; check the units of \
                  permeability and thickness",
                 Shown(chi)
             ),

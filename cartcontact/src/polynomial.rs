@@ -6,7 +6,8 @@ use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::evaluate::double_word::DoubleWord;
 use crate::evaluate::power::{
-    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, weighted_power_sum,
+    power_sum, quick_power_sum, raised_power_sum, raised_power_sum_and_log_slope, raised_power_sum_drop,
+    weighted_power_sum,
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::inversion::{invert, positive_terms};
@@ -79,7 +80,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
-    /// The terms of J/a⁴: (C n/((n+2)(n+4)), n). To round n + 4 by δ would cost J a relative error of δ ln a.
+    /// The terms of J/a⁴: (C n/((n+2)(n+4)), n).
     fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
         self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n))
@@ -98,7 +99,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        quick_power_sum(a, self.map(|c, n| (two * c * (n / (n + two)), n - T::one())))
+        raised_power_sum(a, -1, self.map(|c, n| (two * c * (n / (n + two)), n)))
     }
 
     fn load_integral(&self, a: T) -> T {
@@ -123,7 +124,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn quick_load_integral(&self, a: T) -> T {
-        quick_power_sum(a, self.load_integral_terms()) * a * a * a * a
+        raised_power_sum(a, 4, self.load_integral_terms())
     }
 
     fn quick_pressure_kernel(&self, a: T, r: T) -> T {
@@ -132,9 +133,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         invert(load_integral, limit, positive_terms(self.map(|c, n| (c, n))), self.has_negative_terms, |a| {
-            let (value, log_slope) = power_sum_and_log_slope(a, self.load_integral_terms());
-            let four = T::constant(4.0);
-            (value * a * a * a * a, (log_slope + four * value) * a * a * a * a)
+            raised_power_sum_and_log_slope(a, 4, self.load_integral_terms())
         })
     }
 
@@ -143,8 +142,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn load_integral_drop(&self, a: T, depth: T) -> T {
-        let four = T::constant(4.0);
-        power_sum_drop(a, depth, self.load_integral_terms().map(|(c, n)| (c, n + four)))
+        raised_power_sum_drop(a, depth, 4, self.load_integral_terms())
     }
 
     fn highest_exponent(&self) -> T {

@@ -61,6 +61,12 @@ pub(crate) fn is_plain<T: Scalar>() -> bool {
     is::<T, f64>() || is::<T, f32>()
 }
 
+/// The smallest number with all its digits.
+#[inline]
+pub(crate) fn smallest_normal<T: Scalar>() -> T {
+    T::constant(if is::<T, f32>() { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE })
+}
+
 /// Whether two types are the same.
 #[inline]
 pub(crate) fn is<T: 'static, U: 'static>() -> bool {

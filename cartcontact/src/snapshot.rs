@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{Moment, march};
+use crate::memory::{Moment, march, not_negative};
 use crate::profile::GapProfile;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
@@ -122,7 +122,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     fn undrained_pressure(&self, moment: Moment<T>, r: T) -> T {
         let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), moment.radius);
         let strip = moment.strip(self.contact.stiffness()) * T::constant(0.25) * ((a - r) * (a + r));
-        medium.m() * (profile.quick_pressure_kernel(a, r) + strip)
+        not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
     }
 
     pub(crate) fn moment(&self) -> Moment<T> {

@@ -8,3 +8,4 @@ pub mod profiles;
 pub mod quadrature;
 pub mod random;
 pub mod reference;
+pub mod stress;

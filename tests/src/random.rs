@@ -43,3 +43,57 @@ pub fn degree(profile: &dyn cartcontact::GapProfile<f64>, a: f64) -> f64 {
     let square = a * a;
     square * square * (a * profile.approach_slope(a) / 2.0) / profile.load_integral(a)
 }
+
+/// A stream of numbers that a seed determines on every machine: SplitMix64.
+///
+/// Source: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014,
+/// doi 10.1145/2660193.2660195.
+#[derive(Clone, Copy, Debug)]
+pub struct Stream(u64);
+
+impl Stream {
+    /// The stream of one case of a campaign: any case can be drawn again on its own.
+    #[must_use]
+    pub fn of_case(seed: u64, case: u64) -> Self {
+        let mut stream = Self(seed);
+        Self(stream.bits() ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+    }
+
+    /// 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// A number of [low, high).
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        let share = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        low + (high - low) * share
+    }
+
+    /// A number between two powers of ten, all magnitudes alike.
+    pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
+        10_f64.powf(self.between(low, high))
+    }
+
+    /// One of the whole numbers below `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        self.between(0.0, count as f64) as usize
+    }
+
+    /// True in one of `count` cases.
+    pub fn once_in(&mut self, count: usize) -> bool {
+        self.below(count) == 0
+    }
+
+    /// One of the elements.
+    ///
+    /// # Panics
+    ///
+    /// If there are none.
+    pub fn one_of<V: Copy>(&mut self, values: &[V]) -> V {
+        values[self.below(values.len())]
+    }
+}

@@ -28,7 +28,15 @@ pub fn real_power<T: Scalar>(x: T, n: T) -> T {
 /// Σ c x^n over the terms (c, n), each term within 2 ε of its value: what is only integrated.
 #[inline]
 pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
-    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
+    raised_power_sum(x, 0, terms)
+}
+
+/// x^k Σ c x^n over the terms (c, n), as [`quick_power_sum`].
+///
+/// The sum n + k would be rounded, and ln x multiplies that rounding: 10 ε of the result for x = 1e10 and n = 0.3.
+#[inline]
+pub(crate) fn raised_power_sum<T: Scalar>(x: T, k: i32, terms: impl IntoIterator<Item = (T, T)>) -> T {
+    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + raised_term(c, x, n, k))
 }
 
 /// Σ c x^n over the terms (c, n), rounded once; see [`double_term`].
@@ -57,9 +65,19 @@ pub(crate) fn weighted_power_sum<T: Scalar>(
 /// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
 #[inline]
 pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> (T, T) {
+    raised_power_sum_and_log_slope(x, 0, terms)
+}
+
+/// x^k Σ c x^n and its slope times x, as [`power_sum_and_log_slope`] gives them.
+#[inline]
+pub(crate) fn raised_power_sum_and_log_slope<T: Scalar>(
+    x: T,
+    k: i32,
+    terms: impl IntoIterator<Item = (T, T)>,
+) -> (T, T) {
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
-        let value = quick_term(c, x, n);
-        (sum + value, slope + n * value)
+        let value = quick_term(c, x, n, k);
+        (sum + value, slope + (n + T::constant(f64::from(k))) * value)
     })
 }
 
@@ -70,7 +88,7 @@ pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, 
     let none =
         Steepness { power: one, value: zero, first: zero, half_second: zero, per_unit: one, per_degree: one };
     terms.into_iter().fold(none, |sum, (c, n)| {
-        let value = quick_term(c, x, n);
+        let value = quick_term(c, x, n, 0);
         let slope = n * value;
         Steepness {
             value: sum.value + value,
@@ -94,17 +112,31 @@ pub fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     } else {
         ratio.powf(order.recip())
     };
-    (x, quick_term(c, x, p))
+    (x, quick_term(c, x, p, 0))
 }
 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
 #[inline]
 pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+    raised_power_sum_drop(a, depth, 0, terms)
+}
+
+/// Σ c (a^(n+k) − (a − depth)^(n+k)) as [`power_sum_drop`] gives it.
+#[inline]
+pub(crate) fn raised_power_sum_drop<T: Scalar>(
+    a: T,
+    depth: T,
+    k: i32,
+    terms: impl IntoIterator<Item = (T, T)>,
+) -> T {
     if depth.is_zero() {
         return T::zero();
     }
     let log_ratio = (-depth / a).ln_1p();
-    terms.into_iter().fold(T::zero(), |sum, (c, p)| sum - term(c, a, p) * (p * log_ratio).exp_m1())
+    terms.into_iter().fold(T::zero(), |sum, (c, n)| {
+        let power = n + T::constant(f64::from(k));
+        sum - raised_term(c, a, n, k) * (power * log_ratio).exp_m1()
+    })
 }
 
 /// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
@@ -113,26 +145,33 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
 /// the geometric mean of c and the result, so it is in range whenever both of them are.
 #[inline]
 pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
+    raised_term(c, x, n, 0)
+}
+
+/// c x^(n+k) as [`term`] gives it, without rounding n + k.
+#[inline]
+pub(crate) fn raised_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
     let (whole, fraction) = parts(n);
+    let whole = whole + k;
     if whole < 0 || x.is_zero() {
-        return quick_term(c, x, n);
+        return quick_term(c, x, n, k);
     }
-    let k = whole as u32;
-    let power = if k < 4 {
-        integer_power(x, k) * c
+    let degree = whole as u32;
+    let power = if degree < 4 {
+        integer_power(x, degree) * c
     } else {
-        let half = DoubleWord::of(x).power(k / 2);
+        let half = DoubleWord::of(x).power(degree / 2);
         let even = half.times_word(c).times(half);
-        if k & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
+        if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n) }
+    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n, k) }
 }
 
 /// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
 pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
     let (whole, fraction) = parts(n);
-    let quick = || quick_term(c.rounded(), x, n);
+    let quick = || quick_term(c.rounded(), x, n, 0);
     if whole < 0 || x.is_zero() {
         return DoubleWord::of(quick());
     }
@@ -148,17 +187,21 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord
     if term.rounded().is_finite() { term } else { DoubleWord::of(quick()) }
 }
 
-/// c x^n with every product rounded, in halves as [`term`] does it.
-fn quick_term<T: Scalar>(c: T, x: T, n: T) -> T {
+/// c x^(n+k) with every product rounded, in halves as [`term`] does it.
+fn quick_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
     let (whole, fraction) = parts(n);
-    if whole < 0 {
-        // Only slopes of gaps with an exponent below 1: c / x^(−n).
-        return c / quick_term(T::one(), x, -n);
+    let whole = whole + k;
+    if whole < 0 && x.is_zero() {
+        return c / x;
     }
-    let k = whole as u32;
-    let half = integer_power(x, k / 2);
+    if whole < 0 {
+        // Only slopes of gaps with an exponent below 1. Turning the sign of n would round its fraction.
+        return quick_term(c, x, n, k + 1) / x;
+    }
+    let degree = whole as u32;
+    let half = integer_power(x, degree / 2);
     let even = c * half * half;
-    let whole_power = if k & 1 == 1 { even * x } else { even };
+    let whole_power = if degree & 1 == 1 { even * x } else { even };
     whole_power * fractional_power(x, fraction)
 }
 

@@ -9,7 +9,7 @@ use core::ops::Range;
 use super::BLOCK;
 use crate::Scalar;
 use crate::dispatch::wide;
-use crate::memory::Transition;
+use crate::memory::{Transition, not_negative};
 
 /// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache.
 const TILE: usize = 1024;
@@ -61,7 +61,7 @@ impl<T: Scalar> Change<T> {
     /// The pressure after the change.
     #[inline(always)]
     fn apply(self, pressure: T, square: T) -> T {
-        self.kept * pressure + (self.gain * pressure + (self.on_axis - self.slope * square))
+        not_negative(self.kept * pressure + (self.gain * pressure + (self.on_axis - self.slope * square)))
     }
 
     /// Whether the decay is near 1: all but the last change of a block.
@@ -73,7 +73,7 @@ impl<T: Scalar> Change<T> {
     /// The pressure after a slow change, the same to the last bit as [`apply`](Self::apply) gives.
     #[inline(always)]
     fn apply_slow(self, pressure: T, square: T) -> T {
-        pressure + (self.gain * pressure + (self.on_axis - self.slope * square))
+        not_negative(pressure + (self.gain * pressure + (self.on_axis - self.slope * square)))
     }
 
     /// The pressures after the change at `radii`.

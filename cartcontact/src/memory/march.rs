@@ -9,7 +9,7 @@
 //! long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
 
 use super::stretch::{Course, Stretch};
-use super::{Increment, Moment, Transition};
+use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::Contact;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
@@ -40,7 +40,23 @@ where
     let slope = march.now.strip(stiffness);
     let offset = slope * ((radius - reach) * (radius + reach));
     march.transition.advance(T::one(), march.quarter_m(), Increment { offset, slope }, reach);
+    march.transition.offset = not_negative(march.transition.offset);
     (march.transition, march.now)
+}
+
+/// After how many e-foldings a pressure is below rounding, with a margin.
+pub(crate) fn faded_folds<T: Scalar>() -> T {
+    -T::default_epsilon().ln() + T::constant(4.0)
+}
+
+/// The surplus of a moment, unless it is too large for its radius to be taken as exact to first order.
+///
+/// A surplus of x times the force is a pressure of x times the force, and makes all ages later by x e-foldings; to
+/// first order the two cancel, since a held load has little more to drain. When the hereditary load is 1/√ε times
+/// the force and more, its rounding makes x² more than rounding. Leaving the surplus out moves the radius by a rounding
+/// error and no more.
+pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
+    if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
 
 /// A transition on its way.
@@ -67,6 +83,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let load = self.contact.load();
         let end = load.next_knot(self.now.time).map_or(self.time, |knot| knot.min(self.time));
         if load.is_linear_between_knots() {
+            self.skip_what_fades(end);
             self.advance_straight(end);
         } else {
             self.advance_in_steps(end);
@@ -74,8 +91,30 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (before, after) = (load.force_before(end), load.force(end));
         if after > before {
             let radius = self.radius_under(end, after);
-            self.cover(radius, Course::Step, after - before);
+            self.cover(radius, Course::Step, (before, after), after - before);
         }
+    }
+
+    /// Leaves out what a straight stretch that does not fall adds so early that nothing of it is left at its end.
+    ///
+    /// What a held load covered `folds` e-foldings ago carries e^(−folds) of it. The panels of an integral are chosen for
+    /// what counts, next to the edge, and could not resolve it within a much longer stretch.
+    fn skip_what_fades(&mut self, end: T) {
+        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+        let folds = faded_folds::<T>();
+        let (start, force) = (self.now.time, load.force(self.now.time));
+        if chi * (end - start) <= folds + folds || load.force_before(end) < force {
+            return;
+        }
+        let time = end - folds / chi;
+        let skipped = load.force(time);
+        self.impulse += (time - start) * (force + skipped) * T::constant(0.5);
+        let radius = self.radius_under(time, skipped).max(self.now.radius);
+        let hereditary = skipped + chi * self.impulse;
+        let surplus = surplus_that_counts(self.contact.surplus(hereditary, radius), skipped);
+        let decay = (-(chi * (time - start))).exp();
+        self.transition.advance(decay, self.quarter_m(), Increment::zero(), radius);
+        self.now = Moment { time, radius, surplus };
     }
 
     fn advance_straight(&mut self, end: T) {
@@ -85,7 +124,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let impulse = duration * (first + last) * T::constant(0.5);
         self.impulse += impulse;
         let radius = self.radius_under(end, last);
-        self.cover(radius, Course::straight(chi, duration, (first, last)), (last - first) + chi * impulse);
+        let gain = (last - first) + chi * impulse;
+        self.cover(radius, Course::straight(chi, duration, (first, last)), (first, last), gain);
         self.now.time = end;
     }
 
@@ -118,25 +158,49 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_smooth(&mut self, end: T) {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let start = self.now.time;
-        let before = load.force(start) + chi * self.impulse;
+        let first = load.force(start);
+        let before = first + chi * self.impulse;
         self.impulse = load.impulse(end);
         let last = load.force_before(end);
         let radius = self.radius_under(end, last);
         let course = Course::Smooth { load, start, duration: end - start };
-        self.cover(radius, course, last + chi * self.impulse - before);
+        self.cover(radius, course, (first, last), last + chi * self.impulse - before);
         self.now.time = end;
     }
 
-    /// Extends the contact to a radius along a course of the load, on which the hereditary load gains `gain`.
-    fn cover(&mut self, high: T, course: Course<'_, T, L>, gain: T) {
+    /// Extends the contact to a radius along a course of the load between two forces, on which the hereditary load
+    /// gains `gain`.
+    fn cover(&mut self, high: T, course: Course<'_, T, L>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        let growth = contact.profile().load_integral_drop(high, high - self.now.radius);
-        let surplus = self.now.surplus + (gain - contact.stiffness() * growth);
-        let low = self.transition.reach.max(self.now.radius);
         let decay = course.decay(chi);
+        let depth = high - self.now.radius;
+        if depth <= high * T::default_epsilon() * T::constant(16.0)
+            && self.transition.reach <= self.now.radius
+        {
+            self.cover_at_once(high, course.fading(chi), decay, forces);
+            return;
+        }
+        let growth = contact.profile().load_integral_drop(high, depth);
+        let surplus = self.now.surplus + (gain - contact.stiffness() * growth);
+        let surplus = surplus_that_counts(surplus, forces.1);
+        let low = self.transition.reach.max(self.now.radius);
         let increment = Stretch { contact, course, low, high, surplus }.increment();
         self.transition.advance(decay, self.quarter_m(), increment, low);
         self.now = Moment { radius: high, surplus, ..self.now };
+    }
+
+    /// Lays what a stretch gains at its last radius, which is the first one but for some roundings.
+    ///
+    /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over radii
+    /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
+    /// the course; with one radius for all of it the pressure is off by the share by which the radius grew.
+    fn cover_at_once(&mut self, high: T, fading: T, decay: T, (first, last): (T, T)) {
+        let kept = Moment { radius: high, surplus: (last - first) + first * fading, ..self.now };
+        let low = self.transition.reach.max(self.now.radius);
+        let slope = kept.strip(self.contact.stiffness());
+        let offset = slope * ((high - low) * (high + low));
+        self.transition.advance(decay, self.quarter_m(), Increment { offset, slope }, low);
+        self.now.radius = high;
     }
 
     /// The contact radius at a time under a force at the impulse so far; a contact never exceeds that at the end.

@@ -20,7 +20,7 @@ mod time_form;
 
 use crate::Scalar;
 
-pub(crate) use march::march;
+pub(crate) use march::{march, surplus_that_counts};
 
 /// A time with the contact radius at it.
 ///
@@ -69,9 +69,12 @@ impl<T: Scalar> Transition<T> {
     }
 
     /// The pressure after the transition, at a radius up to `reach`, from that before it.
+    ///
+    /// Between the exact and the rounded edge the strip that the radius has too much leaves a negative rest.
     #[inline(always)]
     pub(crate) fn apply(&self, pressure: T, radius: T) -> T {
-        self.decay * pressure + (self.offset + self.slope * ((self.reach - radius) * (self.reach + radius)))
+        let gain = self.offset + self.slope * ((self.reach - radius) * (self.reach + radius));
+        not_negative(self.decay * pressure + gain)
     }
 
     /// Whether two ways to the same transition differ by little more than rounding.
@@ -88,6 +91,12 @@ impl<T: Scalar> Transition<T> {
         self.offset = self.offset * decay + quarter_m * (increment.offset + increment.slope * margin);
         self.slope = self.slope * decay + quarter_m * increment.slope;
     }
+}
+
+/// A pressure without the negative rest that rounding may leave at the edge; what is not a number remains so.
+#[inline(always)]
+pub(crate) fn not_negative<T: Scalar>(pressure: T) -> T {
+    if pressure < T::zero() { T::zero() } else { pressure }
 }
 
 impl<T: Scalar> Increment<T> {

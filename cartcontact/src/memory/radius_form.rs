@@ -33,11 +33,18 @@ where
     let mut sum = Increment::zero();
     let (mut depth, mut age) = (T::zero(), T::zero());
     while depth < core {
-        let rate = folds_per_length(stretch, depth, age);
-        let end =
-            if rate * (core - depth) <= most { core } else { (depth + most / rate).max(depth + shortest) };
-        for (h, weight) in Rule::for_folds(rate * (end - depth)).nodes(depth, end) {
-            sum.add(weight * stretch.density(h), high - h, low);
+        let (of_powers, of_fading) = folds_per_length(stretch, depth, age);
+        let rate = of_powers + of_fading;
+        let end = if rate * (core - depth) <= most {
+            core
+        } else {
+            (depth + (most / rate).max(shortest)).min(core)
+        };
+        let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
+        for (h, weight) in
+            Rule::for_folds((rate * (end - depth)).max(of_powers * (end - depth) + fading)).nodes(depth, end)
+        {
+            sum.add(weight * stretch.density(high - h, h), high - h, low);
         }
         depth = end;
         if depth < deepest {
@@ -56,6 +63,30 @@ where
     sum
 }
 
+/// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
+/// and by how many e-foldings it does, with the margin of [`folds_per_length`].
+///
+/// The rate at its beginning does not bound that at its end where δ₀′ nearly vanishes there and rises further in.
+fn end_of_panel<T, P, L>(stretch: &Stretch<'_, T, P, L>, (depth, age): (T, T), end: T, shortest: T) -> (T, T)
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    let rate = stretch.contact.medium().chi() * T::constant(1.3);
+    let most = Rule::FINEST.folds::<T>();
+    let mut length = end - depth;
+    loop {
+        let end = stretch.age_at(depth + length);
+        let shortly_before = stretch.age_at(depth + length * T::constant(63.0 / 64.0));
+        let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
+        if fading <= most || length <= shortest {
+            return (depth + length, fading);
+        }
+        length *= T::constant(0.5);
+    }
+}
+
 /// Adds the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
 fn increment_of_core<T, P, L>(stretch: &Stretch<'_, T, P, L>, top: T, sum: &mut Increment<T>)
 where
@@ -68,16 +99,17 @@ where
         let cube = x * x * x;
         let s = (cube * x).max(stretch.low);
         let slope = T::constant(4.0) * cube;
-        sum.add(weight * slope * stretch.density(stretch.high - s), s, stretch.low);
+        sum.add(weight * slope * stretch.density(s, stretch.high - s), s, stretch.low);
     }
 }
 
-/// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule.
+/// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and
+/// e^(−χ age).
 ///
 /// That is the logarithmic slope of its powers and of e^(−χ age), with a margin of 1.3 because it is not the
 /// same everywhere. A singularity of the age at the distance d counts like a slope: the rule of 24 nodes wants panels
 /// of at most 2.2 d (its error falls as ρ^(−48), with ρ = 2.26 for d = 0.45 of the length), that of 31 folds.
-fn folds_per_length<T, P, L>(stretch: &Stretch<'_, T, P, L>, depth: T, age: T) -> T
+fn folds_per_length<T, P, L>(stretch: &Stretch<'_, T, P, L>, depth: T, age: T) -> (T, T)
 where
     T: Scalar,
     P: GapProfile<T>,
@@ -90,5 +122,8 @@ where
     let powers = (profile.highest_exponent() + T::one()) / top;
     let fading = chi * (stretch.age_at(depth + step) - age) / step;
     let of_singularity = stretch.singularity(top).map_or(T::zero(), |distance| T::constant(14.4) / distance);
-    (powers + fading) * T::constant(1.3) + of_singularity
+    // s^(n−1) next to s = 0, which a short rule notices from far away.
+    let of_centre = if profile.is_smooth_at_centre() { T::zero() } else { T::constant(14.4) / top };
+    let margin = T::constant(1.3);
+    (powers * margin + of_singularity + of_centre, fading * margin)
 }

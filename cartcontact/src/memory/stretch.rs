@@ -2,7 +2,9 @@
 
 use super::{Increment, radius_form, time_form};
 use crate::contact::Contact;
+use crate::evaluate::binary::{scale, split};
 use crate::load::Load;
+use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 
 /// The radii from `low` to `high` that the edge passed while the load took a course.
@@ -27,8 +29,11 @@ pub(super) enum Course<'a, T, L> {
 }
 
 impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
-    /// A straight load between two forces.
+    /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
+        if last > first && chi * duration <= T::default_epsilon() * T::constant(0.125) {
+            return Self::Step;
+        }
         let load_rate = (last - first) / duration;
         // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
         Self::Linear { rate: (load_rate + chi * last).max(T::zero()), load_rate, duration }
@@ -38,6 +43,14 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
         match self {
             Self::Step => T::one(),
             Self::Linear { duration, .. } | Self::Smooth { duration, .. } => (-(chi * *duration)).exp(),
+        }
+    }
+
+    /// 1 − decay, to full accuracy.
+    pub(super) fn fading(&self, chi: T) -> T {
+        match self {
+            Self::Step => T::zero(),
+            Self::Linear { duration, .. } | Self::Smooth { duration, .. } => -(-(chi * *duration)).exp_m1(),
         }
     }
 
@@ -53,8 +66,12 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
                 let two = T::constant(2.0);
                 // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes
                 // at the end, count as a long time after it.
-                let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
-                if (rate + then).is_zero() { T::zero() } else { two * deficit / (rate + then) }
+                let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
+                let size = straight + bend.abs();
+                if !(size.is_finite() && size * T::default_epsilon() > smallest_normal()) {
+                    return age_in_units(rate, (chi, load_rate), deficit);
+                }
+                two * deficit / (rate + (straight - bend).abs().sqrt())
             }
             Self::Smooth { load, start, duration } => {
                 let end = start + duration;
@@ -64,6 +81,21 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
             }
         }
     }
+}
+
+/// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
+/// in units of a power of two near the largest, so that not a bit depends on the units of the load.
+fn age_in_units<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
+    let two = T::constant(2.0);
+    let curved = chi.sqrt() * load_rate.abs().sqrt() * deficit.abs().sqrt();
+    let largest = rate.max(curved);
+    if largest.is_zero() {
+        return T::zero();
+    }
+    let (_, exponent) = split(largest);
+    let [rate, load_rate, deficit] = [rate, load_rate, deficit].map(|x| scale(x, -exponent));
+    let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
+    two * deficit / (rate + then)
 }
 
 /// The z in [0, `longest`] at which the increasing `deficit_of` reaches `deficit`.
@@ -117,10 +149,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit + self.surplus)
     }
 
-    /// δ₀′ e^(−χ age) at the radius `high` − `depth`.
-    pub(super) fn density(&self, depth: T) -> T {
+    /// δ₀′ e^(−χ age) at the radius s = `high` − `depth`, of which one is rounded: near the edge s, near the centre the
+    /// depth.
+    pub(super) fn density(&self, s: T, depth: T) -> T {
         let fading = (-(self.contact.medium().chi() * self.age_at(depth))).exp();
-        self.contact.profile().approach_slope(self.high - depth) * fading
+        self.contact.profile().approach_slope(s) * fading
     }
 
     /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.
@@ -133,13 +166,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let half = T::constant(0.5);
         let profile = self.contact.profile();
         let load_integral = profile.load_integral(top);
+        // a J′/J = a⁵ δ₀′/(2 J), in an order that keeps the fifth power in range.
         let square = top * top;
-        let degree = square * square * top * profile.approach_slope(top) * half / load_integral;
+        let degree = (top * profile.approach_slope(top) * half) * (square / (load_integral / square));
         let off_axis = |radius: T| radius * T::constant(2.8) / degree;
         match self.course {
             Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
                 let chi = self.contact.medium().chi();
-                let deficit = rate * rate * half / (chi * load_rate);
+                let deficit = (rate / load_rate) * (rate / chi) * half;
                 let singular = profile.load_integral(self.high) - deficit / self.contact.stiffness();
                 let radius = top * (singular.abs() / load_integral).powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);

@@ -1,10 +1,10 @@
 //! The memory integrals over time, along a straight falling load.
 //!
-//! With z = end − τ the hereditary load is below its final value by Y′ z − χ F′ z²/2, and
-//! δ₀′ ds = 2 dY/((π m/4) s⁴) turns the integrals over s into
+//! With x = χ (end − τ) the hereditary load is below its final value by R x + G x²/2, where R = Y′/χ at the end and
+//! G = −F′/χ are forces, and δ₀′ ds = 2 dY/((π m/4) s⁴) turns the integrals over s into
 //!
 //! ```text
-//! (8/(π m)) ∫ (Y′ − χ F′ z) e^(−χ z) {s² − low², 1} / s⁴ · dz
+//! (8/(π m)) ∫ (R + G x) e^(−x) {s² − low², 1} / s⁴ · dx
 //! ```
 //!
 //! with s from the inverse of J. The integrand stays smooth where the load falls as fast as e^(−χ t), Y′ = 0;
@@ -26,10 +26,10 @@ where
     let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
     let (half, two) = (T::constant(0.5), T::constant(2.0));
     let stiffness = contact.stiffness();
+    let (rate, rise) = (rate / chi, -load_rate / chi);
     let final_integral = contact.profile().load_integral(stretch.high) + stretch.surplus / stiffness;
-    let rise = -(chi * load_rate);
-    let longest = stretch.age_at(stretch.high - low);
-    // Where Y′ z + χ |F′| z²/2 = Y.
+    let longest = chi * stretch.age_at(stretch.high - low);
+    // Where R x + G x²/2 = Y.
     let singular = {
         let hereditary = stiffness * final_integral;
         let zero = two * hereditary / (rate + (rate * rate + two * rise * hereditary).sqrt());
@@ -40,18 +40,18 @@ where
 
     let mut sum = Increment::zero();
     // The age of the rounded radius, at which the stretch ends.
-    let mut start = stretch.age_at(T::zero());
+    let mut start = chi * stretch.age_at(T::zero());
     // Beyond two panels' worth of e-foldings nothing counts any more.
-    while start < longest && chi * start < most + most {
+    while start < longest && start < most + most {
         // The finest rule reaches full accuracy on panels of 0.85 of the distance to a singularity.
-        let folds_per_time = chi + most / ((singular - start) * T::constant(0.85));
-        let end = (start + most / folds_per_time).min(longest);
-        for (z, weight) in Rule::for_folds(folds_per_time * (end - start)).nodes(start, end) {
-            let deficit = z * (rate + half * rise * z) / stiffness;
+        let density = T::one() + most / ((singular - start) * T::constant(0.85));
+        let end = (start + most / density).min(longest);
+        for (x, weight) in Rule::for_folds(density * (end - start)).nodes(start, end) {
+            let deficit = x * (rate + half * rise * x) / stiffness;
             let s = contact.radius_of(final_integral - deficit).unwrap_or(low).max(low);
             let square = s * s;
-            let growth = two * (rate + rise * z) / (stiffness * square * square);
-            sum.add(weight * growth * (-(chi * z)).exp(), s, low);
+            let growth = two * (rate + rise * x) / (stiffness * square * square);
+            sum.add(weight * growth * (-x).exp(), s, low);
         }
         start = end;
     }

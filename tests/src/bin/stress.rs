@@ -1,0 +1,182 @@
+//! The stress campaign on demand: `cargo run --release -p tests --bin stress -- --cases 1000000`.
+
+use std::io::{IsTerminal, Write, stderr};
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use tests::stress::campaign::{Campaign, Report};
+
+const USAGE: &str = "\
+usage: stress [--cases N | --seconds S] [--seed N]
+       stress --only CASE [--seed N]
+
+  --cases N     how many random scenes to compute, 100000 unless told
+  --seconds S   compute as many as take S seconds
+  --seed N      which scenes, 1 unless told
+  --only CASE   one scene of a report again: its numbers, and everything about it";
+
+/// Cases that a worker takes at a time.
+const BATCH: u64 = 32;
+/// From how many cases the time of all is estimated; a multiple of the cycles of regions and formats.
+const FIRST: u64 = 2080;
+/// How much longer than estimated a campaign may take; what it announces.
+const MARGIN: f64 = 1.3;
+
+/// What was asked for.
+struct Request {
+    seed: u64,
+    cases: u64,
+    seconds: Option<u64>,
+    only: Option<u64>,
+}
+
+fn main() -> ExitCode {
+    let request = match Request::read(std::env::args().skip(1)) {
+        Ok(Some(request)) => request,
+        Ok(None) => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        Err(message) => {
+            eprintln!("{message}\n\n{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    // Panics are findings: they are in the report.
+    std::panic::set_hook(Box::new(|_| {}));
+    let report = request.run();
+    println!("{report}");
+    if report.holds() {
+        println!("all within the bounds");
+        ExitCode::SUCCESS
+    } else {
+        println!("NOT within the bounds; `--seed {} --only CASE` shows a case again", request.seed);
+        ExitCode::FAILURE
+    }
+}
+
+impl Request {
+    /// The request of the arguments; none if they ask for help.
+    fn read(mut arguments: impl Iterator<Item = String>) -> Result<Option<Self>, String> {
+        let mut request = Self { seed: 1, cases: 100_000, seconds: None, only: None };
+        while let Some(name) = arguments.next() {
+            if name == "--help" || name == "-h" {
+                return Ok(None);
+            }
+            if !["--cases", "--seconds", "--seed", "--only"].contains(&name.as_str()) {
+                return Err(format!("there is no option `{name}`"));
+            }
+            let text = arguments.next().ok_or_else(|| format!("`{name}` needs a number"))?;
+            let number: u64 = text
+                .replace('_', "")
+                .parse()
+                .map_err(|_| format!("`{name}` needs a whole number from 0, not `{text}`"))?;
+            match name.as_str() {
+                "--cases" if number == 0 => return Err("`--cases` must be at least 1".to_owned()),
+                "--seconds" if number == 0 => return Err("`--seconds` must be at least 1".to_owned()),
+                "--cases" => request.cases = number,
+                "--seconds" => (request.seconds, request.cases) = (Some(number), u64::MAX),
+                "--seed" => request.seed = number,
+                _ => request.only = Some(number),
+            }
+        }
+        Ok(Some(request))
+    }
+
+    fn run(&self) -> Report {
+        let campaign = Campaign { seed: self.seed };
+        if let Some(case) = self.only {
+            println!("{}", campaign.shown(case));
+            let mut report = campaign.report();
+            campaign.run_closely(case, &mut report);
+            return report;
+        }
+        let start = Instant::now();
+        let announced = self.seconds.map(Duration::from_secs);
+        let first = self.cases.min(FIRST);
+        let mut report = run_all(&campaign, 0..first, announced.map(|limit| start + limit));
+        let per_case = start.elapsed().as_secs_f64() / first as f64;
+        let limit = announced
+            .unwrap_or_else(|| Duration::from_secs_f64((per_case * self.cases as f64 * MARGIN).ceil()));
+        if self.cases > first {
+            eprintln!("at most {}", shown(limit));
+            report.merge(run_all(&campaign, first..self.cases, Some(start + limit)));
+        }
+        if report.cases < self.cases && self.seconds.is_none() {
+            println!("stopped at the announced time, after {} of {} cases", report.cases, self.cases);
+        }
+        report
+    }
+}
+
+/// Examines the cases on all cores, as many as can be begun before the deadline.
+fn run_all(campaign: &Campaign, cases: core::ops::Range<u64>, deadline: Option<Instant>) -> Report {
+    let next = AtomicU64::new(cases.start);
+    let begun = Instant::now();
+    let is_over = || deadline.is_some_and(|deadline| Instant::now() >= deadline);
+    let work = || {
+        let mut report = campaign.report();
+        while !is_over() {
+            let from = next.fetch_add(BATCH, Ordering::Relaxed);
+            if from >= cases.end {
+                break;
+            }
+            for case in from..(from + BATCH).min(cases.end) {
+                campaign.run(case, &mut report);
+            }
+        }
+        report
+    };
+    let count = thread::available_parallelism().map_or(1, core::num::NonZero::get);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..count).map(|_| scope.spawn(work)).collect();
+        while stderr().is_terminal() && workers.iter().any(|worker| !worker.is_finished()) {
+            let done = next.load(Ordering::Relaxed).min(cases.end) - cases.start;
+            show_progress(done, cases.end - cases.start, begun, deadline);
+            thread::sleep(Duration::from_millis(200));
+        }
+        if stderr().is_terminal() {
+            eprint!("\r{:79}\r", "");
+        }
+        let mut report = campaign.report();
+        for worker in workers {
+            // A worker cannot panic: scenes that do are caught.
+            if let Ok(found) = worker.join() {
+                report.merge(found);
+            }
+        }
+        report
+    })
+}
+
+/// One line of at most 79 columns: a bar, how many cases are done, and the time left.
+fn show_progress(done: u64, count: u64, begun: Instant, deadline: Option<Instant>) {
+    let elapsed = begun.elapsed();
+    let by_count = done as f64 / count as f64;
+    let limit = deadline.map(|deadline| deadline.saturating_duration_since(begun));
+    let by_time = limit.map_or(0.0, |limit| elapsed.as_secs_f64() / limit.as_secs_f64().max(1e-9));
+    // A campaign of some seconds has no end by number.
+    let share = if count > u64::MAX / 2 { by_time } else { by_count }.min(1.0);
+    let left = elapsed.as_secs_f64() * (1.0 - share) / share.max(1e-3);
+    let left = limit.map_or(left, |limit| left.min(limit.saturating_sub(elapsed).as_secs_f64()));
+    let full = (share * 40.0) as usize;
+    let bar = format!("{}{}", "█".repeat(full), "░".repeat(40 - full));
+    eprint!(
+        "\r{bar} {:3.0} %  {done} cases, {} left   ",
+        share * 100.0,
+        shown(Duration::from_secs_f64(left))
+    );
+    // A terminal that is gone is no reason to stop.
+    let _ = stderr().flush();
+}
+
+/// A duration in seconds, minutes or hours.
+fn shown(duration: Duration) -> String {
+    match duration.as_secs() {
+        seconds @ 0..=99 => format!("{seconds} s"),
+        seconds @ 100..=5999 => format!("{} min", seconds.div_ceil(60)),
+        seconds => format!("{:.1} h", seconds as f64 / 3600.0),
+    }
+}

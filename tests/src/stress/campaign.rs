@@ -1,0 +1,194 @@
+//! Many scenes, and the worst of what was found in them.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::examine::{Depth, examine};
+use super::finding::{Fault, Findings, Quantity};
+use super::precision::Precision;
+use super::region::Region;
+use super::scene::Scene;
+use crate::random::Stream;
+
+/// Every how many cases memory and balance are looked at as well.
+const DEEP: u64 = 97;
+
+/// Scenes from a seed.
+#[derive(Clone, Copy, Debug)]
+pub struct Campaign {
+    /// Determines every scene.
+    pub seed: u64,
+}
+
+/// The worst of one kind in one corner.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Worst {
+    /// As a share of what is allowed.
+    pub share: f64,
+    /// In which case.
+    pub case: u64,
+    /// How many were measured.
+    pub count: u64,
+}
+
+/// Faults of one kind in one corner.
+#[derive(Clone, Debug, Default)]
+pub struct Faults {
+    /// How many.
+    pub count: u64,
+    /// The first: its case, and what it is about.
+    pub first: Option<(u64, String)>,
+}
+
+impl Worst {
+    fn merge(&mut self, other: Self) {
+        let is_worse = other.share > self.share || other.share == self.share && other.case < self.case;
+        let worse = if is_worse { other } else { *self };
+        *self = Self { count: self.count + other.count, ..worse };
+    }
+}
+
+impl Faults {
+    fn merge(&mut self, other: Self) {
+        self.count += other.count;
+        let first = [self.first.take(), other.first].into_iter().flatten();
+        self.first = first.min_by_key(|first| first.0);
+    }
+}
+
+/// What was found in one format.
+#[derive(Clone, Debug)]
+pub struct Ledger {
+    /// The name of the format.
+    pub format: &'static str,
+    /// By region and quantity.
+    pub errors: [[Worst; Quantity::ALL.len()]; Region::ALL.len()],
+    /// By region and fault.
+    pub faults: [[Faults; Fault::ALL.len()]; Region::ALL.len()],
+}
+
+/// What was found in all of them.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The ledgers of f64 and f32.
+    pub ledgers: [Ledger; 2],
+    /// How many cases were examined.
+    pub cases: u64,
+    /// The seed they were drawn from.
+    pub seed: u64,
+}
+
+impl Campaign {
+    /// An empty report.
+    #[must_use]
+    pub fn report(&self) -> Report {
+        let ledger = |format| Ledger { format, errors: Default::default(), faults: Default::default() };
+        Report { ledgers: [ledger(f64::NAME), ledger(f32::NAME)], cases: 0, seed: self.seed }
+    }
+
+    /// Examines one case: three in f64, the fourth in f32, through all regions in turn.
+    pub fn run(&self, case: u64, report: &mut Report) {
+        let is_deep = case.is_multiple_of(DEEP);
+        self.run_to(Depth { memory: is_deep, balance: is_deep }, case, report);
+    }
+
+    /// Examines one case with all that there is.
+    pub fn run_closely(&self, case: u64, report: &mut Report) {
+        self.run_to(Depth { memory: true, balance: true }, case, report);
+    }
+
+    fn run_to(&self, depth: Depth, case: u64, report: &mut Report) {
+        let [double, single] = &mut report.ledgers;
+        match Format::of(case) {
+            Format::Double => self.run_in::<f64>(depth, case, double),
+            Format::Single => self.run_in::<f32>(depth, case, single),
+        }
+        report.cases += 1;
+    }
+
+    /// The numbers of a case, as text.
+    #[must_use]
+    pub fn shown(&self, case: u64) -> String {
+        match Format::of(case) {
+            Format::Double => format!("{:?}", self.scene::<f64>(case).1),
+            Format::Single => format!("{:?}", self.scene::<f32>(case).1),
+        }
+    }
+
+    /// The region of a case, and its scene.
+    fn scene<T: Precision>(&self, case: u64) -> (usize, Scene<T>) {
+        let mut stream = Stream::of_case(self.seed, case);
+        let region = (case % Region::ALL.len() as u64) as usize;
+        (region, Region::ALL[region].draw::<T>(&mut stream).rounded())
+    }
+
+    fn run_in<T: Precision>(&self, depth: Depth, case: u64, ledger: &mut Ledger) {
+        let (region, scene) = self.scene::<T>(case);
+        let mut entry = Entry { ledger, region, case };
+        // A panic must end neither the campaign nor what was found before it.
+        if let Err(panic) = catch_unwind(AssertUnwindSafe(|| examine(&scene, depth, &mut entry))) {
+            let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+            let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+            entry.fault(Fault::Panic, &text.unwrap_or_default());
+        }
+    }
+}
+
+/// In which format a case is computed.
+enum Format {
+    Double,
+    Single,
+}
+
+impl Format {
+    fn of(case: u64) -> Self {
+        if case % 4 == 3 { Self::Single } else { Self::Double }
+    }
+}
+
+/// The place of one case in the ledger.
+struct Entry<'a> {
+    ledger: &'a mut Ledger,
+    region: usize,
+    case: u64,
+}
+
+impl Findings for Entry<'_> {
+    fn error(&mut self, quantity: Quantity, share: f64) {
+        let worst = &mut self.ledger.errors[self.region][quantity as usize];
+        worst.count += 1;
+        if share > worst.share {
+            (worst.share, worst.case) = (share, self.case);
+        }
+    }
+
+    fn fault(&mut self, fault: Fault, about: &dyn core::fmt::Display) {
+        let faults = &mut self.ledger.faults[self.region][fault as usize];
+        faults.count += 1;
+        faults.first.get_or_insert_with(|| (self.case, about.to_string()));
+    }
+}
+
+impl Report {
+    /// Adds what was found in other cases of the same campaign; the order does not matter.
+    pub fn merge(&mut self, other: Self) {
+        self.cases += other.cases;
+        for (ledger, other) in self.ledgers.iter_mut().zip(other.ledgers) {
+            for (worst, other) in ledger.errors.iter_mut().flatten().zip(other.errors.into_iter().flatten()) {
+                worst.merge(other);
+            }
+            for (faults, other) in ledger.faults.iter_mut().flatten().zip(other.faults.into_iter().flatten())
+            {
+                faults.merge(other);
+            }
+        }
+    }
+
+    /// Whether every error is within its bound and nothing is at fault.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.ledgers.iter().all(|ledger| {
+            let worst = ledger.errors.iter().flatten().all(|worst| worst.share <= 1.0);
+            worst && ledger.faults.iter().flatten().all(|faults| faults.count == 0)
+        })
+    }
+}

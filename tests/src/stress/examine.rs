@@ -1,0 +1,416 @@
+//! One scene through every public result, compared with the exact ones.
+
+use cartcontact::load::PiecewiseLinear;
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
+
+use super::exact::{Kernels, Profile, Sum};
+use super::fields;
+use super::finding::{Fault, Findings, Quantity};
+use super::history::History;
+use super::precision::Precision;
+use super::scene::{Form, Scene};
+use super::wide::Wide;
+use crate::profiles::cases;
+use crate::quadrature::Graded;
+
+/// How much of a scene is looked at.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Depth {
+    /// The pressure after drainage against its integral in 31 digits: some milliseconds.
+    pub memory: bool,
+    /// The balance of the pressure with the load, by some thousand pressures: some milliseconds.
+    pub balance: bool,
+}
+
+type Loaded<'a, T> = Contact<T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
+
+/// Computes a scene and reports what is found.
+pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
+    let profile = match solver(scene) {
+        Ok(profile) => profile,
+        Err(error) => {
+            let is_usable = scene.terms.iter().all(|(c, _)| c.is_finite())
+                && scene.terms.iter().any(|(c, _)| !c.is_zero());
+            if is_usable {
+                findings.fault(Fault::Refused, &error);
+            }
+            return;
+        }
+    };
+    let contact = match contact(scene, &*profile) {
+        Ok(contact) => contact,
+        // Medium and load are checked by tests of their own; scenes that leave the format are none.
+        Err(_) => return,
+    };
+    let examination = Examination { scene, contact, exact: exact(scene), findings };
+    examination.run(depth);
+}
+
+/// The solver of a scene's geometry.
+///
+/// # Errors
+///
+/// As [`Polynomial::new`].
+pub fn solver<T: Precision>(scene: &Scene<T>) -> Result<Box<dyn GapProfile<T>>, cartcontact::ProfileError> {
+    Ok(match (scene.form, scene.max_radius) {
+        (Form::Constant(index), _) => Box::new(T::solver(&cases()[index])),
+        (Form::Fields(index), _) => {
+            let coefficients = core::array::from_fn(|term| scene.terms[term].0);
+            let solver = fields::solver(index, coefficients);
+            solver.check()?;
+            solver
+        }
+        (Form::Polynomial, None) => Box::new(Polynomial::new(scene.terms.clone())?),
+        (Form::Polynomial, Some(end)) => Box::new(Polynomial::with_max_radius(scene.terms.clone(), end)?),
+    })
+}
+
+/// The contact of a scene.
+///
+/// # Errors
+///
+/// Whatever its parts complain of.
+pub fn contact<'a, T: Precision>(
+    scene: &'a Scene<T>,
+    profile: &'a dyn GapProfile<T>,
+) -> Result<Loaded<'a, T>, Box<dyn core::error::Error>> {
+    let load = PiecewiseLinear::new(scene.knots.as_slice())?;
+    Ok(Contact::new(profile, Medium::from_constants(scene.m, scene.chi)?, load)?)
+}
+
+fn exact<T: Precision>(scene: &Scene<T>) -> History {
+    let knots: Vec<_> = scene.knots.iter().map(|&(t, force)| (t.value(), force.value())).collect();
+    History::new(Profile::new(scene.exact_terms()), (scene.m.value(), scene.chi.value()), &knots)
+}
+
+/// By what the bound of the radius is larger where terms cancel: 2 ε instead of 1.5, because the sums of the last step are
+/// the quick ones.
+const MIXED_SIGNS: f64 = 4.0 / 3.0;
+
+struct Examination<'a, T: Precision> {
+    scene: &'a Scene<T>,
+    contact: Loaded<'a, T>,
+    exact: History,
+    findings: &'a mut dyn Findings,
+}
+
+impl<T: Precision> Examination<'_, T> {
+    fn run(mut self, depth: Depth) {
+        let contact = self.contact;
+        let time = Wide::of(self.scene.time.value());
+        let hereditary = self.exact.hereditary(time);
+        if !hereditary.is_positive() {
+            self.unloaded();
+            return;
+        }
+        let y = hereditary / self.exact.stiffness();
+        let now = contact.at(self.scene.time);
+        let found = now.as_ref().map_or(f64::NAN, |now| now.radius().value());
+        let estimate = if found > 0.0 { Wide::of(found) } else { self.exact.profile.one_term_radius(y) };
+        let radius = self.exact.profile.radius(y, estimate);
+        match (now, radius) {
+            (Ok(now), Some(a)) => self.solved(&now, a, depth),
+            (Ok(_), None) => self.accepted(found, y),
+            (Err(error), radius) => self.refused(&error, y, radius),
+        }
+    }
+
+    /// No load, no contact.
+    fn unloaded(&mut self) {
+        match self.contact.at(self.scene.time) {
+            Ok(now) if now.radius().is_zero() && now.peak_pressure().is_zero() => {}
+            Ok(now) => self.findings.fault(Fault::Accepted, &now.radius().value()),
+            Err(error) => self.findings.fault(Fault::Refused, &error),
+        }
+    }
+
+    /// A radius beyond the last exact one is right if J there is as much as rounding lets it be told apart.
+    fn accepted(&mut self, found: f64, y: Wide) {
+        let load_integral = self.exact.profile.kernels(Wide::of(found)).load_integral;
+        let error = ((load_integral.value - y) / load_integral.size).value().abs() / T::EPSILON;
+        if error > T::allowed(Quantity::LoadIntegral.allowance()) {
+            self.findings
+                .fault(Fault::Accepted, &format_args!("radius {found:e}, where J is off by {error:.1} ε"));
+        }
+    }
+
+    /// An error is right beyond the admissible range, and where J or a J′ leave the format.
+    fn refused(&mut self, error: &ContactError, y: Wide, radius: Option<Wide>) {
+        let is_right = match (error, radius) {
+            (ContactError::BeyondRange { max_radius, .. }, Some(a)) => {
+                // Rounding of J may hide whether a radius next to the end is inside.
+                let slack = 4.0 * T::EPSILON * radius_condition(&self.exact.profile.kernels(a));
+                a.value() > max_radius * (1.0 - slack)
+            }
+            (ContactError::BeyondRange { .. }, None) => true,
+            (ContactError::InvalidTime { time }, _) => !time.is_finite(),
+            (ContactError::TooSmall { .. }, _) => {
+                let force = self.exact.force(Wide::of(self.scene.time.value())).value();
+                let chi = self.scene.chi.value();
+                let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
+                let numbers = [y.value(), force, force * chi, impulse];
+                numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
+            }
+            (_, radius) => {
+                let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
+                slope.value() > T::MOST
+            }
+        };
+        if !is_right {
+            self.findings.fault(Fault::Refused, error);
+        }
+    }
+
+    fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
+        let here = self.exact.profile.kernels(a);
+        let found = now.radius().value();
+        let condition = radius_condition(&here);
+        let is_mixed = self.scene.terms.iter().any(|(c, _)| *c < T::zero());
+        self.measure(Quantity::Radius, found, a, if is_mixed { condition * MIXED_SIGNS } else { condition });
+        if !(found > 0.0 && found.is_finite()) {
+            self.findings
+                .fault(Fault::NotANumber, &format_args!("radius {found:e} instead of {:e}", a.value()));
+            return;
+        }
+        let degree = (a * here.approach_slope.value / here.approach.value).value();
+        self.measure(
+            Quantity::ContactApproach,
+            now.approach().value(),
+            here.approach.value,
+            condition * (1.0 + degree),
+        );
+        self.kernels(now);
+        // Pressures remember all radii on the way, of which the flattest is the least certain.
+        let flattest = self.exact.profile.flattest_radius(a);
+        let on_the_way = flattest.map_or(1.0, |s| radius_condition(&self.exact.profile.kernels(s)));
+        let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
+        let condition = condition.max(on_the_way) * kernel * self.condition_of_fall(now.force());
+        self.pressures(now, a, condition, depth);
+        self.field(now, condition);
+        self.units(now);
+        if depth.balance {
+            self.balance(now, on_the_way * self.condition_of_fall(now.force()));
+        }
+    }
+
+    /// Y/F under a load that falls, at most e^(χ t): what is left of it is the less certain the more has drained.
+    fn condition_of_fall(&self, force: T) -> f64 {
+        let falls =
+            self.scene.knots.windows(2).any(|pair| pair[1].1 < pair[0].1 && pair[0].0 < self.scene.time);
+        let hereditary = self.exact.hereditary(Wide::of(self.scene.time.value()));
+        if falls { (hereditary / Wide::of(force.value())).value().max(1.0) } else { 1.0 }
+    }
+
+    /// A distance from the axis by its distance from the edge.
+    fn place(&self, radius: T, inset: f64) -> T {
+        T::rounded(radius.value() * (1.0 - inset)).min(radius)
+    }
+
+    fn kernels(&mut self, now: &Now<'_, '_, T>) {
+        let profile = *self.contact.profile();
+        let a = now.radius();
+        let r = self.place(a, self.scene.inset);
+        let exact = self.exact.profile.kernels(Wide::of(a.value()));
+        let sums = [
+            (Quantity::Gap, profile.gap(a), exact.gap),
+            (Quantity::Approach, profile.approach(a), exact.approach),
+            (Quantity::ApproachSlope, profile.approach_slope(a), exact.approach_slope),
+            (Quantity::LoadIntegral, profile.load_integral(a), exact.load_integral),
+            (Quantity::LogKernel, profile.log_kernel(a), exact.log_kernel),
+        ];
+        // The table is for six terms; every further one is rounded once more.
+        let length = (self.scene.terms.len() as f64 / 6.0).max(1.0);
+        for (quantity, found, Sum { value, size }) in sums {
+            self.measure(quantity, found.value(), value, Sum { value, size }.condition() * length);
+        }
+        if r < a {
+            let exact = self.exact.profile.pressure_kernel(Wide::of(a.value()), Wide::of(r.value()));
+            let found = profile.pressure_kernel(a, r).value();
+            self.measure(Quantity::PressureKernel, found, exact.value, exact.condition() * length);
+        }
+    }
+
+    fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64, depth: Depth) {
+        self.course(now, a);
+        let is_undrained = (self.scene.chi * self.scene.time).is_zero();
+        let r = self.place(now.radius(), self.scene.inset);
+        for (quantity, r) in [(Quantity::PeakPressure, T::zero()), (Quantity::Pressure, r)] {
+            if r >= now.radius() {
+                continue;
+            }
+            let exact = Wide::of(r.value());
+            let expected = if is_undrained {
+                Some(self.exact.undrained_pressure(a, exact))
+            } else if depth.memory {
+                self.exact.pressure(Wide::of(self.scene.time.value()), a, exact)
+            } else {
+                None
+            };
+            let edge = if quantity == Quantity::Pressure { edge(now.radius(), r) } else { 1.0 };
+            if let Some(expected) = expected {
+                self.measure(quantity, now.pressure(r).value(), expected, edge * condition);
+            }
+        }
+    }
+
+    /// Pressures are finite, not negative, and fall from the axis to the edge.
+    fn course(&mut self, now: &Now<'_, '_, T>, a: Wide) {
+        let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
+        let mut inner = f64::INFINITY;
+        for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-15, 0.0] {
+            let r = self.place(now.radius(), inset);
+            let pressure = now.pressure(r).value();
+            let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
+            if pressure < 0.0 {
+                self.findings.fault(Fault::NegativePressure, &place);
+            } else if pressure.is_nan() || is_representable && pressure.is_infinite() {
+                self.findings.fault(Fault::NotANumber, &place);
+            } else if pressure
+                > inner * (1.0 + 16.0 * T::EPSILON * edge(now.radius(), r)) + 16.0 * T::LEAST * T::EPSILON
+            {
+                self.findings.fault(Fault::RisingPressure, &place);
+            }
+            inner = pressure;
+        }
+    }
+
+    /// A field of two times agrees with the snapshot at the second.
+    fn field(&mut self, now: &Now<'_, '_, T>, condition: f64) {
+        let third = self.scene.time * T::rounded(1.0 / 3.0);
+        let times = [third, self.scene.time];
+        let radii = [T::zero(), self.place(now.radius(), 0.4), self.place(now.radius(), self.scene.inset)];
+        let mut values = [T::zero(); 6];
+        if let Err(error) = self.contact.pressure_field(&times, &radii, &mut values) {
+            self.findings.fault(Fault::Refused, &error);
+            return;
+        }
+        for (&r, value) in radii.iter().zip(&values[3..]) {
+            let expected = now.pressure(r).value();
+            if value.value() < 0.0 {
+                self.findings.fault(Fault::NegativePressure, &format_args!("{:e} in a field", value.value()));
+            }
+            if expected.is_finite() && r < now.radius() {
+                // Of two pressures so near the edge that one is 0 the other is the scale.
+                let (found, scale) = (value.value(), value.value().max(expected));
+                let condition =
+                    condition * edge(now.radius(), r) * if expected > 0.0 { scale / expected } else { 1.0 };
+                let (found, expected) = if expected > 0.0 { (found, expected) } else { (expected, found) };
+                self.measure(Quantity::Field, found, Wide::of(expected), condition);
+            }
+        }
+    }
+
+    /// 2π ∫₀ᵃ P r dr = F, between the radii at which the pressure has a kink.
+    fn balance(&mut self, now: &Now<'_, '_, T>, condition: f64) {
+        let force = now.force().value();
+        let a = now.radius();
+        let greatest = self.exact.undrained_pressure(Wide::of(a.value()), Wide::ZERO).value();
+        if !(force > T::LEAST / T::EPSILON && greatest < T::MOST / 16.0 && greatest > T::LEAST / T::EPSILON) {
+            return;
+        }
+        let mut borders = vec![0.0];
+        for &(time, _) in self.scene.knots.iter().filter(|knot| knot.0 <= self.scene.time) {
+            borders.extend(self.radii_at(time, a));
+        }
+        let flattest = self.exact.profile.flattest_radius(Wide::of(a.value()));
+        borders.extend(flattest.map(|s| s.value() / a.value()));
+        borders.push(1.0);
+        borders.sort_by(f64::total_cmp);
+        let rule = Graded::new(10, 24);
+        let shares = borders.windows(2).filter(|ends| ends[0] < ends[1]).map(|ends| {
+            rule.integrate(ends[0], ends[1], |q| now.pressure(T::rounded(q * a.value())).value() * q)
+        });
+        let carried = core::f64::consts::TAU * shares.sum::<f64>();
+        // In two factors, because a² may be out of range.
+        let carried = Wide::of(carried) * Wide::of(a.value()) * Wide::of(a.value());
+        self.measure(Quantity::Balance, carried.value(), Wide::of(force), condition);
+    }
+
+    /// The radii just before and just after a time, as shares of the radius `a`.
+    fn radii_at(&self, time: T, a: T) -> [f64; 2] {
+        let before = time * (T::one() - T::rounded(T::EPSILON * 4.0));
+        [before, time]
+            .map(|time| self.contact.at(time).map_or(0.0, |then| (then.radius() / a).value().min(1.0)))
+    }
+
+    /// Lengths, forces and times in units that differ by powers of two: the same bits.
+    fn units(&mut self, now: &Now<'_, '_, T>) {
+        // Coefficients of constant geometries have no other units; the end of a range that is searched for is the zero of a
+        // sum of exponentials of ln r, and rounded as such.
+        let is_bound = matches!(self.scene.form, Form::Constant(_))
+            || self.scene.terms.iter().any(|(c, _)| *c < T::zero());
+        let lengths = if is_bound { 0 } else { 4 };
+        for (length, force, time) in [(lengths, 0, 0), (-lengths, 5, 0), (0, -7, 3)] {
+            let Some(scene) = self.scene.in_units(length, force, time) else { continue };
+            let Ok(profile) = solver(&scene) else { continue };
+            let Ok(contact) = contact(&scene, &*profile) else { continue };
+            let r = self.place(now.radius(), self.scene.inset);
+            let unit = T::power_of_two(length);
+            let pressure = T::power_of_two(force) / (unit * unit);
+            let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
+            let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
+            let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
+            let intermediate = [self.contact.profile().load_integral(now.radius()), least];
+            let has_room = |x: &T| {
+                x.is_zero()
+                    || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
+            };
+            let mut inputs = self.scene.numbers().chain(scene.numbers());
+            if !expected.iter().chain(&intermediate).all(has_room) || !inputs.all(|x| has_room(&x)) {
+                continue;
+            }
+            let found = match contact.at(scene.time) {
+                Ok(then) => [then.radius(), then.approach(), then.pressure(r * unit)],
+                Err(error) => {
+                    self.findings.fault(Fault::Refused, &error);
+                    continue;
+                }
+            };
+            if found != expected {
+                let [found, expected] = [found, expected].map(|values| values.map(Precision::shown));
+                let units = (length, force, time);
+                self.findings.fault(
+                    Fault::NotInvariant,
+                    &format_args!("{found:?}, not {expected:?} in units 2^{units:?}"),
+                );
+            }
+        }
+    }
+
+    /// Notes an error in units of ε, relative to a normal number at least, as a share of what is allowed.
+    fn measure(&mut self, quantity: Quantity, found: f64, expected: Wide, condition: f64) {
+        let value = expected.value();
+        if value.abs() > T::MOST * (1.0 - T::EPSILON) {
+            // The exact result is out of range; anything but a wrong number will do.
+            if found.is_nan() || found.abs() < T::MOST * (1.0 - 64.0 * T::EPSILON * condition) {
+                self.findings.fault(
+                    Fault::NotANumber,
+                    &format_args!("{} {found:e} instead of {value:e}", quantity.symbol()),
+                );
+            }
+            return;
+        }
+        if !found.is_finite() {
+            self.findings.fault(
+                Fault::NotANumber,
+                &format_args!("{} {found:e} instead of {value:e}", quantity.symbol()),
+            );
+            return;
+        }
+        let scale = expected.abs().max(Wide::of(T::LEAST));
+        let error = ((Wide::of(found) - expected) / scale).value().abs() / T::EPSILON;
+        self.findings.error(quantity, error / condition / T::allowed(quantity.allowance()));
+    }
+}
+
+type Now<'c, 'a, T> = Snapshot<'c, T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
+
+/// Σ|terms of J|/(a J′), if it is above 1: errors of J are divided by its degree and grow where its terms cancel.
+fn radius_condition(here: &Kernels) -> f64 {
+    (here.load_integral.size / here.log_slope.value).value().max(1.0)
+}
+
+/// 1 + 2a/(a − r), by how much an error of the radius counts at r.
+fn edge<T: Precision>(a: T, r: T) -> f64 {
+    if r < a { 1.0 + 2.0 * a.value() / (a - r).value() } else { 1.0 }
+}

@@ -1,0 +1,143 @@
+//! What a scene is checked for, and what can be found.
+
+use crate::budget::{self, Allowance};
+
+/// A quantity whose error is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Φ(r).
+    Gap,
+    /// δ₀(a).
+    Approach,
+    /// δ₀′(a).
+    ApproachSlope,
+    /// J(a).
+    LoadIntegral,
+    /// L(r).
+    LogKernel,
+    /// G(a, r).
+    PressureKernel,
+    /// a(t).
+    Radius,
+    /// δ₀(t).
+    ContactApproach,
+    /// P(r, t).
+    Pressure,
+    /// P(0, t).
+    PeakPressure,
+    /// A field against a snapshot.
+    Field,
+    /// 2π ∫ P r dr against F.
+    Balance,
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::Gap,
+        Self::Approach,
+        Self::ApproachSlope,
+        Self::LoadIntegral,
+        Self::LogKernel,
+        Self::PressureKernel,
+        Self::Radius,
+        Self::ContactApproach,
+        Self::Pressure,
+        Self::PeakPressure,
+        Self::Field,
+        Self::Balance,
+    ];
+
+    /// What is allowed for it.
+    #[must_use]
+    pub fn allowance(self) -> Allowance {
+        match self {
+            Self::Gap => budget::GAP,
+            Self::Approach => budget::APPROACH,
+            Self::ApproachSlope => budget::APPROACH_SLOPE,
+            Self::LoadIntegral => budget::LOAD_INTEGRAL,
+            Self::LogKernel => budget::LOG_KERNEL,
+            Self::PressureKernel => budget::PRESSURE_KERNEL,
+            Self::Radius => budget::CONTACT_RADIUS,
+            Self::ContactApproach => budget::CONTACT_APPROACH,
+            Self::Pressure => budget::PRESSURE,
+            Self::PeakPressure => budget::PEAK_PRESSURE,
+            Self::Field => budget::FIELD,
+            Self::Balance => budget::BALANCE,
+        }
+    }
+
+    /// Its symbol, at most five characters.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Gap => "Φ",
+            Self::Approach => "δ₀",
+            Self::ApproachSlope => "δ₀′",
+            Self::LoadIntegral => "J",
+            Self::LogKernel => "L",
+            Self::PressureKernel => "G",
+            Self::Radius => "a",
+            Self::ContactApproach => "δ₀(t)",
+            Self::Pressure => "P(r)",
+            Self::PeakPressure => "P(0)",
+            Self::Field => "field",
+            Self::Balance => "∫P=F",
+        }
+    }
+}
+
+/// What must never happen, however large the allowed errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// A panic.
+    Panic,
+    /// A result that is not a number, or infinite where the exact one is not.
+    NotANumber,
+    /// A pressure below 0.
+    NegativePressure,
+    /// A pressure that grows with the distance from the axis.
+    RisingPressure,
+    /// An error although the contact has a radius that the format holds.
+    Refused,
+    /// A radius although the contact has none.
+    Accepted,
+    /// Another result in other units that differ by powers of two.
+    NotInvariant,
+}
+
+impl Fault {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Panic,
+        Self::NotANumber,
+        Self::NegativePressure,
+        Self::RisingPressure,
+        Self::Refused,
+        Self::Accepted,
+        Self::NotInvariant,
+    ];
+
+    /// What it says in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Panic => "panics",
+            Self::NotANumber => "results that are not numbers",
+            Self::NegativePressure => "negative pressures",
+            Self::RisingPressure => "pressures that rise outwards",
+            Self::Refused => "errors without a reason",
+            Self::Accepted => "results where there is none",
+            Self::NotInvariant => "results that depend on units",
+        }
+    }
+}
+
+/// Where the findings of a scene go.
+pub trait Findings {
+    /// An error, as a share of what is allowed.
+    fn error(&mut self, quantity: Quantity, share: f64);
+
+    /// A fault, and what it is about.
+    fn fault(&mut self, fault: Fault, about: &dyn core::fmt::Display);
+}

@@ -1,0 +1,14 @@
+//! Random scenes from every corner of what the library accepts, each compared with a solution in 31 digits.
+
+pub mod campaign;
+pub mod exact;
+pub mod examine;
+pub mod fields;
+pub mod finding;
+pub mod history;
+pub mod precision;
+pub mod region;
+mod report;
+pub mod scene;
+pub mod soundness;
+pub mod wide;

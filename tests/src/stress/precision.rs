@@ -1,0 +1,79 @@
+//! The two formats of numbers that the campaign runs in.
+
+use cartcontact::{GapProfile, Scalar};
+
+use crate::budget::Allowance;
+use crate::profiles::Case;
+
+/// A format with the ends of its range.
+pub trait Precision: Scalar {
+    /// Its name.
+    const NAME: &'static str;
+    /// The distance from 1 to the next number.
+    const EPSILON: f64;
+    /// The smallest normal number.
+    const LEAST: f64;
+    /// The largest number.
+    const MOST: f64;
+    /// Decades that loads, moduli and lengths may span on either side of 1.
+    const DECADES: f64;
+
+    /// The nearest number of the format.
+    fn rounded(x: f64) -> Self;
+
+    /// The exact number 2^k.
+    fn power_of_two(k: i32) -> Self {
+        Self::rounded(2_f64.powi(k))
+    }
+
+    /// How it is written in reports.
+    fn shown(self) -> f64 {
+        self.value()
+    }
+
+    /// The generated solver of a geometry.
+    fn solver(case: &Case) -> &'static dyn GapProfile<Self>;
+
+    /// What the table allows, in units of ε.
+    fn allowed(allowance: Allowance) -> f64;
+}
+
+impl Precision for f64 {
+    const NAME: &'static str = "f64";
+    const EPSILON: f64 = f64::EPSILON;
+    const LEAST: f64 = f64::MIN_POSITIVE;
+    const MOST: f64 = f64::MAX;
+    const DECADES: f64 = 150.0;
+
+    fn rounded(x: f64) -> Self {
+        x
+    }
+
+    fn solver(case: &Case) -> &'static dyn GapProfile<Self> {
+        case.double
+    }
+
+    fn allowed(allowance: Allowance) -> f64 {
+        allowance.double
+    }
+}
+
+impl Precision for f32 {
+    const NAME: &'static str = "f32";
+    const EPSILON: f64 = f32::EPSILON as f64;
+    const LEAST: f64 = f32::MIN_POSITIVE as f64;
+    const MOST: f64 = f32::MAX as f64;
+    const DECADES: f64 = 18.0;
+
+    fn rounded(x: f64) -> Self {
+        x as f32
+    }
+
+    fn solver(case: &Case) -> &'static dyn GapProfile<Self> {
+        case.single
+    }
+
+    fn allowed(allowance: Allowance) -> f64 {
+        allowance.single
+    }
+}

@@ -1,0 +1,118 @@
+//! A contact to be computed: everything that the library is given.
+
+use super::precision::Precision;
+use super::wide::Wide;
+
+/// Which solver holds the geometry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// `Polynomial`.
+    Polynomial,
+    /// The generated solver of a constant geometry, by its index in [`crate::profiles::cases`].
+    Constant(usize),
+    /// The generated solver of a geometry whose coefficients are fields, by its index in [`super::fields`].
+    Fields(usize),
+}
+
+/// A geometry, a medium, a load, a time and a place.
+#[derive(Clone, Debug)]
+pub struct Scene<T> {
+    /// Which solver holds the geometry.
+    pub form: Form,
+    /// The terms (C, n) of the gap.
+    pub terms: Vec<(T, T)>,
+    /// The declared end of the range, if there is one.
+    pub max_radius: Option<T>,
+    /// The stiffness.
+    pub m: T,
+    /// The rate of the memory.
+    pub chi: T,
+    /// The knots (time, force) of the load.
+    pub knots: Vec<(T, T)>,
+    /// The time.
+    pub time: T,
+    /// Where the pressure is taken: 1 − r/a.
+    pub inset: f64,
+}
+
+impl Scene<f64> {
+    /// The scene in another format; loads that would recede there for rounding are held instead.
+    #[must_use]
+    pub fn rounded<T: Precision>(&self) -> Scene<T> {
+        let pairs =
+            |pairs: &[(f64, f64)]| pairs.iter().map(|&(x, y)| (T::rounded(x), T::rounded(y))).collect();
+        let mut scene = Scene {
+            form: self.form,
+            terms: pairs(&self.terms),
+            max_radius: self.max_radius.map(T::rounded),
+            m: T::rounded(self.m),
+            chi: T::rounded(self.chi),
+            knots: pairs(&self.knots),
+            time: T::rounded(self.time),
+            inset: self.inset,
+        };
+        scene.hold_where_it_recedes();
+        scene
+    }
+}
+
+impl<T: Precision> Scene<T> {
+    /// Raises forces behind which the hereditary load would fall, or nearly so, to the force before.
+    fn hold_where_it_recedes(&mut self) {
+        let chi = self.chi;
+        for last in 1..self.knots.len() {
+            let ((start, before), (end, after)) = (self.knots[last - 1], self.knots[last]);
+            if after < before && !may_fall(chi, (start, before), (end, after)) {
+                self.knots[last].1 = before;
+            }
+        }
+    }
+
+    /// The coefficient of each term as it was meant: decimals for geometries that the compiler reads.
+    #[must_use]
+    pub fn exact_terms(&self) -> Vec<(Wide, f64)> {
+        if let Form::Constant(index) = self.form {
+            let terms = crate::profiles::cases()[index].terms;
+            return terms.iter().map(|&(c, n)| (Wide::of_decimal(c), n)).collect();
+        }
+        self.terms.iter().map(|&(c, n)| (Wide::of(c.value()), n.value())).collect()
+    }
+
+    /// Every number that has a unit.
+    pub fn numbers(&self) -> impl Iterator<Item = T> {
+        let coefficients = self.terms.iter().map(|&(c, _)| c);
+        let knots = self.knots.iter().flat_map(|&(t, force)| [t, force]);
+        coefficients.chain(knots).chain([self.m, self.chi, self.time])
+    }
+
+    /// Lengths, forces and times multiplied by powers of two; none if the numbers of the scene do not allow it.
+    #[must_use]
+    pub fn in_units(&self, length: i32, force: i32, time: i32) -> Option<Self> {
+        let coefficient = |(c, n): (T, T)| {
+            let power = f64::from(length) * (1.0 - n.value());
+            let exact = power == power.trunc() && power.abs() < 100.0;
+            (exact || length == 0).then(|| (c * T::power_of_two(power as i32), n))
+        };
+        let terms: Option<Vec<_>> = self.terms.iter().copied().map(coefficient).collect();
+        let (length, force, time) = (T::power_of_two(length), T::power_of_two(force), T::power_of_two(time));
+        let square = length * length;
+        Some(Self {
+            form: self.form,
+            terms: terms?,
+            max_radius: self.max_radius.map(|end| end * length),
+            m: self.m * force / (square * square * length),
+            chi: self.chi / time,
+            knots: self.knots.iter().map(|&(t, f)| (t * time, f * force)).collect(),
+            time: self.time * time,
+            inset: self.inset,
+        })
+    }
+}
+
+/// Whether F′ + χ F stays positive on a falling piece by more than what rounding may make of it.
+fn may_fall<T: Precision>(chi: T, (start, before): (T, T), (end, after): (T, T)) -> bool {
+    let [chi, start, before, end, after] = [chi, start, before, end, after].map(|x| Wide::of(x.value()));
+    let fall = before - after;
+    let held = chi * (end - start) * after;
+    fall.is_below(held * Wide::of(1.0 - 16.0 * T::EPSILON))
+}

@@ -1,0 +1,78 @@
+//! Whatever the input: no panic, nothing that is not a number, no negative pressure, and a pressure that carries the load.
+//!
+//! The fuzz target and a seeded test draw their input from the same words, so that either reaches what the other does.
+
+use super::examine::{Depth, examine};
+use super::finding::{Fault, Findings, Quantity};
+use super::precision::Precision;
+use super::scene::{Form, Scene};
+
+/// The share of the load by which a balance may be off.
+const BALANCE: f64 = 1e-10;
+
+/// A scene from a source of words, of which any sequence will do: most numbers are those of a joint, some are anything.
+pub fn scene(word: &mut dyn FnMut() -> u64) -> Scene<f64> {
+    let terms = (0..=word() % 6).map(|_| (number(word()), exponent(word()))).collect();
+    let max_radius = word().is_multiple_of(8).then(|| number(word()).abs());
+    let (m, chi) = (number(word()).abs(), number(word()).abs());
+    let mut time = 0.0;
+    let knots = (0..=word() % 6).map(|index| {
+        let step = word();
+        time += if index == 0 || step.is_multiple_of(4) { 0.0 } else { number(step).abs() };
+        (time, number(word()).abs())
+    });
+    let knots = knots.collect();
+    let inset = (word() % 1000) as f64 / 1000.0;
+    Scene { form: Form::Polynomial, terms, max_radius, m, chi, knots, time: number(word()).abs(), inset }
+}
+
+/// In three of four cases up to three digits with a power of ten, else any bits.
+fn number(word: u64) -> f64 {
+    if word.is_multiple_of(4) {
+        return f64::from_bits(word.rotate_right(2));
+    }
+    let digits = (word >> 2 & 0x3ff) as f64;
+    let power = (word >> 12 & 0x1f) as f64 - 16.0;
+    let sign = if (word >> 17).is_multiple_of(8) { -1.0 } else { 1.0 };
+    sign * digits * 10_f64.powf(power / 2.0)
+}
+
+/// Mostly a multiple of 1/4 up to 16.
+fn exponent(word: u64) -> f64 {
+    match word % 4 {
+        0 => number(word >> 2),
+        1 => (word >> 2 & 0x3f) as f64,
+        _ => (word >> 2 & 0x3f) as f64 / 4.0,
+    }
+}
+
+/// Computes a scene.
+///
+/// # Errors
+///
+/// What is wrong with its results.
+pub fn check<T: Precision>(scene: &Scene<T>) -> Result<(), String> {
+    let mut worst = Unsound::default();
+    examine(scene, Depth { memory: false, balance: true }, &mut worst);
+    worst.0.map_or(Ok(()), |text| Err(format!("{text}\n{scene:?}")))
+}
+
+/// The first finding that makes a result unsound.
+#[derive(Default)]
+struct Unsound(Option<String>);
+
+impl Findings for Unsound {
+    fn error(&mut self, quantity: Quantity, share: f64) {
+        let error = share * f64::allowed(quantity.allowance()) * f64::EPSILON;
+        if quantity == Quantity::Balance && error > BALANCE {
+            self.0
+                .get_or_insert_with(|| format!("the pressure carries another load, by a share of {error:e}"));
+        }
+    }
+
+    fn fault(&mut self, fault: Fault, about: &dyn core::fmt::Display) {
+        if matches!(fault, Fault::Panic | Fault::NotANumber | Fault::NegativePressure) {
+            self.0.get_or_insert_with(|| format!("{}: {about}", fault.name()));
+        }
+    }
+}
