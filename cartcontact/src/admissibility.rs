@@ -17,6 +17,7 @@
 use crate::Scalar;
 use crate::parameters::Parameters;
 use crate::profile::ProfileError;
+use crate::scalar::smallest_normal;
 
 const MOST_STEPS: u32 = 20_000;
 
@@ -24,7 +25,7 @@ const MOST_STEPS: u32 = 20_000;
 ///
 /// # Errors
 ///
-/// [`ProfileError`] for coefficients or exponents that are not usable, and for a gap that does not open.
+/// [`ProfileError`] for coefficients or exponents that are not usable, too small ones among them, and for a gap that does not open.
 pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> Result<T, ProfileError> {
     let mut smallest = T::infinity();
     let mut negative = false;
@@ -32,7 +33,7 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
         if !(n > T::zero() && n <= T::constant(1024.0)) {
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
-        if !c.is_finite() {
+        if !(c.is_zero() || c.is_finite() && has_digits(c, n)) {
             return Err(ProfileError::InvalidCoefficient {
                 coefficient: c.value(),
                 exponent: n.value(),
@@ -59,6 +60,12 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
         return Ok(T::infinity());
     }
     Ok(Slope { terms, smallest }.first_zero())
+}
+
+/// Whether C and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
+fn has_digits<T: Scalar>(c: T, n: T) -> bool {
+    let weight = n.min(T::one()) / ((n + T::constant(2.0)) * (n + T::constant(2.0)));
+    c.abs() * weight >= smallest_normal::<T>() * T::constant(2.0)
 }
 
 /// The end of the range of a geometry that is asked for up to `requested`, if at all.

@@ -88,15 +88,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
-    /// This holds over the whole range of the format: as long as the input, Y, J(a), a J′(a) and the result are
-    /// normal numbers, powers and products on the way to them need not be. Coefficients are normal numbers with a
-    /// margin of 2¹³, because they are divided by up to 2 (n+2)² first.
+    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴ and
+    /// the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
+    /// F′ + χ F to be finite as well.
     ///
     /// # Errors
     ///
     /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the
-    /// geometry, the load has fallen so fast that the edge recedes, or Y, J(a) or χ F leave the range of the
-    /// format.
+    /// geometry, the load has fallen so fast that the edge recedes, or these numbers
+    /// leave the range of the format.
     ///
     /// # References
     ///
@@ -190,20 +190,27 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Receding { time: t.value(), since: since.value() });
         }
         self.check_digits(t, hereditary)?;
-        self.radius_under(hereditary).map_err(|error| match error {
+        let radius = self.radius_under(hereditary).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
                 leaves_at: self.time_of_leaving(t).value(),
                 max_radius,
             },
             other => ContactError::Radius { time: t.value(), error: other },
-        })
+        })?;
+        // J/a⁵ is δ₀′ but for a factor of 8 to 2056.
+        let square = radius * radius;
+        let slope = hereditary / self.stiffness() / (square * square) / radius;
+        if radius.is_zero() || has_digits(square * square) && has_digits(slope) {
+            Ok(radius)
+        } else {
+            Err(ContactError::OutOfRange { time: t.value(), force: self.load.force(t).value() })
+        }
     }
 
     /// Whether a load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
     fn check_digits(&self, t: T, hereditary: T) -> Result<(), ContactError> {
         let (force, chi) = (self.load.force(t), self.medium.chi());
-        let has_digits = |x: T| x >= smallest_normal();
         let has_force = force.is_zero() || has_digits(force) && (chi.is_zero() || has_digits(chi * force));
         // Of an impulse only what is not rounding beside the force has to be right.
         let has_impulse = chi * smallest_normal() <= force || has_digits(self.load.impulse(t));
@@ -211,7 +218,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if is_unloaded || has_force && has_impulse && has_digits(hereditary / self.stiffness()) {
             return Ok(());
         }
-        Err(ContactError::TooSmall { time: t.value(), force: force.value() })
+        Err(ContactError::OutOfRange { time: t.value(), force: force.value() })
     }
 
     /// Y(t) = F(t) + χ ∫₀ᵗ F, from forces and impulses that a load of the user's own may get wrong.
@@ -244,6 +251,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             }
         }
     }
+}
+
+/// Whether a positive number is finite and not subnormal.
+fn has_digits<T: Scalar>(x: T) -> bool {
+    x >= smallest_normal() && x.is_finite()
 }
 
 /// Compares the length of a slice with the one it must have.
@@ -287,8 +299,8 @@ pub enum ContactError {
         /// The time at which the edge begins to recede, in s.
         since: f64,
     },
-    /// The load is so small that its quotient by m or its product with χ loses digits.
-    TooSmall {
+    /// The load is so small that it, its quotient by m or its product with χ loses digits, or a⁴ leaves the format.
+    OutOfRange {
         /// The time, in s.
         time: f64,
         /// The force at that time, in N.
@@ -359,10 +371,10 @@ impl fmt::Display for ContactError {
                 Shown(since),
                 Shown(time)
             ),
-            Self::TooSmall { time, force } => write!(
+            Self::OutOfRange { time, force } => write!(
                 f,
-                "the force at time {} is {}, which over m or times chi is too small a number to have all its \
-                 digits; choose units in which forces or lengths are larger numbers, or ask for later times",
+                "the force at time {} is {}, for which the numbers of the contact leave the range in which they have \
+                 all their digits; choose units of force and length in which they are nearer to 1",
                 Shown(time),
                 Shown(force)
             ),

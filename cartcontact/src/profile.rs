@@ -232,7 +232,7 @@ impl core::error::Error for RadiusError {}
 pub enum ProfileError {
     /// There are no terms.
     Empty,
-    /// A coefficient is infinite or not a number.
+    /// A coefficient is infinite, not a number, or so small that it loses digits.
     InvalidCoefficient {
         /// The coefficient.
         coefficient: f64,
@@ -284,8 +284,8 @@ impl fmt::Display for ProfileError {
             }
             Self::InvalidCoefficient { coefficient, exponent, parameters } => write!(
                 f,
-                "{parameters}the coefficient of r^{exponent} is {}, but coefficients must be finite; check the geometry's \
-                 parameters for zero, overflow and NaN",
+                "{parameters}the coefficient of r^{exponent} is {}, but coefficients must be finite, and 0 or large enough \
+                 to keep their digits; check the geometry's parameters for zero, overflow and NaN",
                 Shown(coefficient)
             ),
             Self::InvalidExponent { exponent } => write!(
