@@ -41,7 +41,7 @@ fn a_case_can_be_drawn_again() {
 /// Products out of range on the way to numbers that are not.
 #[test]
 fn layers_of_any_size_make_a_medium() -> Result<(), MediumError> {
-    let layer = Layer { thickness: 1e-100, shear_modulus: 1e-10, permeability: 1e-230 };
+    let layer = Layer { thickness: 1e-100_f64, shear_modulus: 1e-10, permeability: 1e-230 };
     for (medium, share) in [(Medium::against_rigid(layer)?, 1.0), (Medium::between(layer, layer)?, 0.5)] {
         assert!((medium.m() / (3e290 * share) - 1.0).abs() < 1e-14, "{medium:?}");
         assert!((medium.chi() / 3e-40 - 1.0).abs() < 1e-14, "{medium:?}");
@@ -59,14 +59,14 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
         - (core::f64::consts::FRAC_PI_4 * 64.0 / (66.0 * 68.0)).ln())
         / 68.0;
     assert!((a.ln() / expected - 1.0).abs() < 1e-15, "{a:e}");
-    assert!(a.powi(64).is_infinite() || a.powi(64) > 1e290);
+    assert!(a.powi(68).is_infinite(), "{a:e}");
     let single = Contact::new(
-        Polynomial::new([(1e-30_f32, 64.0)])?,
+        Polynomial::new([(1e-33_f32, 64.0)])?,
         Medium::from_constants(1.0, 0.0)?,
-        Constant(100.0),
+        Constant(1e4),
     )?;
     let now = single.at(0.0)?;
-    assert!(now.radius().powi(64) > 1e28 && now.peak_pressure().is_finite(), "{now:?}");
+    assert!(now.radius().powi(68).is_infinite() && now.peak_pressure().is_finite(), "{now:?}");
     Ok(())
 }
 
