@@ -23,6 +23,7 @@
 use crate::Scalar;
 use crate::parameters::Parameters;
 use crate::profile::ProfileError;
+use crate::scalar::smallest_normal;
 
 const MOST_STEPS: u32 = 20_000;
 
@@ -30,7 +31,7 @@ const MOST_STEPS: u32 = 20_000;
 ///
 /// # Errors
 ///
-/// [`ProfileError`] for coefficients or exponents that are not usable, and for a gap that does not open.
+/// [`ProfileError`] for coefficients or exponents that are not usable, too small ones among them, and for a gap that does not open.
 pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> Result<T, ProfileError> {
     let mut smallest = T::infinity();
     let mut negative = false;
@@ -39,7 +40,8 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
         // Twice the coefficient is the largest multiple of it in the closed forms.
-        if !(T::constant(2.0) * c).is_finite() {
+        let fits = (T::constant(2.0) * c).is_finite() && (c.is_zero() || has_digits(c, n));
+        if !fits {
             return Err(ProfileError::InvalidCoefficient {
                 coefficient: c.value(),
                 exponent: n.value(),
@@ -66,6 +68,12 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
         return Ok(T::infinity());
     }
     Ok(Slope { terms, smallest }.first_zero())
+}
+
+/// Whether C and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
+fn has_digits<T: Scalar>(c: T, n: T) -> bool {
+    let weight = n.min(T::one()) / ((n + T::constant(2.0)) * (n + T::constant(2.0)));
+    c.abs() * weight >= smallest_normal::<T>() * T::constant(2.0)
 }
 
 /// The end of the range of a geometry that is asked for up to `requested`, if at all.

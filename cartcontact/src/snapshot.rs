@@ -139,6 +139,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let mut past = folds;
         while past < chi * self.time {
             let time = self.time - past / chi;
+            if time >= self.time {
+                // Fewer e-foldings than one rounding of the time.
+                past += past;
+                continue;
+            }
             let share = load.force(time) * (folds - past).exp();
             if share <= present {
                 return self.past_moment(time);

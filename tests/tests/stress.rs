@@ -1,5 +1,7 @@
 //! A short stress campaign; `cargo run --release -p tests --bin stress -- --cases 1000000` is the long one.
 
+use cartcontact::load::Constant;
+use cartcontact::{Contact, ContactError, Layer, Medium, MediumError, Polynomial};
 use tests::random::Stream;
 use tests::stress::campaign::Campaign;
 use tests::stress::soundness;
@@ -17,7 +19,7 @@ fn errors_are_within_their_bounds_everywhere() {
 
 #[test]
 fn any_input_is_sound() {
-    for case in 0..2000 {
+    for case in 0..700 {
         let mut stream = Stream::of_case(2, case);
         let scene = soundness::scene(&mut || stream.bits());
         let found = soundness::check(&scene);
@@ -34,4 +36,73 @@ fn a_case_can_be_drawn_again() {
     campaign.run(51, &mut one);
     one.merge(others);
     assert_eq!(one.to_string(), all.to_string());
+}
+
+/// Products out of range on the way to numbers that are not.
+#[test]
+fn layers_of_any_size_make_a_medium() -> Result<(), MediumError> {
+    let layer = Layer { thickness: 1e-100_f64, shear_modulus: 1e-10, permeability: 1e-230 };
+    for (medium, share) in [(Medium::against_rigid(layer)?, 1.0), (Medium::between(layer, layer)?, 0.5)] {
+        assert!((medium.m() / (3e290 * share) - 1.0).abs() < 1e-14, "{medium:?}");
+        assert!((medium.chi() / 3e-40 - 1.0).abs() < 1e-14, "{medium:?}");
+    }
+    Ok(())
+}
+
+/// r⁶⁴ is out of range at the radius of the contact, in either format, and so is J of its power alone.
+#[test]
+fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
+    let double =
+        Contact::new(Polynomial::new([(1e-300, 64.0)])?, Medium::from_constants(1.0, 0.0)?, Constant(1e20))?;
+    let a: f64 = double.at(0.0)?.radius();
+    let expected = (1e20_f64.ln() + 300.0 * core::f64::consts::LN_10
+        - (core::f64::consts::FRAC_PI_4 * 64.0 / (66.0 * 68.0)).ln())
+        / 68.0;
+    assert!((a.ln() / expected - 1.0).abs() < 1e-15, "{a:e}");
+    assert!(a.powi(68).is_infinite(), "{a:e}");
+    let single = Contact::new(
+        Polynomial::new([(1e-33_f32, 64.0)])?,
+        Medium::from_constants(1.0, 0.0)?,
+        Constant(1e4),
+    )?;
+    let now = single.at(0.0)?;
+    assert!(now.radius().powi(68).is_infinite() && now.peak_pressure().is_finite(), "{now:?}");
+    Ok(())
+}
+
+/// What has lost its digits is refused, not answered.
+#[test]
+fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let paraboloid = || Polynomial::new([(0.025, 2.0)]);
+    let at = |m: f64, force: f64| {
+        let contact = Contact::new(paraboloid()?, Medium::from_constants(m, 0.01)?, Constant(force))?;
+        Ok::<_, Box<dyn core::error::Error>>(contact.at(1.0).err())
+    };
+    for (m, force) in [(1.0, 5e-324), (1.0, 1e-310), (1e200, 1e-150)] {
+        assert!(matches!(at(m, force)?, Some(ContactError::OutOfRange { .. })), "{m:e}, {force:e}");
+    }
+    assert_eq!(at(1.0, 1e-290)?, None);
+    assert!(Medium::from_constants(1e-310, 0.0).is_err() && Medium::from_constants(1.0, 1e-310).is_err());
+    assert!(Polynomial::new([(1e-306, 64.0)]).is_err());
+    Ok(())
+}
+
+/// A layer thinner than the spacing of numbers carries the whole load after a long time: P = 2 F (a² − r²)/(π a⁴).
+#[test]
+fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
+    let contact = Contact::new(
+        Polynomial::new([(0.025_f32, 2.0)])?,
+        Medium::from_constants(0.375, 1.0)?,
+        Constant(100.0),
+    )?;
+    for time in [1e6, 1e9, 1e12] {
+        let now = contact.at(time)?;
+        let drained = 200.0 / (core::f32::consts::PI * now.radius() * now.radius());
+        assert!(
+            (now.peak_pressure() / drained - 1.0).abs() < 4e-6,
+            "{time:e}: {:e}, {drained:e}",
+            now.peak_pressure()
+        );
+    }
+    Ok(())
 }

@@ -103,10 +103,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let folds = faded_folds::<T>();
         let (start, force) = (self.now.time, load.force(self.now.time));
-        if chi * (end - start) <= folds + folds || load.force_before(end) < force {
+        if chi * (end - start) <= folds + folds
+            || start >= end * (T::one() - T::default_epsilon() * T::constant(8.0))
+            || load.force_before(end) < force
+        {
             return;
         }
-        let time = end - folds / chi;
+        // At least a few roundings of the time, lest nothing is left.
+        let time = end - (folds / chi).max(end * T::default_epsilon() * T::constant(4.0));
         let skipped = load.force(time);
         self.impulse += (time - start) * (force + skipped) * T::constant(0.5);
         let radius = self.radius_under(time, skipped).max(self.now.radius);

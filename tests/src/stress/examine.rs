@@ -29,8 +29,11 @@ pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn 
     let profile = match solver(scene) {
         Ok(profile) => profile,
         Err(error) => {
-            let is_usable = scene.terms.iter().all(|(c, _)| c.is_finite())
-                && scene.terms.iter().any(|(c, _)| !c.is_zero());
+            let is_usable = scene.terms.iter().all(|(c, n)| {
+                let least = T::LEAST * (n.value() + 2.0).powi(2) / n.value().min(1.0) * 2.0;
+                c.is_finite() && (c.is_zero() || c.value().abs() >= least)
+            });
+            let is_usable = is_usable && scene.terms.iter().any(|(c, _)| !c.is_zero());
             if is_usable {
                 findings.fault(Fault::Refused, &error);
             }
@@ -144,12 +147,15 @@ impl<T: Precision> Examination<'_, T> {
             }
             (ContactError::BeyondRange { .. }, None) => true,
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
-            (ContactError::TooSmall { .. }, _) => {
+            (ContactError::OutOfRange { .. }, radius) => {
                 let force = self.exact.force(Wide::of(self.scene.time.value())).value();
                 let chi = self.scene.chi.value();
                 let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
-                let numbers = [y.value(), force, force * chi, impulse];
+                let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
+                let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
+                let numbers = [y.value(), force, force * chi, impulse, fourth, slope];
                 numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
+                    || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
             }
             (_, radius) => {
                 let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);

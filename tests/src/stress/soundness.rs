@@ -37,12 +37,12 @@ fn number(word: u64) -> f64 {
     sign * digits * 10_f64.powf(power / 2.0)
 }
 
-/// Mostly a multiple of 1/4 up to 16.
+/// Mostly a multiple of 1/4 up to 16, never below 1/4.
 fn exponent(word: u64) -> f64 {
     match word % 4 {
-        0 => number(word >> 2),
-        1 => (word >> 2 & 0x3f) as f64,
-        _ => (word >> 2 & 0x3f) as f64 / 4.0,
+        0 => number(word >> 2).max(0.25),
+        1 => (1 + (word >> 2 & 0x3f)) as f64,
+        _ => (1 + (word >> 2 & 0x3f)) as f64 / 4.0,
     }
 }
 

@@ -1,13 +1,16 @@
 //! A contact: a geometry, a medium and a load.
 
+mod error;
+
 use core::fmt;
 
+pub use error::ContactError;
+
 use crate::dispatch::wide;
-use crate::error::Shown;
 use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
 use crate::memory::{Moment, surplus_that_counts};
-use crate::profile::{GapProfile, ProfileError, RadiusError};
+use crate::profile::{GapProfile, RadiusError};
 use crate::scalar::smallest_normal;
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
@@ -95,15 +98,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
-    /// This holds over the whole range of the format: as long as the input, Y, J(a), a J′(a) and the result are
-    /// normal numbers, powers and products on the way to them need not be. Coefficients are normal numbers with a
-    /// margin of 2¹³, because they are divided by up to 2 (n+2)² first.
+    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴ and
+    /// the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
+    /// F′ + χ F to be finite as well.
     ///
     /// # Errors
     ///
     /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the
-    /// geometry, the load has fallen so fast that the edge recedes, or Y, J(a) or χ F leave the range of the
-    /// format.
+    /// geometry, the load has fallen so fast that the edge recedes, or these numbers
+    /// leave the range of the format.
     ///
     /// # References
     ///
@@ -202,14 +205,20 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.radius_of(self.load_integral_at(t)?).map_err(|error| match error {
+        let load_integral = self.load_integral_at(t)?;
+        let radius = self.radius_of(load_integral).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
                 leaves_at: self.time_of_leaving(t).value(),
                 max_radius,
             },
             other => ContactError::Radius { time: t.value(), error: other },
-        })
+        })?;
+        if keeps_digits(radius, load_integral) {
+            Ok(radius)
+        } else {
+            Err(ContactError::OutOfRange { time: t.value(), force: self.load.force(t).value() })
+        }
     }
 
     /// The contact radii at up to `BLOCK` times; false if there is a fault among them.
@@ -225,6 +234,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         valid
             && self.load.recession(self.medium.chi(), last).is_none()
             && self.profile.radii_within(load_integrals, self.max_radius, radii).is_ok()
+            && wide(
+                #[inline(always)]
+                || {
+                    let pairs = radii.iter().zip(&*load_integrals);
+                    pairs.fold(true, |all, (&radius, &integral)| all & keeps_digits(radius, integral))
+                },
+            )
     }
 
     /// The load integrals at some times, without a branch for each; false if there is a fault among them.
@@ -253,7 +269,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if hereditary.is_zero() || self.has_digits(force, self.load.impulse(t), load_integral) {
             return Ok(load_integral);
         }
-        Err(ContactError::TooSmall { time: t.value(), force: force.value() })
+        Err(ContactError::OutOfRange { time: t.value(), force: force.value() })
     }
 
     /// Whether a load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
@@ -303,6 +319,16 @@ fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
     medium.m() * T::frac_pi_4()
 }
 
+/// Whether a⁴ and δ₀′ are neither subnormal nor infinite; J/a⁵ is δ₀′ but for a factor of 8 to 2056.
+#[inline(always)]
+fn keeps_digits<T: Scalar>(radius: T, load_integral: T) -> bool {
+    let (least, square) = (smallest_normal::<T>(), radius * radius);
+    let power = square * square;
+    let has_power = (power >= least) & power.is_finite();
+    let has_slope = (least * power * radius <= load_integral) & (load_integral * least <= power * radius);
+    radius.is_zero() | (has_power & has_slope)
+}
+
 #[inline(always)]
 fn is_time<T: Scalar>(t: T) -> bool {
     (t >= T::zero()) & t.is_finite()
@@ -311,144 +337,4 @@ fn is_time<T: Scalar>(t: T) -> bool {
 /// Compares the length of a slice with the one it must have.
 pub(crate) fn check_length(what: &'static str, length: usize, expected: usize) -> Result<(), ContactError> {
     if length == expected { Ok(()) } else { Err(ContactError::Length { what, length, expected }) }
-}
-
-/// Why a contact cannot be set up or evaluated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ContactError {
-    /// The geometry is not usable.
-    Profile(ProfileError),
-    /// The load is not usable.
-    Load(LoadError),
-    /// A time is negative, infinite or not a number.
-    InvalidTime {
-        /// The time, in s.
-        time: f64,
-    },
-    /// A radius is negative, infinite or not a number.
-    InvalidRadius {
-        /// Its index in the slice.
-        index: usize,
-        /// The radius, in mm.
-        radius: f64,
-    },
-    /// The contact has left the admissible range of the geometry.
-    BeyondRange {
-        /// The time asked for, in s.
-        time: f64,
-        /// The time at which the contact leaves the range, in s.
-        leaves_at: f64,
-        /// The end of the range, in mm.
-        max_radius: f64,
-    },
-    /// The load fell so fast that the edge of the contact recedes.
-    Receding {
-        /// The time asked for, in s.
-        time: f64,
-        /// The time at which the edge begins to recede, in s.
-        since: f64,
-    },
-    /// The load is so small that its quotient by m or its product with χ loses digits.
-    TooSmall {
-        /// The time, in s.
-        time: f64,
-        /// The force at that time, in N.
-        force: f64,
-    },
-    /// There is no contact radius at a time for another reason.
-    Radius {
-        /// The time, in s.
-        time: f64,
-        /// The reason.
-        error: RadiusError,
-    },
-    /// A slice has no elements.
-    Empty {
-        /// Which slice.
-        what: &'static str,
-    },
-    /// A slice has the wrong length.
-    Length {
-        /// Which slice.
-        what: &'static str,
-        /// Its length.
-        length: usize,
-        /// The length it must have.
-        expected: usize,
-    },
-    /// Times are not in ascending order.
-    Unsorted {
-        /// The index of the first time that is before its predecessor.
-        index: usize,
-        /// That time, in s.
-        time: f64,
-    },
-}
-
-impl fmt::Display for ContactError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Profile(error) => error.fmt(f),
-            Self::Load(error) => error.fmt(f),
-            Self::InvalidTime { time } => {
-                write!(
-                    f,
-                    "the time is {}, but it must be a finite number from 0; give the time since the load was \
-                     applied, in s",
-                    Shown(time)
-                )
-            }
-            Self::InvalidRadius { index, radius } => write!(
-                f,
-                "radius {index} is {}, but radii must be finite numbers from 0; give distances from the axis",
-                Shown(radius)
-            ),
-            Self::BeyondRange { time, leaves_at, max_radius } => write!(
-                f,
-                "at time {} the contact has left the admissible range of the geometry: its radius reaches {} \
-                 at time {}; ask for earlier times, lower the load, or extend `max_radius` if the geometry \
-                 allows it",
-                Shown(time),
-                Shown(max_radius),
-                Shown(leaves_at)
-            ),
-            Self::Receding { time, since } => write!(
-                f,
-                "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
-                 receded, which this solution does not cover; ask for earlier times or let the load fall more \
-                 slowly",
-                Shown(since),
-                Shown(time)
-            ),
-            Self::TooSmall { time, force } => write!(
-                f,
-                "the force at time {} is {}, which over m or times chi is too small a number to have all its \
-                 digits; choose units in which forces or lengths are larger numbers, or ask for later times",
-                Shown(time),
-                Shown(force)
-            ),
-            Self::Radius { time, error } => write!(f, "at time {}: {error}", Shown(time)),
-            Self::Empty { what } => write!(f, "`{what}` is empty; give at least one"),
-            Self::Length { what, length, expected } => {
-                write!(f, "`{what}` has {length} elements, but {expected} are needed; resize it")
-            }
-            Self::Unsorted { index, time } => write!(
-                f,
-                "time {index} is {}, before the time that precedes it; sort the times in ascending order",
-                Shown(time)
-            ),
-        }
-    }
-}
-
-impl core::error::Error for ContactError {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Profile(error) => Some(error),
-            Self::Load(error) => Some(error),
-            Self::Radius { error, .. } => Some(error),
-            _ => None,
-        }
-    }
 }

@@ -1,0 +1,147 @@
+//! What can be wrong with a contact, and how it is said.
+
+use core::fmt;
+
+use crate::error::Shown;
+use crate::load::LoadError;
+use crate::profile::{ProfileError, RadiusError};
+
+/// Why a contact cannot be set up or evaluated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ContactError {
+    /// The geometry is not usable.
+    Profile(ProfileError),
+    /// The load is not usable.
+    Load(LoadError),
+    /// A time is negative, infinite or not a number.
+    InvalidTime {
+        /// The time, in s.
+        time: f64,
+    },
+    /// A radius is negative, infinite or not a number.
+    InvalidRadius {
+        /// Its index in the slice.
+        index: usize,
+        /// The radius, in mm.
+        radius: f64,
+    },
+    /// The contact has left the admissible range of the geometry.
+    BeyondRange {
+        /// The time asked for, in s.
+        time: f64,
+        /// The time at which the contact leaves the range, in s.
+        leaves_at: f64,
+        /// The end of the range, in mm.
+        max_radius: f64,
+    },
+    /// The load fell so fast that the edge of the contact recedes.
+    Receding {
+        /// The time asked for, in s.
+        time: f64,
+        /// The time at which the edge begins to recede, in s.
+        since: f64,
+    },
+    /// The load is so small that it, its quotient by m or its product with χ loses digits, or a⁴ leaves the format.
+    OutOfRange {
+        /// The time, in s.
+        time: f64,
+        /// The force at that time, in N.
+        force: f64,
+    },
+    /// There is no contact radius at a time for another reason.
+    Radius {
+        /// The time, in s.
+        time: f64,
+        /// The reason.
+        error: RadiusError,
+    },
+    /// A slice has no elements.
+    Empty {
+        /// Which slice.
+        what: &'static str,
+    },
+    /// A slice has the wrong length.
+    Length {
+        /// Which slice.
+        what: &'static str,
+        /// Its length.
+        length: usize,
+        /// The length it must have.
+        expected: usize,
+    },
+    /// Times are not in ascending order.
+    Unsorted {
+        /// The index of the first time that is before its predecessor.
+        index: usize,
+        /// That time, in s.
+        time: f64,
+    },
+}
+
+impl fmt::Display for ContactError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Profile(error) => error.fmt(f),
+            Self::Load(error) => error.fmt(f),
+            Self::InvalidTime { time } => {
+                write!(
+                    f,
+                    "the time is {}, but it must be a finite number from 0; give the time since the load was \
+                     applied, in s",
+                    Shown(time)
+                )
+            }
+            Self::InvalidRadius { index, radius } => write!(
+                f,
+                "radius {index} is {}, but radii must be finite numbers from 0; give distances from the axis",
+                Shown(radius)
+            ),
+            Self::BeyondRange { time, leaves_at, max_radius } => write!(
+                f,
+                "at time {} the contact has left the admissible range of the geometry: its radius reaches {} \
+                 at time {}; ask for earlier times, lower the load, or extend `max_radius` if the geometry \
+                 allows it",
+                Shown(time),
+                Shown(max_radius),
+                Shown(leaves_at)
+            ),
+            Self::Receding { time, since } => write!(
+                f,
+                "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
+                 receded, which this solution does not cover; ask for earlier times or let the load fall more \
+                 slowly",
+                Shown(since),
+                Shown(time)
+            ),
+            Self::OutOfRange { time, force } => write!(
+                f,
+                "the force at time {} is {}, for which the numbers of the contact leave the range in which they have \
+                 all their digits; choose units of force and length in which they are nearer to 1",
+                Shown(time),
+                Shown(force)
+            ),
+            Self::Radius { time, error } => write!(f, "at time {}: {error}", Shown(time)),
+            Self::Empty { what } => write!(f, "`{what}` is empty; give at least one"),
+            Self::Length { what, length, expected } => {
+                write!(f, "`{what}` has {length} elements, but {expected} are needed; resize it")
+            }
+            Self::Unsorted { index, time } => write!(
+                f,
+                "time {index} is {}, before the time that precedes it; sort the times in ascending order",
+                Shown(time)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for ContactError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Profile(error) => Some(error),
+            Self::Load(error) => Some(error),
+            Self::Radius { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! What can be wrong with a geometry or a load integral, and how it is said.
+
+use core::fmt;
+
+use crate::Scalar;
+use crate::error::Shown;
+use crate::parameters::Parameters;
+
+/// Why there is no contact radius for a load integral.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RadiusError {
+    /// The load integral is negative, infinite or not a number.
+    InvalidLoadIntegral {
+        /// What was given, in mm⁵.
+        load_integral: f64,
+    },
+    /// The contact would grow beyond the admissible range of the geometry.
+    BeyondRange {
+        /// What was given, in mm⁵.
+        load_integral: f64,
+        /// The largest admissible load integral, in mm⁵.
+        largest: f64,
+        /// The contact radius that belongs to it, in mm.
+        max_radius: f64,
+    },
+    /// There are not as many places for radii as load integrals.
+    Length {
+        /// The number of load integrals.
+        load_integrals: usize,
+        /// The number of places for radii.
+        radii: usize,
+    },
+}
+
+/// There is a radius for every load integral.
+pub(crate) fn check_lengths<T>(load_integrals: &[T], radii: &[T]) -> Result<(), RadiusError> {
+    let (load_integrals, radii) = (load_integrals.len(), radii.len());
+    if load_integrals == radii { Ok(()) } else { Err(RadiusError::Length { load_integrals, radii }) }
+}
+
+impl fmt::Display for RadiusError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::InvalidLoadIntegral { load_integral } => write!(
+                f,
+                "the load integral is {}, but only finite values from 0 have a contact radius; \
+                 check the load and the medium",
+                Shown(load_integral)
+            ),
+            Self::BeyondRange { load_integral, largest, max_radius } => write!(
+                f,
+                "the load integral {} exceeds {}, which the contact reaches at the end of the admissible \
+                 range, radius {}; lower the load, or extend `max_radius` if the geometry allows it",
+                Shown(load_integral),
+                Shown(largest),
+                Shown(max_radius)
+            ),
+            Self::Length { load_integrals, radii } => write!(
+                f,
+                "there are {load_integrals} load integrals and {radii} places for their radii; give slices of \
+                 the same length"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for RadiusError {}
+
+/// Why a geometry given at run time has no solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ProfileError {
+    /// There are no terms.
+    Empty,
+    /// A field that is declared positive has another value.
+    NotPositive {
+        /// The name of the field.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A coefficient is not a number, is so small that it loses digits, or twice its size is infinite.
+    InvalidCoefficient {
+        /// The coefficient.
+        coefficient: f64,
+        /// The exponent of its term.
+        exponent: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
+    /// An exponent is not in the range from above 0 to 1024.
+    InvalidExponent {
+        /// The exponent.
+        exponent: f64,
+    },
+    /// The end of the range of contact radii is not a positive number.
+    InvalidMaxRadius {
+        /// What was given, in mm.
+        max_radius: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
+    /// The surfaces overlap, or do not separate, next to the first point of contact.
+    NotOpening {
+        /// The smallest exponent of the gap.
+        exponent: f64,
+        /// Its coefficient.
+        coefficient: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
+    /// The requested range ends where the series of a surface no longer converges.
+    BeyondSurface {
+        /// The requested end of the range, in mm.
+        max_radius: f64,
+        /// Where the series ends, in mm: for a sphere at its radius.
+        rim: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
+    /// The gap no longer exceeds its mean over the contact disc before the requested end of the range.
+    NotAdmissible {
+        /// The requested end of the range, in mm.
+        max_radius: f64,
+        /// The radius at which the condition fails, in mm.
+        fails_at: f64,
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
+}
+
+impl fmt::Display for ProfileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Empty => {
+                write!(
+                    f,
+                    "the gap has no terms; give at least one (coefficient, exponent), such as (0.025, 2)"
+                )
+            }
+            Self::NotPositive { field, value } => write!(
+                f,
+                "`{field}` is {}, but the geometry declares it positive; give it a finite value above 0",
+                Shown(value)
+            ),
+            Self::InvalidCoefficient { coefficient, exponent, parameters } => write!(
+                f,
+                "{parameters}the coefficient of r^{exponent} is {}, but {}",
+                Shown(coefficient),
+                if !coefficient.is_finite() {
+                    "it must be a finite number; check the geometry's parameters for zero, overflow and NaN"
+                } else if coefficient.abs() > 1.0 {
+                    "twice its size must be a finite number; use a larger unit of length"
+                } else {
+                    "it must be 0 or large enough to keep its digits; use a smaller unit of length"
+                }
+            ),
+            Self::InvalidExponent { exponent } => write!(
+                f,
+                "the exponent {} is outside (0, 1024]; a gap that vanishes at r = 0 needs positive powers",
+                Shown(exponent)
+            ),
+            Self::InvalidMaxRadius { max_radius, parameters } => write!(
+                f,
+                "{parameters}the largest contact radius is {}, but it must be a positive number; leave it out if there is \
+                 no limit",
+                Shown(max_radius)
+            ),
+            Self::NotOpening { exponent, coefficient, parameters } => write!(
+                f,
+                "{parameters}the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power needs a \
+                 positive coefficient",
+                Shown(coefficient)
+            ),
+            Self::BeyondSurface { max_radius, rim, parameters } => write!(
+                f,
+                "{parameters}the largest contact radius is {}, but the series of a surface ends at r = {}; choose \
+                 `max_radius` below {}",
+                Shown(max_radius),
+                Shown(rim),
+                Shown(rim)
+            ),
+            Self::NotAdmissible { max_radius, fails_at, parameters } => write!(
+                f,
+                "{parameters}the gap does not exceed its mean over the contact disc at r = {}, inside the requested range \
+                 up to {}; choose `max_radius` below {}",
+                Shown(fails_at),
+                Shown(max_radius),
+                Shown(fails_at)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for ProfileError {}
+
+/// The error with the parameters that caused it.
+pub fn with_parameters<T: Scalar, const N: usize>(
+    mut error: ProfileError,
+    names: &'static [&'static str; N],
+    values: [T; N],
+) -> ProfileError {
+    match &mut error {
+        ProfileError::InvalidCoefficient { parameters, .. }
+        | ProfileError::InvalidMaxRadius { parameters, .. }
+        | ProfileError::NotOpening { parameters, .. }
+        | ProfileError::BeyondSurface { parameters, .. }
+        | ProfileError::NotAdmissible { parameters, .. } => *parameters = Parameters::new(names, values),
+        ProfileError::Empty | ProfileError::InvalidExponent { .. } | ProfileError::NotPositive { .. } => {}
+    }
+    error
+}
