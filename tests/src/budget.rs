@@ -88,10 +88,12 @@ pub const CONTACT_APPROACH: Allowance = allow(
     "the rounding of the hereditary load moves the radius, and that the approach",
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
+///
+/// The worst was seen between two ways to the same pressure of r⁶⁴, at χ t = 200; against the oracle it is 2.1.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
-    [2.7, 1.9],
+    [7.0, 1.9],
     "dozens of nodes, whose ages are rounded before they go into exponentials; the factor is how far the rounding of \
      a moves the edge",
 );
