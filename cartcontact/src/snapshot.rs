@@ -36,6 +36,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// It belongs to the exact contact radius rather than to the rounded one, so that high powers do not multiply
     /// the rounding.
+    ///
+    /// # Accuracy
+    ///
+    /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
     pub fn approach(&self) -> T {
         let moment = self.contact.precise_moment(self.time, self.radius);
         self.contact.profile().approach(self.radius) + moment.strip(self.contact.stiffness())
@@ -61,7 +65,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// # Accuracy
     ///
-    /// Within 64 ε (1 + 2a/(a − r)); the second factor is how far rounding the radius alone moves the result.
+    /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
+    /// result.
     ///
     /// # References
     ///

@@ -37,18 +37,18 @@ const fn allow(
 const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
 
 /// Φ(r).
-pub const GAP: Allowance = allow("gap", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
+pub const GAP: Allowance = allow("gap", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// δ₀(a).
-pub const APPROACH: Allowance = allow("approach", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
+pub const APPROACH: Allowance = allow("approach", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// δ₀′(a).
 pub const APPROACH_SLOPE: Allowance = allow(
     "approach slope",
     [4.0, 4.0],
-    [2.9, 1.7],
+    [3.1, 1.7],
     "memory integrals evaluate it at every node, so it is in plain arithmetic: two roundings per power of r or r²",
 );
 /// J(a).
-pub const LOAD_INTEGRAL: Allowance = allow("load integral", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
+pub const LOAD_INTEGRAL: Allowance = allow("load integral", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// J(a) − J(a − depth), relative to the same difference for the sizes of the terms.
 pub const LOAD_INTEGRAL_DROP: Allowance = allow(
     "drop of the load integral",
@@ -57,9 +57,9 @@ pub const LOAD_INTEGRAL_DROP: Allowance = allow(
     "the rounding of a − depth, here and in the quadrature of the test, is multiplied by the degree of J, at most 68",
 );
 /// L(x).
-pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
+pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// G(a, r), up to 1 − r/a = 1e-12.
-pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.3, 1.3], ROUNDED_ONCE);
+pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// Φ, δ₀, δ₀′, J and L with exponents that are no multiples of 1/4.
 pub const REAL_POWERS: Allowance = allow(
     "kernels of real powers",
@@ -88,17 +88,19 @@ pub const CONTACT_APPROACH: Allowance = allow(
     "the rounding of the hereditary load moves the radius, and that the approach",
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
+///
+/// The worst was seen between two ways to the same pressure of r⁶⁴, at χ t = 200; against the oracle it is 2.1.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
-    [2.1, 1.9],
+    [7.0, 1.9],
     "dozens of nodes, whose ages are rounded before they go into exponentials; the factor is how far the rounding of \
      a moves the edge",
 );
 /// P(0, t).
 pub const PEAK_PRESSURE: Allowance =
     allow("peak pressure", [8.0, 8.0], [7.8, 6.2], "as the pressure, with the factor 3 that it has at r = 0");
-/// P(0, t) of a geometry with a power above 48.
+/// P(0, t) of a geometry with a power above 24.
 pub const PEAK_PRESSURE_OF_HIGH_POWERS: Allowance = allow(
     "peak pressure of high powers",
     [16.0, 16.0],
@@ -107,12 +109,12 @@ pub const PEAK_PRESSURE_OF_HIGH_POWERS: Allowance = allow(
 );
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance =
-    allow("pressure field", [16.0, 16.0], [16.0, 16.0], "both have the error of a pressure");
+    allow("pressure field", [16.0, 16.0], [9.0, 9.0], "both have the error of a pressure");
 /// 2π ∫ P r dr against F: 1e-14.
 pub const BALANCE: Allowance = allow(
     "force balance",
     [45.0, 45.0],
-    [34.0, 34.0],
+    [31.0, 31.0],
     "some hundred pressures near the edge, where their own errors are largest, and the quadrature of the test",
 );
 /// 2π ∫ P r dr against F under a load of a user's own: 1.2e-13.

@@ -248,7 +248,7 @@ fn check_contacts(scenes: Vec<Scene>) {
         if distance > 0.0 {
             pressure.add(found.2, &exact_pressure, 1.0 + 2.0 * a / distance, &scene);
         }
-        let is_high = scene.terms.iter().any(|&(_, n)| n > 48.0);
+        let is_high = scene.terms.iter().any(|&(_, n)| n > 24.0);
         let peak = if is_high { &mut peak_of_high_powers } else { &mut peak };
         peak.add(found.3, &exact_peak, 1.0, &scene);
     }

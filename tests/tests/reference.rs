@@ -52,7 +52,12 @@ fn kernels_are_those_of_the_reference() {
                     );
                 });
             }
-            errors.check();
+            // That of the slope is seen in powers that the reference does not have.
+            if allowance.quantity == budget::APPROACH_SLOPE.quantity {
+                errors.check();
+            } else {
+                errors.check_worst();
+            }
         }
     }
 }
@@ -73,7 +78,7 @@ fn radii_are_those_of_the_reference() {
                 );
             });
         }
-        errors.check();
+        errors.check_worst();
     }
 }
 
@@ -103,12 +108,12 @@ fn contacts_are_those_of_the_reference() {
                     1.0 + 2.0 * row.radius.nearest / (row.radius.nearest - row.r),
                     &place,
                 );
-                let is_high = row.case.terms.iter().any(|&(_, n)| n > 48.0);
+                let is_high = row.case.terms.iter().any(|&(_, n)| n > 24.0);
                 let peak = if is_high { &mut peak_of_high_powers } else { &mut peak };
                 peak.add(p0, row.peak_pressure, 1.0, &place);
             });
         }
-        radius.check();
+        radius.check_worst();
         approach.check();
         pressure.check();
         peak.check();

@@ -1,9 +1,8 @@
 //! Numbers of twice the working precision, as unevaluated sums of two words.
 //!
-//! Every sum and product of words rounds once; a sum of powers in plain arithmetic is off by a few ε, and there are
-//! higher costs: a product of k rounded factors is off by up to k/2 ε, and
-//! repeated squaring multiplies the first rounding by k/2; for r^64 that is 30 ε. With the rounding error of every
-//! operation carried along, only the last one counts.
+//! In plain arithmetic a sum of powers is off by a few ε: every operation rounds, a product of k factors is off by up
+//! to k/2 ε, and repeated squaring multiplies the first rounding by k/2; for r^64 that is 30 ε. With the rounding error
+//! of every operation carried along, only those of the coefficients and of the result are left.
 //!
 //! Sources: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
 //! (1971), doi 10.1007/BF01397083 (split, product, sum of unequal words); M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous

@@ -39,7 +39,7 @@ pub(crate) fn raised_power_sum<T: Scalar>(x: T, k: i32, terms: impl IntoIterator
     terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + raised_term(c, x, n, k))
 }
 
-/// Σ c x^n over the terms (c, n), rounded once; see [`double_term`].
+/// Σ c x^n over the terms (c, n), rounded once.
 #[inline]
 pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T), IntoIter: Clone>) -> T {
     weighted_power_sum(x, 0, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))

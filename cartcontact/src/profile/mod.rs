@@ -17,6 +17,13 @@ use crate::memory::quadrature::Rule;
 /// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means nothing.
 /// [`Contact`](crate::Contact) checks what it is given before it calls them.
 ///
+/// # Accuracy
+///
+/// Sums of powers and the pressure kernel are rounded once, besides their coefficients, and are within 2 units in the
+/// last place; the slope of the approach, which memory integrals evaluate at every node, within 4. With exponents that
+/// are no multiples of 1/4 all are within 4, and the pressure kernel within 8. Where terms of both signs cancel, these
+/// bounds are multiplied by the condition number Σ|terms|/|sum|.
+///
 /// # Examples
 ///
 /// ```

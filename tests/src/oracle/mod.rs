@@ -19,8 +19,8 @@
 //!
 //! let profile = Profile::of_decimals(&[("0.025", "2"), ("1.09375e-4", "4")]);
 //! let oracle = Oracle::new(profile, 0.375, 0.0015, &[(0.0, 100.0)]);
-//! assert_eq!(digits(&oracle.radius(200.0), 10), "7.446850462");
-//! assert_eq!(digits(&oracle.pressure(0.0, 200.0), 10), "1.665973846");
+//! assert_eq!(digits(&oracle.radius(200.0), 10), "7.446555161");
+//! assert_eq!(digits(&oracle.pressure(0.0, 200.0), 10), "1.666007530");
 //! ```
 //!
 //! # References
