@@ -34,6 +34,7 @@ mod geometry;
 mod integer_polynomial;
 mod item;
 mod literal;
+mod minimum;
 mod number;
 mod parse;
 mod polynomial;
