@@ -19,7 +19,7 @@ pub(super) fn methods(
     names: &Names<'_>,
 ) -> TokenStream {
     let is_constant = geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_));
-    let checked = (!is_constant).then(|| Checked { item, geometry, coefficients, names });
+    let checked = (!is_constant).then_some(Checked { item, geometry, coefficients, names });
     let scalar = &names.scalar;
     let max_radius = match (known(geometry, coefficients, names), &checked) {
         (Some(end), _) => quote! {
