@@ -101,7 +101,8 @@ pub fn inside_surfaces<T: Scalar, const N: usize>(
 ) -> Result<T, ProfileError> {
     let end = range?;
     let rim = |(radius, shape): (T, T)| radius.abs() / shape.abs().sqrt();
-    match surfaces.into_iter().map(rim).find(|&rim| !(end < rim)) {
+    let is_inside = |rim: &T| end < *rim;
+    match surfaces.into_iter().map(rim).find(|rim| !is_inside(rim)) {
         None => Ok(end),
         Some(rim) => Err(ProfileError::BeyondSurface {
             max_radius: end.value(),
