@@ -49,7 +49,11 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 attribute.set(&name, equals.unwrap_or(name.span()), value, diagnostics);
                 names.push(name);
             }
-            None => match entry.without_equals().or_else(|| attribute.no_room_for(&entry)) {
+            None => match entry
+                .without_equals()
+                .or_else(|| entry.without_comma())
+                .or_else(|| attribute.no_room_for(&entry))
+            {
                 Some(message) => diagnostics.report(entry.extent(), message),
                 None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
             },
@@ -111,6 +115,12 @@ impl Attribute {
                     .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`"),
             }
         } else {
+            if name == "gap" {
+                diagnostics
+                    .report(name.span(), "the gap is written first and without a name; remove `gap =`");
+                self.gap.get_or_insert(Expression { kind: Kind::Faulty, extent: name.span().into() });
+                return;
+            }
             let remedy = match closest(&name.to_string(), OPTIONS.map(str::to_owned).into_iter()) {
                 Some(option) => format!("did you mean `{option}`?"),
                 None => {
@@ -123,8 +133,14 @@ impl Attribute {
     }
 
     /// What to say about an entry that could only be a second gap.
-    fn no_room_for(&self, entry: &Entry) -> Option<String> {
-        self.gap.as_ref()?;
+    fn no_room_for(&mut self, entry: &Entry) -> Option<String> {
+        let gap = self.gap.as_mut()?;
+        if let (Kind::Number(whole), Some(decimals)) = (&gap.kind, entry.decimals()) {
+            let message =
+                format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`");
+            gap.kind = Kind::Faulty;
+            return Some(message);
+        }
         let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
         Some(match (fields, entry.tokens.as_slice()) {
             (Some(fields), [TokenTree::Ident(another)]) => {
@@ -187,6 +203,24 @@ impl Entry {
             _ => "6.0",
         };
         Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
+    }
+
+    /// What to say about an option right behind a gap, `r^2 max_radius = 6`.
+    fn without_comma(&self) -> Option<String> {
+        let option = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
+            [TokenTree::Ident(name), equals] if is_punct(equals, '=') => {
+                OPTIONS.into_iter().find(|option| name == option)
+            }
+            _ => None,
+        })?;
+        Some(format!("a comma is missing before `{option}`; options follow the gap after commas"))
+    }
+
+    /// The digits behind a comma that is meant as a decimal point.
+    fn decimals(&self) -> Option<String> {
+        let [TokenTree::Literal(digits), ..] = self.tokens.as_slice() else { return None };
+        let digits = digits.to_string();
+        digits.starts_with(|first: char| first.is_ascii_digit()).then_some(digits)
     }
 
     fn stream(&self) -> TokenStream {

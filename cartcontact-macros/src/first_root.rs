@@ -10,6 +10,7 @@
 //! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c
 //! gives p'/p = k/(x - c) nearby, so c is close to a - k p(a)/p'(a): if a small interval there keeps all k sign
 //! changes, nothing else is left to look at, and the next leap may be twice as long in bits. If not, it is halved.
+//! Two sign changes that are left where the polynomial is convex are decided by its minimum (`minimum`).
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) the count is 0 or 1 once the interval is shorter than a fraction of the distance between
@@ -26,6 +27,7 @@ use num_traits::{One, Pow, Signed, Zero};
 
 use crate::common_divisor::{common_divisor, square_free};
 use crate::integer_polynomial::IntegerPolynomial;
+use crate::minimum::{First, Undecided, first_of_convex};
 use crate::number::{self, Rational};
 
 /// A positive root that has no positive root below it.
@@ -98,6 +100,11 @@ fn first_place(whole: Interval) -> Result<Option<Place>, TooIntricate> {
                 let upper = &front.lower + front.width;
                 return Ok(Some(Place::Between(front.lower, upper)));
             }
+            2 if front.is_convex() => {
+                if let Some(place) = front.place_beside_minimum()? {
+                    return Ok(Some(place));
+                }
+            }
             count => match front.around_cluster(count) {
                 Some(closer) => ahead.push(closer),
                 None => ahead.extend(front.halves()),
@@ -139,6 +146,35 @@ impl Interval {
         let offset = offset.clamp(BigInt::zero(), steps * 2 - 4);
         let closer = self.part(&offset, self.leap + 1, 2).with_leap(self.leap * 2);
         (closer.local.sign_changes_between_zero_and_one() == count).then_some(closer)
+    }
+
+    /// Whether the curvature has no zero inside, by Descartes' rule; it is positive where the ends are.
+    fn is_convex(&self) -> bool {
+        self.local.derivative().derivative().sign_changes_between_zero_and_one() == 0
+    }
+
+    /// The first root of a convex polynomial that is positive at both ends; with leading digits as long as these decide.
+    fn place_beside_minimum(&self) -> Result<Option<Place>, TooIntricate> {
+        let mut digits = 4 * self.local.degree() as u64 + 256;
+        let first = loop {
+            match self.local.leading_digits(digits) {
+                Some(rounded) => match first_of_convex(&rounded, Some(0), MAXIMUM_LENGTH) {
+                    Ok(first) => break first,
+                    Err(Undecided) => digits *= 4,
+                },
+                None => {
+                    break first_of_convex(&self.local, None, MAXIMUM_LENGTH).map_err(|_| TooIntricate)?;
+                }
+            }
+        };
+        let at = |offset, bits: u64| {
+            &self.lower + &self.width * number::integer(offset) * power_of_two(-(bits as i64))
+        };
+        Ok(match first {
+            First::None => None,
+            First::At(offset, bits) => Some(Place::At(at(offset, bits))),
+            First::Before(offset, bits) => Some(Place::Between(self.lower.clone(), at(offset, bits))),
+        })
     }
 
     /// The upper half and, to be looked at first, the lower one.
@@ -220,7 +256,7 @@ impl FirstRoot {
     /// Halves the interval once.
     fn halve(&mut self) {
         let Place::Between(lower, upper) = &self.place else { return };
-        let middle = (lower + upper) / number::integer(2);
+        let middle = middle(lower, upper);
         // No root lies below this one, so the sign on its left is the sign at 0.
         self.place = match self.polynomial.sign_at(&middle) {
             Ordering::Equal => Place::At(middle),
@@ -245,6 +281,13 @@ impl FirstRoot {
         let (Place::At(root) | Place::Between(_, root)) = &self.place;
         (root.numer().bits() as i64).saturating_sub(root.denom().bits() as i64)
     }
+}
+
+/// A number near the middle of an interval, with no more digits than it takes to lie there.
+fn middle(lower: &Rational, upper: &Rational) -> Rational {
+    let width = upper - lower;
+    let unit = power_of_two(width.numer().bits() as i64 - width.denom().bits() as i64 - 3);
+    ((lower + upper) / (number::integer(2) * &unit)).round() * unit
 }
 
 fn power_of_two(exponent: i64) -> Rational {

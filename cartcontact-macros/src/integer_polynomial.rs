@@ -80,6 +80,14 @@ impl IntegerPolynomial {
         value.cmp(&BigInt::zero())
     }
 
+    /// The value at offset/2^bits, times 2^(bits n) for the degree n.
+    pub(crate) fn value_at(&self, offset: &BigInt, bits: u64) -> BigInt {
+        let coefficients = self.coefficients.iter().rev().zip(0_u64..);
+        coefficients.fold(BigInt::zero(), |value, (coefficient, steps)| {
+            value * offset + (coefficient << (bits * steps))
+        })
+    }
+
     /// How often the sign changes along the coefficients, zeros aside. Descartes: there are as many positive roots,
     /// counted with multiplicity, or fewer by an even number.
     pub(crate) fn sign_changes(&self) -> usize {
@@ -112,7 +120,12 @@ impl IntegerPolynomial {
     /// Less than this polynomial for every x > 0, up to a power of two, but with shorter coefficients, if they can be
     /// shortened.
     pub(crate) fn rounded_down(&self) -> Option<Self> {
-        let kept = 2 * self.coefficients.len() as u64 + 64;
+        self.leading_digits(2 * self.coefficients.len() as u64 + 64)
+    }
+
+    /// The coefficients in units of a power of two that leaves so many digits of the longest, each rounded down, if
+    /// that shortens them.
+    pub(crate) fn leading_digits(&self, kept: u64) -> Option<Self> {
         let excess = self.length().checked_sub(kept).filter(|excess| *excess > 0)?;
         let coefficients = self.coefficients.iter().map(|coefficient| coefficient >> excess).collect();
         Some(IntegerPolynomial { coefficients })

@@ -101,6 +101,9 @@ impl Item {
         let known = self.fields.iter().map(|field| field.ident.to_string()).chain(["r".to_owned()]);
         match closest(&name.to_string(), known) {
             Some(known) => format!("did you mean `{known}`?"),
+            None if is_pi(name) => {
+                "numbers are kept exact; write it as a decimal, as in `3.14159265358979`".to_owned()
+            }
             None if self.fields.is_empty() && self.others.is_empty() => {
                 format!(
                     "only `r` is known here; a field declares a symbol, as in `struct {} {{ {name}: f64 }}`",
@@ -149,6 +152,10 @@ fn kind(ty: &Type, generics: &Generics) -> Option<FieldKind> {
         "f32" => Some(FieldKind::F32),
         _ => None,
     }
+}
+
+fn is_pi(name: &Ident) -> bool {
+    ["pi", "PI", "Pi", "π"].iter().any(|pi| name == pi)
 }
 
 /// The known name that differs from this one by a third of its letters at most, and by the fewest.

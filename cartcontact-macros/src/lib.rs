@@ -35,6 +35,7 @@ mod geometry;
 mod integer_polynomial;
 mod item;
 mod literal;
+mod minimum;
 mod number;
 mod parse;
 mod polynomial;

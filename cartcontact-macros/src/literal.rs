@@ -9,6 +9,9 @@ const NUMERIC_SUFFIXES: [&str; 16] = [
     "u128", "usize",
 ];
 
+/// Of lengths and their inverses, as they are written behind a number.
+const UNITS: [&str; 6] = ["mm", "cm", "m", "um", "µm", "nm"];
+
 /// The number that a literal stands for, or the rule that it breaks.
 pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (negative, text) = text.strip_prefix('-').map_or((false, text), |text| (true, text));
@@ -23,7 +26,9 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (exponent, suffix) = split_exponent(rest);
     if !suffix.is_empty() {
         let written = text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_');
-        return Err(if NUMERIC_SUFFIXES.contains(&suffix) {
+        return Err(if UNITS.contains(&suffix) {
+            format!("numbers have no units; all lengths are in one unit, such as mm: write `{written}`")
+        } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {
             format!("`{text}` reads as one literal; write `{written} * {suffix}`")

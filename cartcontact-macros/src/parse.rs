@@ -7,6 +7,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::item::closest;
 use crate::literal;
 use crate::syntax::{Expression, Factor, Kind, Summand, Surface};
 
@@ -295,6 +296,9 @@ fn wrong_arguments(surface: &str) -> &'static str {
 }
 
 fn not_a_surface(name: &str) -> String {
+    if let Some(surface) = closest(name, ["sphere", "conic"].map(str::to_owned).into_iter()) {
+        return format!("`{name}` is not a surface; did you mean `{surface}`?");
+    }
     format!(
         "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a root \
          write `r^0.5`, for a product `*`"

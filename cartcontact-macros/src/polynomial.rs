@@ -106,7 +106,7 @@ impl Polynomial {
         if exponent.is_negative() || !exponent.is_integer() {
             return Err(
                 "a gap must be a sum of powers of r; a sum that contains r can neither be a divisor nor have \
-                        a root taken",
+                        a root taken, and a round surface is written `sphere(R)` or `conic(R, k)`",
             );
         }
         let exponent = exponent.to_u32().filter(|exponent| *exponent <= 4096);

@@ -115,7 +115,8 @@ pub fn inside_surfaces<T: Scalar, const N: usize>(
 ) -> Result<T, ProfileError> {
     let end = range?;
     let rim = |(radius, shape): (T, T)| radius.abs() / shape.abs().sqrt();
-    match surfaces.into_iter().map(rim).find(|rim| end.partial_cmp(rim) != Some(core::cmp::Ordering::Less)) {
+    let is_inside = |rim: &T| end < *rim;
+    match surfaces.into_iter().map(rim).find(|rim| !is_inside(rim)) {
         None => Ok(end),
         Some(rim) => Err(ProfileError::BeyondSurface {
             max_radius: end.value(),

@@ -157,6 +157,26 @@ fn nearly_touching() -> Gap {
     with_slope(&q, "1")
 }
 
+/// delta0' = 2 a (2 (1e20 a - 1)^2 + a^64): a minimum of 1e-1280 that is never 0.
+fn nearly_touching_from_above() -> Gap {
+    let mut q = vec![Rational::zero(); 65];
+    q[..3].clone_from_slice(&[exact("2"), exact("-4e20"), exact("2e40")]);
+    q[64] = exact("1");
+    with_slope(&q, "1")
+}
+
+/// delta0' = 2 a (T_64(2 a - 1) + 1 + 1e-40) with Chebyshev's polynomial: 32 minima just above 0.
+fn chebyshev_from_above() -> Gap {
+    let (mut last, mut next) = (vec![integer(1)], vec![integer(-1), integer(2)]);
+    for _ in 1..64 {
+        let mut after = product(&[vec![integer(-2), integer(4)], next.clone()]);
+        after.iter_mut().zip(&last).for_each(|(value, own)| *value -= own);
+        last = core::mem::replace(&mut next, after);
+    }
+    next[0] += exact("1") + exact("1e-40");
+    with_slope(&next, "1")
+}
+
 /// Alternating signs, magnitudes without order.
 fn of_all_magnitudes() -> Gap {
     gap((0..=64_usize).map(|power| {
@@ -175,12 +195,16 @@ fn degree_64_is_decided_at_once() {
     let apart = (0..31).map(|index| pair(&(index - 10).to_string(), "0.5"));
     let pairs =
         (1..9).map(|at| pair(&at.to_string(), "1e-12")).chain((10..34).map(|at| pair("-1", &at.to_string())));
+    let near = (1..33).map(|at| pair(&format!("{at}e-1"), "1e-9"));
     let cases = [
         ("64 roots", planted(&integers(1)), Some("1")),
         ("one root, 64 times", planted(&repeat(64, root("7.25"))), Some("7.25")),
         ("32 roots, twice each", planted(&twice), Some("3.125")),
         ("two roots 1e-100 apart", planted(&close.into_iter().chain(apart).collect::<Vec<_>>()), Some("1")),
         ("8 pairs 1e-12 off the axis", planted(&pairs.collect::<Vec<_>>()), None),
+        ("32 pairs 1e-9 off the axis", planted(&near.collect::<Vec<_>>()), None),
+        ("a minimum of 1e-1280", nearly_touching_from_above(), None),
+        ("32 minima of 1e-40", chebyshev_from_above(), None),
         ("two roots 1e-33 apart", nearly_touching(), Some("0.1")),
         ("coefficients from 1e-300 to 1e300", of_all_magnitudes(), Some("1e-300")),
     ];

@@ -126,8 +126,14 @@ fn signs_of_positive_fields_are_known() {
 }
 
 #[test]
-fn options_need_an_equals_sign() {
+fn likely_slips_are_understood() {
     for (text, rule) in [
+        ("r^2 max_radius = 6", "a comma is missing before `max_radius`"),
+        ("0,025*r^2", "write `0.025`"),
+        ("gap = r^2", "remove `gap =`"),
+        ("0.025mm*r^2", "numbers have no units"),
+        ("pi*r^2", "`3.14159265358979`"),
+        ("Sphere(10), order = 4", "did you mean `sphere`?"),
         ("r^2, max_radius: 6", "write it as in `max_radius = 6.0`"),
         ("r^2, max_radius 6", "write it as in `max_radius = 6.0`"),
         ("r^2, max-radius = 6", "write it as in `max_radius = 6.0`"),

@@ -1,0 +1,181 @@
+//! What `cartcontact` costs when a program is compiled: `cargo run --release -p tests --bin compile_cost`.
+//!
+//! First the expansion of an annotation, as what it adds to `cargo check` of a crate that ends in an error, so that
+//! the compiler stops once everything is expanded; then a clean build of a crate that uses `cartcontact`, against one
+//! that uses `serde` with its derive macro. Both builds have the same profile and an empty target directory, and take
+//! turns; the least of several counts. Processor time of all children is more reliable than the clock where other
+//! programs run, and is known on Linux only.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Annotated structs in a crate: so many that one takes longer than the clock's error.
+const STRUCTS: u32 = 20;
+const EXPANSIONS: usize = 5;
+const BUILDS: usize = 3;
+
+type Failure = Box<dyn Error>;
+
+/// Elapsed time, and processor time where it is known.
+#[derive(Clone, Copy, Debug)]
+struct Cost {
+    elapsed: Duration,
+    processor: Option<Duration>,
+}
+
+impl Cost {
+    const MOST: Self = Self { elapsed: Duration::MAX, processor: Some(Duration::MAX) };
+
+    fn least(self, other: Self) -> Self {
+        let processor = self.processor.zip(other.processor).map(|(own, other)| own.min(other));
+        Self { elapsed: self.elapsed.min(other.elapsed), processor }
+    }
+
+    /// What decides: processor time if there is one.
+    fn seconds(self) -> f64 {
+        self.processor.unwrap_or(self.elapsed).as_secs_f64()
+    }
+}
+
+fn main() -> Result<(), Failure> {
+    let folder = std::env::temp_dir().join(format!("cartcontact-compile-cost-{}", std::process::id()));
+    let result = expansions(&folder).and_then(|()| builds(&folder));
+    fs::remove_dir_all(&folder)?;
+    result
+}
+
+/// Every other pair of terms has the sign `sign`.
+fn sum(exponents: impl Iterator<Item = u32>, sign: char) -> String {
+    let terms = exponents.map(|n| format!("{} 1.234567e-{n} * r^{n}", if n % 4 > 1 { '+' } else { sign }));
+    terms.collect::<Vec<String>>().join(" ")
+}
+
+fn expansions(folder: &Path) -> Result<(), Failure> {
+    println!("expansion of one annotation, unoptimised as cargo builds macros by default");
+    let user = User::new(folder, "expansion", &cartcontact())?;
+    let mut empty = Cost::MOST;
+    for (name, attribute) in [
+        ("nothing", String::new()),
+        ("2 terms", "0.025 * r^2 + 1.09375e-4 * r^4".to_owned()),
+        ("10 terms", sum((2..22).step_by(2), '+')),
+        ("10 terms, signs mixed", sum((2..22).step_by(2), '-') + ", max_radius = 0.5"),
+        ("degree 64", sum(2..65, '+')),
+        ("degree 64, signs mixed", sum(2..65, '-') + ", max_radius = 0.5"),
+        ("two spheres, order 4", "sphere(10) - sphere(20), order = 4, max_radius = 6".to_owned()),
+        (
+            "two conics, order = auto",
+            "conic(10.37, -0.2) - sphere(20.11), order = auto, tolerance = 1e-9, max_radius = 7.1".to_owned(),
+        ),
+    ] {
+        let count = if attribute.is_empty() { 0 } else { STRUCTS };
+        let structs = (0..count)
+            .map(|index| format!("#[cartcontact::gap_profile({attribute})] pub struct S{index};\n"));
+        let source = structs.collect::<String>() + "compile_error!(\"stop here\");";
+        let mut cost = Cost::MOST;
+        for _ in 0..=EXPANSIONS {
+            // Cargo takes files for new by their time, and a run that failed is repeated anyway.
+            fs::write(user.folder.join("src/lib.rs"), &source)?;
+            cost = cost.least(user.cargo(&["check"])?.0);
+        }
+        if count == 0 {
+            empty = cost;
+        } else {
+            println!("{name:26} {:6.1} ms", 1e3 * (cost.seconds() - empty.seconds()) / f64::from(count));
+        }
+    }
+    Ok(())
+}
+
+fn builds(folder: &Path) -> Result<(), Failure> {
+    let users = [
+        (
+            "cartcontact, libm",
+            User::new(folder, "cartcontact-user", &cartcontact())?,
+            "#[cartcontact::gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)] pub struct Patellofemoral;",
+        ),
+        (
+            "serde, derive",
+            User::new(folder, "serde-user", "serde = { version = \"1\", features = [\"derive\"] }")?,
+            "#[derive(serde::Serialize, serde::Deserialize)] pub struct Patellofemoral { pub radius: f64 }",
+        ),
+    ];
+    let mut costs = [Cost::MOST; 2];
+    for ((_, user, source), _) in users.iter().zip(&costs) {
+        fs::write(user.folder.join("src/lib.rs"), source)?;
+    }
+    for _ in 0..BUILDS {
+        for ((name, user, _), cost) in users.iter().zip(&mut costs) {
+            let target = user.folder.join("target");
+            if target.exists() {
+                fs::remove_dir_all(target)?;
+            }
+            let (own, succeeded) = user.cargo(&["build"])?;
+            if !succeeded {
+                return Err(format!("the crate that uses {name} does not build").into());
+            }
+            *cost = cost.least(own);
+        }
+    }
+    println!("\nclean build of a crate that uses it, elapsed and of the processor");
+    for ((name, ..), cost) in users.iter().zip(&costs) {
+        let processor = cost
+            .processor
+            .map_or_else(|| "unknown".to_owned(), |time| format!("{:.2} s", time.as_secs_f64()));
+        println!("{name:20} {:6.2} s, {processor}", cost.elapsed.as_secs_f64());
+    }
+    let [own, serde] = costs;
+    println!("ratio {:.2}, of the processor's times", own.seconds() / serde.seconds());
+    println!("ratio {:.2}, of elapsed times", own.elapsed.as_secs_f64() / serde.elapsed.as_secs_f64());
+    Ok(())
+}
+
+fn cartcontact() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cartcontact");
+    format!("cartcontact = {{ path = {path:?}, default-features = false, features = [\"libm\"] }}")
+}
+
+/// A crate of a user.
+struct User {
+    folder: PathBuf,
+}
+
+impl User {
+    /// Writes its manifest and fetches what it depends on, which is not measured.
+    fn new(folder: &Path, name: &str, dependency: &str) -> Result<Self, Failure> {
+        let folder = folder.join(name);
+        fs::create_dir_all(folder.join("src"))?;
+        let manifest = format!(
+            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\n{dependency}\n\n[workspace]\n"
+        );
+        fs::write(folder.join("Cargo.toml"), manifest)?;
+        fs::write(folder.join("src/lib.rs"), "")?;
+        let user = Self { folder };
+        let fetched = Command::new(env!("CARGO")).arg("fetch").current_dir(&user.folder).status()?;
+        if fetched.success() { Ok(user) } else { Err("cargo fetch failed".into()) }
+    }
+
+    /// Runs cargo, and tells whether it succeeded.
+    fn cargo(&self, arguments: &[&str]) -> Result<(Cost, bool), Failure> {
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(arguments).arg("--offline").current_dir(&self.folder);
+        cargo.env("CARGO_TARGET_DIR", self.folder.join("target")).stdout(Stdio::null()).stderr(Stdio::null());
+        let (start, before) = (Instant::now(), time_of_children());
+        let status = cargo.status()?;
+        let elapsed = start.elapsed();
+        let processor = time_of_children().zip(before).map(|(after, before)| after - before);
+        Ok((Cost { elapsed, processor }, status.success()))
+    }
+}
+
+/// The processor time of the processes that this one has waited for: fields 16 and 17 of `/proc/self/stat`, in
+/// hundredths of a second (proc(5)), behind the name in parentheses, which is field 2.
+fn time_of_children() -> Option<Duration> {
+    let stat = fs::read_to_string("/proc/self/stat").ok()?;
+    let (_, fields) = stat.rsplit_once(')')?;
+    let ticks = fields.split_whitespace().skip(13).take(2).map(str::parse::<u64>);
+    let ticks = ticks.sum::<Result<u64, _>>().ok()?;
+    Some(Duration::from_millis(10 * ticks))
+}
