@@ -36,6 +36,10 @@ const _: () = {
         clippy::multiple_bound_locations,
         reason = "the struct may bound its parameter in place"
     )]
+    #[allow(
+        clippy::possible_missing_comma,
+        reason = "generated operators seem to span an attribute's lines"
+    )]
     #[inline]
     fn coefficients<T>(profile: &Ball) -> [T; 2usize]
     where
