@@ -12,7 +12,6 @@
 
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -54,7 +53,6 @@ fn run() -> Result<(), Box<dyn Error>> {
     write_differences(&mut out, consistent, printed)?;
 
     let folder = Path::new(FOLDER);
-    fs::create_dir_all(folder).map_err(|error| format!("cannot create {FOLDER}: {error}"))?;
     let history = folder.join("figure_2_history.svg");
     figure::write(&history, 68.0, &history_panels(consistent, printed)?)?;
     let pressures = [pressure_panel("consistent", consistent)?, pressure_panel("as printed", printed)?];

@@ -5,6 +5,8 @@ use std::fs;
 use std::ops::Range;
 use std::path::Path;
 
+use plotters::chart::MeshStyle;
+use plotters::coord::ranged1d::Ranged;
 use plotters::coord::{CoordTranslate, Shift};
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
@@ -15,11 +17,11 @@ const PIXELS_PER_MM: f64 = 100.0;
 
 // Lengths on the page, in mm.
 const WIDTH: f64 = 180.0;
-const LEGEND_ROW: f64 = 6.0;
-const TITLE: f64 = 6.0;
-const LEFT: f64 = 13.0;
-const RIGHT: f64 = 3.0;
-const BOTTOM: f64 = 9.0;
+pub(crate) const LEGEND_ROW: f64 = 6.0;
+pub(crate) const TITLE: f64 = 6.0;
+pub(crate) const LEFT: f64 = 13.0;
+pub(crate) const RIGHT: f64 = 3.0;
+pub(crate) const BOTTOM: f64 = 9.0;
 /// 8 points.
 const TYPE_SIZE: f64 = 8.0 * 25.4 / 72.0;
 
@@ -35,7 +37,7 @@ pub enum Ink {
 }
 
 impl Ink {
-    fn color(self) -> RGBColor {
+    pub(crate) fn color(self) -> RGBColor {
         match self {
             Self::Blue => RGBColor(0, 48, 107),
             Self::Vermilion => RGBColor(213, 94, 0),
@@ -97,19 +99,36 @@ pub struct Panel {
 ///
 /// If the file cannot be written.
 pub fn write(path: &Path, height: f64, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
+    save(path, height, |canvas| draw(canvas, panels))
+}
+
+/// Writes what is drawn on a page of a height in mm; the folder is made if there is none.
+pub(crate) fn save(
+    path: &Path,
+    height: f64,
+    draw: impl FnOnce(&Canvas<'_>) -> Result<(), Box<dyn Error>>,
+) -> Result<(), Box<dyn Error>> {
     let size = (pixels(WIDTH) as u32, pixels(height) as u32);
     let mut svg = String::new();
-    draw(&SVGBackend::with_string(&mut svg, size).into_drawing_area(), panels)?;
+    {
+        let canvas = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        canvas.fill(&WHITE)?;
+        draw(&canvas)?;
+        canvas.present()?;
+    }
     let in_pixels = format!(r#"width="{}" height="{}""#, size.0, size.1);
     let in_mm = format!(r#"width="{WIDTH}mm" height="{height}mm""#);
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(|error| format!("cannot create {}: {error}", folder.display()))?;
+    }
     fs::write(path, svg.replacen(&in_pixels, &in_mm, 1))
         .map_err(|error| format!("cannot write {}: {error}", path.display()).into())
 }
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// A page or a part of it.
+pub(crate) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 fn draw(canvas: &Canvas<'_>, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
-    canvas.fill(&WHITE)?;
     let curves = panels.first().map_or(&[][..], |panel| &panel.curves);
     let rows = curves.len().div_ceil(LEGEND_COLUMNS).max(1);
     let columns = curves.len().div_ceil(rows);
@@ -120,7 +139,6 @@ fn draw(canvas: &Canvas<'_>, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
     for (area, panel) in plots.split_evenly((1, panels.len())).iter().zip(panels) {
         draw_panel(area, panel)?;
     }
-    canvas.present()?;
     Ok(())
 }
 
@@ -128,19 +146,25 @@ fn draw(canvas: &Canvas<'_>, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
 ///
 /// plotters has legends too, but they guess how wide the text is.
 fn draw_legend_entry(slot: &Canvas<'_>, curve: &Curve) -> Result<(), Box<dyn Error>> {
-    let (start, end, middle) = (pixels(2.0), pixels(11.0), pixels(LEGEND_ROW / 2.0));
-    draw_line(slot, &[(start, middle), (end, middle)], curve)?;
-    let name = text().pos(Pos::new(HPos::Left, VPos::Center));
-    slot.draw_text(&curve.name, &name, (end + pixels(1.5), middle))?;
+    draw_line(slot, &legend_sample(), curve)?;
+    draw_legend_name(slot, &curve.name)
+}
+
+/// The ends of the line in an entry of the legend.
+pub(crate) fn legend_sample() -> [(i32, i32); 2] {
+    [2.0, 11.0].map(|x| (pixels(x), pixels(LEGEND_ROW / 2.0)))
+}
+
+pub(crate) fn draw_legend_name(slot: &Canvas<'_>, name: &str) -> Result<(), Box<dyn Error>> {
+    let [_, (end, middle)] = legend_sample();
+    let style = text().pos(Pos::new(HPos::Left, VPos::Center));
+    slot.draw_text(name, &style, (end + pixels(1.5), middle))?;
     Ok(())
 }
 
 fn draw_panel(area: &Canvas<'_>, panel: &Panel) -> Result<(), Box<dyn Error>> {
     if let Some(title) = &panel.title {
-        let (width, _) = area.dim_in_pixel();
-        let middle = (width as i32 + pixels(LEFT - RIGHT)) / 2;
-        let style = text().pos(Pos::new(HPos::Center, VPos::Center));
-        area.draw_text(title, &style, (middle, pixels(TITLE / 2.0)))?;
+        draw_title(area, title)?;
     }
     let mut chart = ChartBuilder::on(area)
         .margin_top(pixels(if panel.title.is_some() { TITLE } else { 1.0 }))
@@ -149,17 +173,9 @@ fn draw_panel(area: &Canvas<'_>, panel: &Panel) -> Result<(), Box<dyn Error>> {
         .x_label_area_size(pixels(BOTTOM))
         .y_label_area_size(pixels(LEFT - 1.0))
         .build_cartesian_2d(0.0..panel.x_end, vertical_range(&panel.curves))?;
-    chart
-        .configure_mesh()
-        .axis_style(BLACK.stroke_width(thickness(0.25)))
-        .bold_line_style(BLACK.mix(0.15).stroke_width(thickness(0.15)))
-        .light_line_style(TRANSPARENT)
-        .set_all_tick_mark_size(pixels(0.7))
-        .label_style(text())
+    plain(&mut chart.configure_mesh())
         .x_labels(5)
         .y_labels(6)
-        // plotters centres text as if it were lower case; digits are taller.
-        .y_label_offset(pixels(0.3))
         .x_label_formatter(&|value| format!("{value:.0$}", panel.x.decimals))
         .y_label_formatter(&|value| format!("{value:.0$}", panel.y.decimals))
         .x_desc(panel.x.label)
@@ -171,6 +187,28 @@ fn draw_panel(area: &Canvas<'_>, panel: &Panel) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// The line above a plot, centred on it.
+pub(crate) fn draw_title(area: &Canvas<'_>, title: &str) -> Result<(), Box<dyn Error>> {
+    let (width, _) = area.dim_in_pixel();
+    let middle = (width as i32 + pixels(LEFT - RIGHT)) / 2;
+    let style = text().pos(Pos::new(HPos::Center, VPos::Center));
+    area.draw_text(title, &style, (middle, pixels(TITLE / 2.0)))?;
+    Ok(())
+}
+
+/// Thin axes and a faint grid, with the type of the page.
+pub(crate) fn plain<'m, 'a, 'b, 'c, X: Ranged, Y: Ranged>(
+    mesh: &'m mut MeshStyle<'a, 'b, X, Y, SVGBackend<'c>>,
+) -> &'m mut MeshStyle<'a, 'b, X, Y, SVGBackend<'c>> {
+    mesh.axis_style(BLACK.stroke_width(thickness(0.25)))
+        .bold_line_style(BLACK.mix(0.15).stroke_width(thickness(0.15)))
+        .light_line_style(TRANSPARENT)
+        .set_all_tick_mark_size(pixels(0.7))
+        .label_style(text())
+        // plotters centres text as if it were lower case; digits are taller.
+        .y_label_offset(pixels(0.3))
+}
+
 /// The range of the curves with some room, but none below zero, where the quantities cannot be.
 fn vertical_range(curves: &[Curve]) -> Range<f64> {
     let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
@@ -180,7 +218,7 @@ fn vertical_range(curves: &[Curve]) -> Range<f64> {
     (low - room).max(0.0)..high + room
 }
 
-fn draw_line<C>(
+pub(crate) fn draw_line<C>(
     area: &DrawingArea<SVGBackend<'_>, C>,
     points: &[C::From],
     curve: &Curve,
@@ -202,15 +240,15 @@ where
     Ok(())
 }
 
-fn text() -> TextStyle<'static> {
+pub(crate) fn text() -> TextStyle<'static> {
     // plotters writes a type size of 1/1.24 of what it is given.
     ("sans-serif", TYPE_SIZE * PIXELS_PER_MM * 1.24).into()
 }
 
-fn pixels(mm: f64) -> i32 {
+pub(crate) fn pixels(mm: f64) -> i32 {
     (mm * PIXELS_PER_MM).round() as i32
 }
 
-fn thickness(mm: f64) -> u32 {
+pub(crate) fn thickness(mm: f64) -> u32 {
     pixels(mm) as u32
 }

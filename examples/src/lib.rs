@@ -1,7 +1,10 @@
 //! What the examples share.
 
 pub mod figure;
+pub mod histogram;
 pub mod load_record;
+pub mod log_log;
+pub mod options;
 
 use std::error::Error;
 use std::io;

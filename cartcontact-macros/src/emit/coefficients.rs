@@ -90,6 +90,7 @@ impl<'a> Coefficients<'a> {
         let fields = self.fields(&quote!(#profile), &needed);
         quote! {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
+            #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
             #[inline]
             fn coefficients #impl_generics (#profile: &#ident #type_generics) -> [#scalar; #count] #where_clause {
                 #fields

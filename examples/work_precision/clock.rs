@@ -1,0 +1,36 @@
+//! The time that a result takes.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use crate::scenes::{SCENES, Scene};
+
+/// How long one method is repeated.
+const PATIENCE: Duration = Duration::from_millis(40);
+/// A repetition lasts at least so long, many times what reading the clock takes.
+const SHORTEST: Duration = Duration::from_micros(20);
+
+/// The time per result in ns, a mean over the scenes.
+///
+/// It is the shortest of many repetitions: whatever else the machine does can only make one longer.
+pub(crate) fn nanoseconds(solve: impl Fn(&Scene) -> f64) -> f64 {
+    let repetition = |rounds: u32| {
+        let start = Instant::now();
+        for _ in 0..rounds {
+            for scene in &SCENES {
+                black_box(solve(black_box(scene)));
+            }
+        }
+        start.elapsed()
+    };
+    let mut rounds = 1;
+    while repetition(rounds) < SHORTEST {
+        rounds *= 2;
+    }
+    let start = Instant::now();
+    let mut shortest = Duration::MAX;
+    while start.elapsed() < PATIENCE {
+        shortest = shortest.min(repetition(rounds));
+    }
+    1e9 * shortest.as_secs_f64() / (f64::from(rounds) * SCENES.len() as f64)
+}
