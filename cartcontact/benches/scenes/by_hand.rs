@@ -100,9 +100,10 @@ fn place(load_integral: f64) -> (usize, f32) {
     (index as usize, f32::from_bits((bits >> 29) as u32 & 0x007f_ffff | 0x3f80_0000))
 }
 
+/// Two halves side by side: a multiplication more than Horner's rule, and a shorter wait.
 #[inline(always)]
-const fn cubic(row: &[f32; 4], u: f32) -> f32 {
-    row[0] + u * (row[1] + u * (row[2] + u * row[3]))
+fn cubic(row: &[f32; 4], u: f32) -> f32 {
+    (row[0] + u * row[1]) + u * u * (row[2] + u * row[3])
 }
 
 /// a − a f aJ′ / ((aJ′)² − f a²J″/2) with f = J − y, everything over J8 s³, in s = a².
