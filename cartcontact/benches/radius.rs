@@ -1,43 +1,113 @@
-//! The contact radius: generated solvers beside the closed form (18), a run-time polynomial and `roots`.
+//! The contact radius, in units of `powf`, which is what the closed form (18) of a single power costs.
+//!
+//! Throughput is the time of one of many independent values, latency that of one in a chain where each load
+//! integral waits for the radius before it. All are taken in the same two loops, `powf` too; the library's path
+//! for slices has its own. Beside the generated solvers stand one written by hand for its geometry, the run-time
+//! polynomial, and `roots`.
 
 mod scenes;
 
 use std::hint::black_box;
+use std::time::Duration;
 
-use cartcontact::GapProfile;
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use scenes::{FourTerm, Paraboloid, Patellofemoral, load_integrals, radius_by_roots, run_time};
+use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use scenes::{
+    Ball, FourTerm, Paraboloid, Patellofemoral, TERMS, ThreeTerm, by_hand, load_integrals, radius_by_roots,
+};
+
+type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
 fn radius(criterion: &mut Criterion) {
-    let targets = load_integrals();
-    let polynomial = run_time();
+    let mut group = start(criterion, "radius f64");
+    let targets = load_integrals::<f64>();
+    solvers(&mut group, &targets);
+    function(&mut group, "two terms, by hand", &targets, by_hand::radius);
+    function(&mut group, "two terms, by hand, Newton", &targets, by_hand::radius_by_newton);
+    function(&mut group, "two terms, roots", &targets, radius_by_roots);
+    slice(&mut group, "two terms, by hand", &targets, |targets, radii| {
+        by_hand::radii(targets, radii);
+        Ok(())
+    });
+    group.finish();
 
-    let mut group = criterion.benchmark_group("radius");
-    group.throughput(Throughput::Elements(targets.len() as u64));
-    group.bench_function("powf, closed form (18)", |b| {
-        b.iter(|| targets.iter().map(|&target| (black_box(target) * 480.0).powf(1.0 / 6.0)).sum::<f64>());
-    });
-    group.bench_function("generated, one term", |b| {
-        b.iter(|| targets.iter().map(|&target| radius_of(&Paraboloid, target)).sum::<f64>());
-    });
-    group.bench_function("generated, two terms", |b| {
-        b.iter(|| targets.iter().map(|&target| radius_of(&Patellofemoral, target)).sum::<f64>());
-    });
-    group.bench_function("generated, four terms", |b| {
-        b.iter(|| targets.iter().map(|&target| radius_of(&FourTerm, target)).sum::<f64>());
-    });
-    group.bench_function("Polynomial, two terms", |b| {
-        b.iter(|| targets.iter().map(|&target| radius_of(&polynomial, target)).sum::<f64>());
-    });
-    group.bench_function("roots, two terms", |b| {
-        b.iter(|| targets.iter().map(|&target| radius_by_roots(black_box(target))).sum::<f64>());
-    });
+    let mut group = start(criterion, "radius f32");
+    solvers(&mut group, &load_integrals::<f32>());
     group.finish();
 }
 
-fn radius_of(profile: &impl GapProfile<f64>, target: f64) -> f64 {
-    profile.radius(black_box(target)).unwrap_or(0.0)
+/// The evaluators beside the same written by hand.
+fn evaluators(criterion: &mut Criterion) {
+    let mut group = start(criterion, "evaluators f64");
+    let mut radii: Vec<f64> = load_integrals();
+    radii.iter_mut().for_each(|y| *y = by_hand::radius(*y));
+    function(&mut group, "approach", &radii, |a| Patellofemoral.approach(a));
+    function(&mut group, "approach, by hand", &radii, by_hand::approach);
+    function(&mut group, "load integral", &radii, |a| Patellofemoral.load_integral(a));
+    function(&mut group, "load integral, by hand", &radii, by_hand::load_integral);
+    function(&mut group, "pressure kernel", &radii, |a| Patellofemoral.pressure_kernel(a, 3.0));
+    function(&mut group, "pressure kernel, by hand", &radii, |a| by_hand::pressure_kernel(a, 3.0));
+    group.finish();
 }
 
-criterion_group!(benches, radius);
+fn start<'a>(criterion: &'a mut Criterion, name: &str) -> Group<'a> {
+    let mut group = criterion.benchmark_group(name);
+    group.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500));
+    group
+}
+
+fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
+    let sixth = black_box(T::constant(1.0 / 6.0));
+    function(group, "powf", targets, |target| target.powf(sixth));
+    profile(group, "one term", targets, &Paraboloid);
+    profile(group, "two terms", targets, &Patellofemoral);
+    profile(group, "three terms", targets, &ThreeTerm);
+    profile(group, "four terms", targets, &FourTerm);
+    profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
+    if let Ok(polynomial) = Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))) {
+        profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
+    }
+}
+
+fn profile<T: Scalar>(group: &mut Group<'_>, name: &str, targets: &[T], profile: &impl GapProfile<T>) {
+    function(group, name, targets, |target| profile.radius(target).unwrap_or(T::zero()));
+    slice(group, name, targets, |targets, radii| profile.radii(targets, radii));
+}
+
+/// The throughput and the latency of a function.
+fn function<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: impl Fn(T) -> T) {
+    group.throughput(Throughput::Elements(arguments.len() as u64));
+    let mut values = vec![T::zero(); arguments.len()];
+    group.bench_function(BenchmarkId::new("throughput", name), |bencher| {
+        bencher.iter(|| {
+            for (value, &argument) in black_box(&mut values[..]).iter_mut().zip(black_box(arguments)) {
+                *value = f(argument);
+            }
+        });
+    });
+    // So small that it changes no argument.
+    let link = black_box(T::constant(1e-30));
+    group.bench_function(BenchmarkId::new("latency", name), |bencher| {
+        bencher.iter(|| {
+            black_box(arguments).iter().fold(T::zero(), |last, &argument| f(argument + last * link))
+        });
+    });
+}
+
+/// The throughput of a function of slices.
+fn slice<T: Scalar>(
+    group: &mut Group<'_>,
+    name: &str,
+    arguments: &[T],
+    f: impl Fn(&[T], &mut [T]) -> Result<(), RadiusError>,
+) {
+    group.throughput(Throughput::Elements(arguments.len() as u64));
+    let mut values = vec![T::zero(); arguments.len()];
+    group.bench_function(BenchmarkId::new("slice", name), |bencher| {
+        bencher.iter(|| f(black_box(arguments), black_box(&mut values)));
+    });
+}
+
+criterion_group!(benches, radius, evaluators);
 criterion_main!(benches);

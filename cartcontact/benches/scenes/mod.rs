@@ -1,10 +1,12 @@
 //! The scenes that the benchmarks share, and the paper's formulas as printed to compare with.
 #![allow(dead_code, reason = "every benchmark uses a part of it")]
 
+pub(crate) mod by_hand;
+
 use std::hint::black_box;
 
 use cartcontact::load::Load;
-use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile, load};
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
 use gauss_quad::GaussLegendre;
 use roots::{SimpleConvergency, find_root_newton_raphson};
 
@@ -14,8 +16,20 @@ pub(crate) struct Paraboloid;
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
 pub(crate) struct Patellofemoral;
 
+#[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6)]
+pub(crate) struct ThreeTerm;
+
 #[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6 + 3e-8 * r^8)]
 pub(crate) struct FourTerm;
+
+/// A ball on a plane, in powers of r up to the fourth.
+#[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3))]
+pub(crate) struct Ball<T> {
+    pub(crate) radius: T,
+}
+
+/// The terms of [`Patellofemoral`].
+pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 
 /// The profile of [`Patellofemoral`], known at run time only.
 pub(crate) type RunTime = Polynomial<f64, [(f64, f64); 2]>;
@@ -29,7 +43,7 @@ pub(crate) const STIFFNESS: f64 = 0.375;
 /// Never: the constants are valid.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
 pub(crate) fn run_time() -> RunTime {
-    Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)]).expect("a valid profile")
+    Polynomial::new(TERMS).expect("a valid profile")
 }
 
 /// The paper's scene: 100 N on the patellofemoral joint.
@@ -57,9 +71,10 @@ pub(crate) fn pressure_at<P: GapProfile<f64>, L: Load<f64>>(
     contact.at(black_box(t)).expect("a solution").pressure(black_box(r))
 }
 
-/// 64 load integrals spread over a load range of 1 : 1000, so that no branch is learnt by heart.
-pub(crate) fn load_integrals() -> Vec<f64> {
-    (0..64).map(|k| 10.0 * 1000f64.powf(f64::from(k * 37 % 64) / 63.0)).collect()
+/// 1024 load integrals spread over a load range of 1 : 1000, so that no branch is learnt by heart; they and their
+/// radii fit in the nearest cache.
+pub(crate) fn load_integrals<T: Scalar>() -> Vec<T> {
+    (0..1024).map(|k| T::constant(10.0 * 1000f64.powf(f64::from(k * 389 % 1024) / 1023.0))).collect()
 }
 
 /// J and J′ of [`Patellofemoral`], written by hand.

@@ -1,0 +1,147 @@
+//! Instructions that the hot functions take, counted by valgrind; `.ci/instructions` compares the counts with
+//! those in `instructions.txt`.
+//!
+//! Functions of a number are called for 1024 of them, one by one, so that what surrounds the calls hardly counts.
+#![allow(missing_docs, reason = "the modules that the attribute makes have no documentation")]
+
+mod scenes;
+
+use std::hint::black_box;
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, GapProfile, Medium, Scalar};
+use gungraun::prelude::*;
+use scenes::{
+    Ball, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, STIFFNESS, ThreeTerm, by_hand, contact,
+    load_integrals, run_time,
+};
+
+/// A profile with load integrals and places for their radii.
+fn targets<T: Scalar, P>(profile: P) -> (P, Vec<T>, Vec<T>) {
+    let targets = load_integrals();
+    let radii = vec![T::zero(); targets.len()];
+    (profile, targets, radii)
+}
+
+/// A profile with contact radii and places for values there.
+fn radii<P>(profile: P) -> (P, Vec<f64>, Vec<f64>) {
+    let (profile, mut radii, values) = targets(profile);
+    radii.iter_mut().for_each(|target| *target = by_hand::radius(*target));
+    (profile, radii, values)
+}
+
+type Given<P, T> = (P, Vec<T>, Vec<T>);
+
+/// The values of a function, which the compiler may not compute several at a time.
+#[inline(always)]
+fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(&P, T) -> T) -> Given<P, T> {
+    for (value, &argument) in values.iter_mut().zip(&arguments) {
+        *value = f(&profile, black_box(argument));
+    }
+    (profile, arguments, values)
+}
+
+#[library_benchmark(setup = targets::<f64, _>)]
+#[bench::one_term(Paraboloid)]
+#[bench::two_terms(Patellofemoral)]
+#[bench::three_terms(ThreeTerm)]
+#[bench::four_terms(FourTerm)]
+#[bench::with_a_field(Ball { radius: 20.0 })]
+#[bench::polynomial(run_time())]
+fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
+    each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
+}
+
+#[library_benchmark(setup = targets::<f32, _>)]
+#[bench::two_terms(Patellofemoral)]
+fn radius_f32<P: GapProfile<f32>>(given: Given<P, f32>) -> Given<P, f32> {
+    each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
+}
+
+#[library_benchmark(setup = targets::<f64, _>)]
+#[bench::by_hand(())]
+fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
+    each(given, |(), target| by_hand::radius(target))
+}
+
+#[library_benchmark(setup = targets::<f64, _>)]
+#[bench::one_term(Paraboloid)]
+#[bench::two_terms(Patellofemoral)]
+#[bench::four_terms(FourTerm)]
+fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, f64>) -> Given<P, f64> {
+    // The lengths are equal and the loads are in range.
+    let _ = profile.radii(&targets, &mut radii);
+    (profile, targets, radii)
+}
+
+#[library_benchmark(setup = radii)]
+#[bench::two_terms(Patellofemoral)]
+fn approach<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
+    each(given, |profile, a| profile.approach(a))
+}
+
+#[library_benchmark(setup = radii)]
+#[bench::two_terms(Patellofemoral)]
+fn load_integral<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
+    each(given, |profile, a| profile.load_integral(a))
+}
+
+#[library_benchmark(setup = radii)]
+#[bench::two_terms(Patellofemoral)]
+fn pressure_kernel<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
+    each(given, |profile, a| profile.pressure_kernel(a, 3.0))
+}
+
+type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
+
+/// A load that rises in 100 uneven steps.
+///
+/// # Panics
+///
+/// If it has no solution: counting the instructions of an error would be of no use.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+fn measured() -> Contact<f64, Patellofemoral, Knots> {
+    let knots = (0..100).map(|k| (2.0 * f64::from(k), LOAD * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
+    let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
+    let load = PiecewiseLinear::new(knots).expect("a valid load");
+    let contact = Contact::new(Patellofemoral, medium, load).expect("a valid contact");
+    contact.at(400.0).expect("a contact that never shrinks");
+    contact
+}
+
+#[library_benchmark]
+#[bench::constant_load(contact(Patellofemoral))]
+#[bench::hundred_knots(measured())]
+fn cold_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
+    contact.at(black_box(200.0)).map_or(0.0, |now| now.pressure(black_box(3.0)))
+}
+
+struct Field<L> {
+    contact: Contact<f64, Patellofemoral, L>,
+    times: Vec<f64>,
+    radii: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// 100 times and 100 radii, some of them outside the contact.
+fn empty<L>(contact: Contact<f64, Patellofemoral, L>) -> Field<L> {
+    let steps = |end: f64| (0..100).map(|k| end * f64::from(k) / 99.0).collect();
+    Field { contact, times: steps(400.0), radii: steps(9.0), values: vec![0.0; 10_000] }
+}
+
+#[library_benchmark(setup = empty)]
+#[bench::constant_load(contact(Patellofemoral))]
+#[bench::hundred_knots(measured())]
+fn field<L: Load<f64>>(mut field: Field<L>) -> Field<L> {
+    // The shape is right and the times are in range.
+    let _ = field.contact.pressure_field(&field.times, &field.radii, &mut field.values);
+    field
+}
+
+library_benchmark_group!(
+    name = profile,
+    benchmarks =
+        [radius, radius_f32, radius_by_hand, radii_of_a_slice, approach, load_integral, pressure_kernel]
+);
+library_benchmark_group!(name = pressure, benchmarks = [cold_pressure, field]);
+main!(library_benchmark_groups = [profile, pressure]);

@@ -1,0 +1,102 @@
+//! The ratios: what is divided by what, and what is asked of it.
+
+use crate::measurements::Measurements;
+
+/// A line of the table.
+pub(crate) struct Item {
+    pub(crate) result: String,
+    pub(crate) asked: Option<Asked>,
+    /// None if one of the two was not measured.
+    pub(crate) ratio: Option<f64>,
+}
+
+#[derive(Clone, Copy)]
+pub(crate) enum Asked {
+    AtMost(f64),
+    AtLeast(f64),
+}
+use Asked::{AtLeast, AtMost};
+
+impl Asked {
+    pub(crate) fn holds(self, ratio: f64) -> bool {
+        match self {
+            AtMost(bound) => ratio <= bound,
+            AtLeast(bound) => ratio >= bound,
+        }
+    }
+}
+
+/// The power function, one of many independent values, in double precision.
+const POWF: &str = "radius f64/throughput/powf";
+
+/// Result, what is asked, the measurement, and what it is divided by.
+type Line = (&'static str, Option<Asked>, &'static str, &'static str);
+
+/// Nanoseconds, where a time is asked for and not a ratio.
+const NANOSECOND: &str = "";
+
+#[rustfmt::skip]
+const LINES: &[Line] = &[
+    ("radius, one term", Some(AtMost(1.0)), "radius f64/throughput/one term", POWF),
+    ("radius, one term, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term", POWF),
+    ("radius, two terms", Some(AtMost(0.25)), "radius f64/throughput/two terms", POWF),
+    ("radius, two terms, latency over that of `powf`", Some(AtMost(0.7)), "radius f64/latency/two terms", "radius f64/latency/powf"),
+    ("radius, two terms, of a slice", Some(AtMost(0.12)), "radius f64/slice/two terms", POWF),
+    ("radius, three terms", Some(AtMost(0.25)), "radius f64/throughput/three terms", POWF),
+    ("radius, three terms, latency over that of `powf`", Some(AtMost(0.7)), "radius f64/latency/three terms", "radius f64/latency/powf"),
+    ("radius, three terms, of a slice", Some(AtMost(0.12)), "radius f64/slice/three terms", POWF),
+    ("radius, four terms", None, "radius f64/throughput/four terms", POWF),
+    ("radius, four terms, of a slice", None, "radius f64/slice/four terms", POWF),
+    ("radius, two terms with a field", None, "radius f64/throughput/two terms with a field", POWF),
+    ("radius, two terms, `Polynomial`", None, "radius f64/throughput/two terms, Polynomial", POWF),
+    ("radius, two terms, by the crate `roots`", None, "radius f64/throughput/two terms, roots", POWF),
+    ("radius, two terms, f32, over `powf` in f32", None, "radius f32/throughput/two terms", "radius f32/throughput/powf"),
+    ("radius, two terms, f32, of a slice, over `powf` in f32", None, "radius f32/slice/two terms", "radius f32/throughput/powf"),
+    ("one pressure, radius included, constant load", Some(AtMost(15.0)), "pressure/generated, constant load", POWF),
+    ("one pressure under a load of 100 knots", Some(AtMost(40.0)), "pressure/generated, 100 knots", POWF),
+    ("one pressure, formulas as printed, `gauss-quad`, `roots`", None, "pressure/as printed (25)-(27), gauss-quad and roots", POWF),
+    ("1000 × 1000 pressures over filling the memory", Some(AtMost(1.5)), "field/pressure_field/1000 x 1000", "field/fill with a constant/1000 x 1000"),
+    ("250 × 4000 pressures over filling the memory", Some(AtMost(1.5)), "field/pressure_field/250 x 4000", "field/fill with a constant/250 x 4000"),
+    ("4000 × 250 pressures over filling the memory", Some(AtMost(2.5)), "field/pressure_field/4000 x 250", "field/fill with a constant/4000 x 250"),
+    ("(26)–(27) at every point over 1000 × 1000 pressures", Some(AtLeast(300.0)), "field/as printed (26)-(27) at every point/100 x 100", "field/pressure_field/1000 x 1000"),
+    ("`Contact::new` for a new patient", Some(AtMost(30.0)), "scenes/Contact::new", POWF),
+    ("a scene of a parametric study, ns", Some(AtMost(500.0)), "scenes/study", NANOSECOND),
+    ("radius over the same by hand", Some(AtMost(1.05)), "radius f64/throughput/two terms", "radius f64/throughput/two terms, by hand"),
+    ("radius over the same by hand, latency", Some(AtMost(1.05)), "radius f64/latency/two terms", "radius f64/latency/two terms, by hand"),
+    ("radius over the same by hand, of a slice", Some(AtMost(1.05)), "radius f64/slice/two terms", "radius f64/slice/two terms, by hand"),
+    ("radius over Newton's method by hand", None, "radius f64/throughput/two terms", "radius f64/throughput/two terms, by hand, Newton"),
+    ("approach over the same by hand", Some(AtMost(1.05)), "evaluators f64/throughput/approach", "evaluators f64/throughput/approach, by hand"),
+    ("approach over the same by hand, latency", Some(AtMost(1.05)), "evaluators f64/latency/approach", "evaluators f64/latency/approach, by hand"),
+    ("load integral over the same by hand", Some(AtMost(1.05)), "evaluators f64/throughput/load integral", "evaluators f64/throughput/load integral, by hand"),
+    ("load integral over the same by hand, latency", Some(AtMost(1.05)), "evaluators f64/latency/load integral", "evaluators f64/latency/load integral, by hand"),
+    ("pressure kernel over the same by hand", Some(AtMost(1.05)), "evaluators f64/throughput/pressure kernel", "evaluators f64/throughput/pressure kernel, by hand"),
+    ("pressure kernel over the same by hand, latency", Some(AtMost(1.05)), "evaluators f64/latency/pressure kernel", "evaluators f64/latency/pressure kernel, by hand"),
+];
+
+/// The lines above, and one for everything that a scene can do without.
+pub(crate) fn items(measurements: &Measurements) -> Vec<Item> {
+    let lines = LINES.iter().map(|&(result, asked, measured, unit)| {
+        let unit = if unit == NANOSECOND { Some(1.0) } else { measurements.time(unit) };
+        let ratio = measurements.time(measured).zip(unit).map(|(time, unit)| time / unit);
+        Item { result: result.to_owned(), asked, ratio }
+    });
+    lines.chain(savings(measurements)).collect()
+}
+
+/// The dearest variant of every scene in the group `skipping` over its cheapest.
+fn savings(measurements: &Measurements) -> Vec<Item> {
+    let mut variants: Vec<(&str, &str, f64)> = measurements
+        .below("skipping/")
+        .filter_map(|(name, time)| name.split_once('/').map(|(scene, variant)| (scene, variant, time)))
+        .collect();
+    variants.sort_by(|one, other| one.0.cmp(other.0).then(one.2.total_cmp(&other.2)));
+    variants
+        .chunk_by(|one, other| one.0 == other.0)
+        .filter_map(|scene| scene.first().zip(scene.last()).filter(|_| scene.len() > 1))
+        .map(|(cheapest, dearest)| Item {
+            result: format!("{}: {} over {}", cheapest.0, dearest.1, cheapest.1),
+            asked: None,
+            ratio: Some(dearest.2 / cheapest.2),
+        })
+        .collect()
+}

@@ -1,0 +1,83 @@
+//! What criterion has written: for every benchmark the least time of an element.
+//!
+//! The least, not the mean: what disturbs a measurement only adds to it, so that the least disturbed of a hundred
+//! samples repeats best, and ratios of such times better than ratios of means.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+use std::{env, fs};
+
+use serde_json::Value;
+
+/// Nanoseconds per element, by the full name of a benchmark.
+pub(crate) struct Measurements {
+    times: BTreeMap<String, f64>,
+    /// When the first and the last were taken.
+    taken: Option<(SystemTime, SystemTime)>,
+}
+
+impl Measurements {
+    /// All below a folder; files that are not criterion's are passed over.
+    pub(crate) fn read(folder: &Path) -> Result<Self, Box<dyn Error>> {
+        let mut measurements = Measurements { times: BTreeMap::new(), taken: None };
+        measurements.add(folder)?;
+        Ok(measurements)
+    }
+
+    pub(crate) fn time(&self, name: &str) -> Option<f64> {
+        self.times.get(name).copied()
+    }
+
+    /// Names that begin with `start`, without it, and their times.
+    pub(crate) fn below<'a>(&'a self, start: &'a str) -> impl Iterator<Item = (&'a str, f64)> {
+        self.times.iter().filter_map(move |(name, &time)| Some((name.strip_prefix(start)?, time)))
+    }
+
+    /// How much older the oldest is than the newest.
+    pub(crate) fn spread_in_minutes(&self) -> Option<u64> {
+        let (first, last) = self.taken?;
+        Some(last.duration_since(first).ok()?.as_secs() / 60)
+    }
+
+    fn add(&mut self, folder: &Path) -> Result<(), Box<dyn Error>> {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.is_dir() && path.ends_with("new") {
+                if let Some((name, time)) = measurement(&path) {
+                    self.times.insert(name, time);
+                    let taken = fs::metadata(path.join("sample.json"))?.modified()?;
+                    let (first, last) = self.taken.unwrap_or((taken, taken));
+                    self.taken = Some((first.min(taken), last.max(taken)));
+                }
+            } else if path.is_dir() {
+                self.add(&path)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The name of a benchmark and the least time of its samples, per element where it says how many it has.
+fn measurement(folder: &Path) -> Option<(String, f64)> {
+    let json = |file: &str| -> Option<Value> {
+        serde_json::from_str(&fs::read_to_string(folder.join(file)).ok()?).ok()
+    };
+    let (benchmark, sample) = (json("benchmark.json")?, json("sample.json")?);
+    let elements = benchmark["throughput"]["Elements"].as_f64().unwrap_or(1.0);
+    let numbers = |key: &str| Some(sample[key].as_array()?.iter().filter_map(Value::as_f64));
+    let times = numbers("times")?.zip(numbers("iters")?).map(|(time, count)| time / count);
+    let least = times.reduce(f64::min)?;
+    Some((benchmark["full_id"].as_str()?.to_owned(), least / elements))
+}
+
+/// Criterion's folder: where the environment says, or beside the folder of this program.
+pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
+    if let Some(folder) = env::var_os("CRITERION_HOME") {
+        return Ok(folder.into());
+    }
+    let program = env::current_exe()?;
+    let beside = program.ancestors().map(|folder| folder.join("criterion")).find(|folder| folder.is_dir());
+    beside.ok_or_else(|| "there are no measurements yet: run `cargo bench`".into())
+}
