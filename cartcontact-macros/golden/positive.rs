@@ -37,6 +37,10 @@ const _: () = {
         clippy::multiple_bound_locations,
         reason = "the struct may bound its parameter in place"
     )]
+    #[allow(
+        clippy::possible_missing_comma,
+        reason = "generated operators seem to span an attribute's lines"
+    )]
     #[inline]
     fn coefficients<T>(__profile: &Worn) -> [T; 2usize]
     where

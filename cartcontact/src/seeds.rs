@@ -223,7 +223,7 @@ impl<const N: usize> Seeds<N> {
 #[inline(always)]
 fn cubic(row: &[f32; 4], fraction: u32) -> f32 {
     let u = f32::from_bits(fraction & 0x007f_ffff | 0x3f80_0000);
-    row[0] + u * (row[1] + u * (row[2] + u * row[3]))
+    (row[0] + row[1] * u) + (row[2] + row[3] * u) * (u * u)
 }
 
 #[inline(always)]

@@ -165,7 +165,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     pub(super) fn singularity(&self, top: T) -> Option<T> {
         let half = T::constant(0.5);
         let profile = self.contact.profile();
-        let load_integral = profile.load_integral(top);
+        let load_integral = profile.quick_load_integral(top);
         // a J′/J = a⁵ δ₀′/(2 J), in an order that keeps the fifth power in range.
         let square = top * top;
         let degree = (top * profile.approach_slope(top) * half) * (square / (load_integral / square));
@@ -174,7 +174,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
                 let chi = self.contact.medium().chi();
                 let deficit = (rate / load_rate) * (rate / chi) * half;
-                let singular = profile.load_integral(self.high) - deficit / self.contact.stiffness();
+                let singular = profile.quick_load_integral(self.high) - deficit / self.contact.stiffness();
                 let radius = top * (singular.abs() / load_integral).powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);
                 Some(if singular < T::zero() { off_axis(radius) } else { on_axis })

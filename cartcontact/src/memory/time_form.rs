@@ -27,7 +27,7 @@ where
     let (half, two) = (T::constant(0.5), T::constant(2.0));
     let stiffness = contact.stiffness();
     let (rate, rise) = (rate / chi, -load_rate / chi);
-    let final_integral = contact.profile().load_integral(stretch.high) + stretch.surplus / stiffness;
+    let final_integral = contact.profile().quick_load_integral(stretch.high) + stretch.surplus / stiffness;
     let longest = chi * stretch.age_at(stretch.high - low);
     // Where R x + G x²/2 = Y.
     let singular = {

@@ -202,12 +202,12 @@ mod tests {
             let profile = Profile::new(terms);
             let (a, r) = (Wide::of(row.a), Wide::of(row.r));
             let here = profile.kernels(a);
-            assert_eq!(here.gap.value.value(), row.gap);
-            assert_eq!(here.approach.value.value(), row.approach);
-            assert_eq!(here.approach_slope.value.value(), row.approach_slope);
-            assert_eq!(here.load_integral.value.value(), row.load_integral);
-            assert_eq!(here.log_kernel.value.value(), row.log_kernel);
-            assert_eq!(profile.pressure_kernel(a, r).value.value(), row.pressure_kernel, "{row:?}");
+            assert_eq!(here.gap.value.value(), row.gap.nearest);
+            assert_eq!(here.approach.value.value(), row.approach.nearest);
+            assert_eq!(here.approach_slope.value.value(), row.approach_slope.nearest);
+            assert_eq!(here.load_integral.value.value(), row.load_integral.nearest);
+            assert_eq!(here.log_kernel.value.value(), row.log_kernel.nearest);
+            assert_eq!(profile.pressure_kernel(a, r).value.value(), row.pressure_kernel.nearest, "{row:?}");
         }
     }
 }
