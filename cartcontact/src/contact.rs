@@ -88,8 +88,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
-    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴ and
-    /// the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
+    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴, F/a⁴
+    /// and the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
     /// F′ + χ F to be finite as well.
     ///
     /// # Errors
@@ -198,10 +198,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
-        // J/a⁵ is δ₀′ but for a factor of 8 to 2056.
-        let square = radius * radius;
-        let slope = hereditary / self.stiffness() / (square * square) / radius;
-        if radius.is_zero() || has_digits(square * square) && has_digits(slope) {
+        // J/a⁵ is δ₀′ but for a factor of 8 to 2056, and F/a⁴ the curvature of the pressure.
+        let (square, force) = (radius * radius, self.load.force(t));
+        let fourth = square * square;
+        let slope = hereditary / self.stiffness() / fourth / radius;
+        let has_pressure = force.is_zero() || has_digits(force / fourth);
+        if radius.is_zero() || has_digits(fourth) && has_digits(slope) && has_pressure {
             Ok(radius)
         } else {
             Err(ContactError::OutOfRange { time: t.value(), force: self.load.force(t).value() })
