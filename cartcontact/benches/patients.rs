@@ -18,7 +18,13 @@ fn patients() -> Vec<Patient> {
     let share = |k: u32, stride: u32| f64::from(k * stride % 1024) / 1023.0;
     let patient = |k| {
         let thickness = 0.5 + share(k, 37);
-        [10.0 + 30.0 * share(k, 389), thickness, 0.1 + 0.4 * share(k, 113), 1e-3, 50.0 + 450.0 * share(k, 233)]
+        [
+            10.0 + 30.0 * share(k, 389),
+            thickness,
+            0.1 + 0.4 * share(k, 113),
+            1e-3,
+            50.0 + 450.0 * share(k, 233),
+        ]
     };
     (0..1024).map(patient).collect()
 }
@@ -40,7 +46,10 @@ fn study(patient: &Patient) -> Option<f64> {
 
 fn scenes_of_patients(criterion: &mut Criterion) {
     let patients = patients();
-    assert!(patients.iter().all(|patient| study(patient).is_some()), "the time that an error takes is no result");
+    assert!(
+        patients.iter().all(|patient| study(patient).is_some()),
+        "the time that an error takes is no result"
+    );
     let mut group = criterion.benchmark_group("scenes");
     group.throughput(Throughput::Elements(patients.len() as u64));
     group.bench_function("Contact::new", |b| {

@@ -32,7 +32,10 @@ fn skipping(criterion: &mut Criterion) {
     let joint = contact(Patellofemoral);
 
     let (one, two) = (contact(Paraboloid), contact(HiddenParaboloid));
-    pair("one term", [("alone", &|| radius_at(&one, 200.0)), ("with a second one", &|| radius_at(&two, 200.0))]);
+    pair(
+        "one term",
+        [("alone", &|| radius_at(&one, 200.0)), ("with a second one", &|| radius_at(&two, 200.0))],
+    );
     let odd = contact(HiddenEven);
     pair(
         "even powers",

@@ -106,7 +106,9 @@ impl<const N: usize> Seeds<N> {
         let (index, fraction) = self.place(load_integral * scale.per_load_integral);
         let seed = single::<T>(cubic(self.rows.get(index)?, fraction)) * scale.radius;
         let radius = evaluate(seed).step(seed, load_integral);
-        (radius <= limit && scale.confirms(radius, seed)).then_some(radius)
+        // No comparison where the limit is infinite; and nothing here is NaN.
+        let is_beyond = radius > limit;
+        (!is_beyond && scale.confirms(radius, seed)).then_some(radius)
     }
 
     /// The radii of many load integrals; blocks that are not all in the table by `general`.
@@ -192,7 +194,8 @@ impl<const N: usize> Seeds<N> {
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
             let seed = single::<T>(seed) * scale.radius;
             *radius = evaluate(seed).step(seed, load_integral);
-            found &= (*radius <= limit) & scale.confirms(*radius, seed);
+            let is_beyond = *radius > limit;
+            found &= !is_beyond & scale.confirms(*radius, seed);
         }
         found
     }

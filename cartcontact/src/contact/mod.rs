@@ -98,8 +98,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
-    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴ and
-    /// the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
+    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴, F/a⁴
+    /// and the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
     /// F′ + χ F to be finite as well.
     ///
     /// # Errors
@@ -214,10 +214,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
-        if keeps_digits(radius, load_integral) {
+        let force = self.load.force(t);
+        if keeps_digits(force, radius, load_integral) {
             Ok(radius)
         } else {
-            Err(ContactError::OutOfRange { time: t.value(), force: self.load.force(t).value() })
+            Err(ContactError::OutOfRange { time: t.value(), force: force.value() })
         }
     }
 
@@ -237,8 +238,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             && wide(
                 #[inline(always)]
                 || {
-                    let pairs = radii.iter().zip(&*load_integrals);
-                    pairs.fold(true, |all, (&radius, &integral)| all & keeps_digits(radius, integral))
+                    let contacts = times.iter().zip(&*radii).zip(&*load_integrals);
+                    contacts.fold(true, |all, ((&time, &radius), &load_integral)| {
+                        all & keeps_digits(self.load.force(time), radius, load_integral)
+                    })
                 },
             )
     }
@@ -319,14 +322,17 @@ fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
     medium.m() * T::frac_pi_4()
 }
 
-/// Whether a⁴ and δ₀′ are neither subnormal nor infinite; J/a⁵ is δ₀′ but for a factor of 8 to 2056.
+/// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite.
+///
+/// J/a⁵ is δ₀′ but for a factor of 8 to 2056, and F/a⁴ is the curvature.
 #[inline(always)]
-fn keeps_digits<T: Scalar>(radius: T, load_integral: T) -> bool {
+fn keeps_digits<T: Scalar>(force: T, radius: T, load_integral: T) -> bool {
     let (least, square) = (smallest_normal::<T>(), radius * radius);
     let power = square * square;
+    let is_normal = |value: T, unit: T| (least * unit <= value) & (least * value <= unit);
     let has_power = (power >= least) & power.is_finite();
-    let has_slope = (least * power * radius <= load_integral) & (load_integral * least <= power * radius);
-    radius.is_zero() | (has_power & has_slope)
+    let has_pressure = force.is_zero() | is_normal(force, power);
+    radius.is_zero() | (has_power & is_normal(load_integral, power * radius) & has_pressure)
 }
 
 #[inline(always)]

@@ -59,12 +59,13 @@ impl<T: Scalar> DoubleWord<T> {
         Self::renormalised(product.high, product.low + self.low * word)
     }
 
-    /// The quotient of two double words: that of the high words, and that of what it leaves.
+    /// The quotient of two double words: that of the high words, and that of what it leaves, if halves as large as
+    /// these do not overflow.
     pub(crate) fn over(self, other: Self) -> Self {
         let quotient = self.high / other.high;
         let back = other.times_word(quotient);
         let rest = (self.high - back.high) + (self.low - back.low);
-        Self::renormalised(quotient, rest / other.high)
+        if rest.is_finite() { Self::renormalised(quotient, rest / other.high) } else { Self::of(quotient) }
     }
 
     /// The square root of a positive number, with one step of Newton's method from that of the high word.

@@ -153,7 +153,8 @@ impl<T: Precision> Examination<'_, T> {
                 let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
                 let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
                 let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
-                let numbers = [y.value(), force, force * chi, impulse, fourth, slope];
+                let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
+                let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature];
                 numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
                     || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
             }
