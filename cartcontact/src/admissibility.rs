@@ -39,15 +39,7 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
         if !(n > T::zero() && n <= T::constant(1024.0)) {
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
-        // Twice the coefficient is the largest multiple of it in the closed forms.
-        let fits = (T::constant(2.0) * c).is_finite() && (c.is_zero() || has_digits(c, n));
-        if !fits {
-            return Err(ProfileError::InvalidCoefficient {
-                coefficient: c.value(),
-                exponent: n.value(),
-                parameters: Parameters::default(),
-            });
-        }
+        check_coefficient(c, n)?;
         if !c.is_zero() {
             smallest = smallest.min(n);
         }
@@ -68,6 +60,28 @@ pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) 
         return Ok(T::infinity());
     }
     Ok(Slope { terms, smallest }.first_zero())
+}
+
+/// Checks that the coefficients of constant terms (C, n) fit the format that they are used in.
+///
+/// # Errors
+///
+/// [`ProfileError::InvalidCoefficient`] for the first that does not.
+pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) -> Result<(), ProfileError> {
+    terms.into_iter().try_for_each(|(c, n)| check_coefficient(c, n))
+}
+
+fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
+    // Twice the coefficient is the largest multiple of it in the closed forms.
+    let fits = (T::constant(2.0) * c).is_finite() && (c.is_zero() || has_digits(c, n));
+    if fits {
+        return Ok(());
+    }
+    Err(ProfileError::InvalidCoefficient {
+        coefficient: c.value(),
+        exponent: n.value(),
+        parameters: Parameters::default(),
+    })
 }
 
 /// Whether C and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.

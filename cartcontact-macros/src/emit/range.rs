@@ -1,5 +1,6 @@
 //! `max_radius`, and `check` where the values of fields decide.
 
+use num_traits::{Signed, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
@@ -8,9 +9,10 @@ use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
 use crate::admissible::Proof;
 use crate::coefficient::Coefficient;
+use crate::gap::Gap;
 use crate::geometry::{Geometry, Range};
 use crate::item::{Field, Item};
-use crate::number::literal;
+use crate::number::{integer, literal};
 
 pub(super) fn methods(
     item: &Item,
@@ -28,8 +30,31 @@ pub(super) fn methods(
         },
         (None, checked) => checked.as_ref().map(Checked::max_radius).unwrap_or_default(),
     };
-    let check = checked.as_ref().map(Checked::check);
+    let check = match &checked {
+        Some(checked) => Some(checked.check()),
+        None if fits_every_format(&geometry.gap) => None,
+        None => Some(check_of_constants(coefficients, names)),
+    };
     quote!(#max_radius #check)
+}
+
+/// Whether single precision holds the coefficients with all their digits, and the kernels' multiples of them.
+fn fits_every_format(gap: &Gap) -> bool {
+    gap.terms.iter().all(|term| {
+        let size = term.coefficient.as_constant().and_then(|value| value.abs().to_f32());
+        // From C n/(2 (n+2)²) to 2 C; n is 1024 at most, and rarely below 1.
+        size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
+    })
+}
+
+/// `check` of a geometry with constants that not every format holds.
+fn check_of_constants(coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let (krate, check, terms) = (names.krate, names.generated("check_coefficients"), coefficients.terms());
+    quote! {
+        fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
+            #check([#(#terms),*])
+        }
+    }
 }
 
 /// The end of the range, where no value of a field can make the geometry inadmissible before it.

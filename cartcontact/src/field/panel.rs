@@ -26,8 +26,10 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
+use crate::memory::not_negative;
 use crate::memory::quadrature::NODES_4;
 use crate::profile::GapProfile;
+use crate::scalar::smallest_normal;
 
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
 const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
@@ -71,7 +73,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let (load, chi) = (contact.load(), contact.medium().chi());
         let duration = end - start.time;
         let half = duration * T::constant(0.5);
-        if !(half > T::zero() && chi * duration <= T::constant(FOLDS)) {
+        // The reciprocal of a subnormal number may overflow.
+        if !(half >= smallest_normal() && chi * duration <= T::constant(FOLDS)) {
             return None;
         }
         let force = load.force(start.time);
@@ -167,7 +170,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let elapsed = now.time - self.start.time;
         let (offset, slope) = self.integrals(elapsed, age.min(now.time - before.time));
         let faded = T::one() + decay_gain(chi * elapsed);
-        faded * (offset - slope * ((r - self.start.radius) * (r + self.start.radius)))
+        not_negative(faded * (offset - slope * ((r - self.start.radius) * (r + self.start.radius))))
     }
 
     /// The integrals of `offset` and `slope` over a duration that ends when some time has elapsed.

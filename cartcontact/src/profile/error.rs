@@ -151,9 +151,11 @@ impl fmt::Display for ProfileError {
                 if !coefficient.is_finite() {
                     "it must be a finite number; check the geometry's parameters for zero, overflow and NaN"
                 } else if coefficient.abs() > 1.0 {
-                    "twice its size must be a finite number; use a larger unit of length"
+                    "twice its size must be a finite number; use a unit of length that brings it nearer to 1, or a \
+                     format with more exponents"
                 } else {
-                    "it must be 0 or large enough to keep its digits; use a smaller unit of length"
+                    "it must be 0 or large enough to keep its digits; use a unit of length that brings it nearer to \
+                     1, or a format with more exponents"
                 }
             ),
             Self::InvalidExponent { exponent } => write!(

@@ -3,7 +3,8 @@
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
 
-use super::exact::{Kernels, Profile, Sum};
+use super::condition;
+use super::exact::{Profile, Sum};
 use super::fields;
 use super::finding::{Fault, Findings, Quantity};
 use super::history::History;
@@ -86,10 +87,6 @@ fn exact<T: Precision>(scene: &Scene<T>) -> History {
     History::new(Profile::new(scene.exact_terms()), (scene.m.value(), scene.chi.value()), &knots)
 }
 
-/// By what the bound of the radius is larger where terms cancel: 2 ε instead of 1.5, because the sums of the last step are
-/// the quick ones.
-const MIXED_SIGNS: f64 = 4.0 / 3.0;
-
 struct Examination<'a, T: Precision> {
     scene: &'a Scene<T>,
     contact: Loaded<'a, T>,
@@ -142,7 +139,7 @@ impl<T: Precision> Examination<'_, T> {
         let is_right = match (error, radius) {
             (ContactError::BeyondRange { max_radius, .. }, Some(a)) => {
                 // Rounding of J may hide whether a radius next to the end is inside.
-                let slack = 4.0 * T::EPSILON * radius_condition(&self.exact.profile.kernels(a));
+                let slack = 4.0 * T::EPSILON * condition::of_radius(&self.exact.profile.kernels(a));
                 a.value() > max_radius * (1.0 - slack)
             }
             (ContactError::BeyondRange { .. }, None) => true,
@@ -171,9 +168,14 @@ impl<T: Precision> Examination<'_, T> {
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
         let here = self.exact.profile.kernels(a);
         let found = now.radius().value();
-        let condition = radius_condition(&here);
+        let condition = condition::of_radius(&here);
         let is_mixed = self.scene.terms.iter().any(|(c, _)| *c < T::zero());
-        self.measure(Quantity::Radius, found, a, if is_mixed { condition * MIXED_SIGNS } else { condition });
+        self.measure(
+            Quantity::Radius,
+            found,
+            a,
+            if is_mixed { condition * condition::MIXED_SIGNS } else { condition },
+        );
         if !(found > 0.0 && found.is_finite()) {
             self.findings
                 .fault(Fault::NotANumber, &format_args!("radius {found:e} instead of {:e}", a.value()));
@@ -189,9 +191,10 @@ impl<T: Precision> Examination<'_, T> {
         self.kernels(now);
         // Pressures remember all radii on the way, of which the flattest is the least certain.
         let flattest = self.exact.profile.flattest_radius(a);
-        let on_the_way = flattest.map_or(1.0, |s| radius_condition(&self.exact.profile.kernels(s)));
+        let on_the_way = flattest.map_or(1.0, |s| condition::of_radius(&self.exact.profile.kernels(s)));
         let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
-        let condition = condition.max(on_the_way) * kernel * self.condition_of_fall(now.force());
+        let powers = condition::high_powers(self.scene);
+        let condition = condition.max(on_the_way) * kernel * powers * self.condition_of_fall(now.force());
         self.pressures(now, a, condition, depth);
         self.field(now, condition);
         self.units(now);
@@ -233,7 +236,8 @@ impl<T: Precision> Examination<'_, T> {
         if r < a {
             let exact = self.exact.profile.pressure_kernel(Wide::of(a.value()), Wide::of(r.value()));
             let found = profile.pressure_kernel(a, r).value();
-            self.measure(Quantity::PressureKernel, found, exact.value, exact.condition() * length);
+            let powers = condition::real_powers(self.scene);
+            self.measure(Quantity::PressureKernel, found, exact.value, exact.condition() * length * powers);
         }
     }
 
@@ -253,7 +257,7 @@ impl<T: Precision> Examination<'_, T> {
             } else {
                 None
             };
-            let edge = if quantity == Quantity::Pressure { edge(now.radius(), r) } else { 1.0 };
+            let edge = if quantity == Quantity::Pressure { condition::edge(now.radius(), r) } else { 1.0 };
             if let Some(expected) = expected {
                 self.measure(quantity, now.pressure(r).value(), expected, edge * condition);
             }
@@ -273,7 +277,8 @@ impl<T: Precision> Examination<'_, T> {
             } else if pressure.is_nan() || is_representable && pressure.is_infinite() {
                 self.findings.fault(Fault::NotANumber, &place);
             } else if pressure
-                > inner * (1.0 + 16.0 * T::EPSILON * edge(now.radius(), r)) + 16.0 * T::LEAST * T::EPSILON
+                > inner * (1.0 + 16.0 * T::EPSILON * condition::edge(now.radius(), r))
+                    + 16.0 * T::LEAST * T::EPSILON
             {
                 self.findings.fault(Fault::RisingPressure, &place);
             }
@@ -299,8 +304,9 @@ impl<T: Precision> Examination<'_, T> {
             if expected.is_finite() && r < now.radius() {
                 // Of two pressures so near the edge that one is 0 the other is the scale.
                 let (found, scale) = (value.value(), value.value().max(expected));
-                let condition =
-                    condition * edge(now.radius(), r) * if expected > 0.0 { scale / expected } else { 1.0 };
+                let condition = condition
+                    * condition::edge(now.radius(), r)
+                    * if expected > 0.0 { scale / expected } else { 1.0 };
                 let (found, expected) = if expected > 0.0 { (found, expected) } else { (expected, found) };
                 self.measure(Quantity::Field, found, Wide::of(expected), condition);
             }
@@ -411,13 +417,3 @@ impl<T: Precision> Examination<'_, T> {
 }
 
 type Now<'c, 'a, T> = Snapshot<'c, T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
-
-/// Σ|terms of J|/(a J′), if it is above 1: errors of J are divided by its degree and grow where its terms cancel.
-fn radius_condition(here: &Kernels) -> f64 {
-    (here.load_integral.size / here.log_slope.value).value().max(1.0)
-}
-
-/// 1 + 2a/(a − r), by how much an error of the radius counts at r.
-fn edge<T: Precision>(a: T, r: T) -> f64 {
-    if r < a { 1.0 + 2.0 * a.value() / (a - r).value() } else { 1.0 }
-}

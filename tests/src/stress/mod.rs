@@ -1,6 +1,7 @@
 //! Random scenes from every corner of what the library accepts, each compared with a solution in 31 digits.
 
 pub mod campaign;
+mod condition;
 pub mod exact;
 pub mod examine;
 pub mod fields;
