@@ -124,6 +124,6 @@ where
     let of_singularity = stretch.singularity(top).map_or(T::zero(), |distance| T::constant(14.4) / distance);
     // s^(n−1) next to s = 0, which a short rule notices from far away.
     let of_centre = if profile.is_smooth_at_centre() { T::zero() } else { T::constant(14.4) / top };
-    let margin = T::constant(1.3);
+    let margin = T::constant(1.5);
     (powers * margin + of_singularity + of_centre, fading * margin)
 }
