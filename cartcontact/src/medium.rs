@@ -116,11 +116,13 @@ impl<T: Scalar> Medium<T> {
     }
 
     /// The stiffness m, in MPa/mm³.
+    #[inline]
     pub fn m(&self) -> T {
         self.m
     }
 
     /// The rate χ of the memory, in 1/s.
+    #[inline]
     pub fn chi(&self) -> T {
         self.chi
     }

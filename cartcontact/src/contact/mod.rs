@@ -281,7 +281,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let (chi, least) = (self.medium.chi(), smallest_normal());
         let has_force = force.is_zero() | ((force >= least) & (chi.is_zero() | (chi * force >= least)));
         // Of an impulse only what is not rounding beside the force has to be right.
-        let has_impulse = (chi * least <= force) | (impulse >= least);
+        let has_impulse = (chi <= force * least.recip()) | (impulse >= least);
         has_force & has_impulse & (load_integral >= least)
     }
 
@@ -329,7 +329,9 @@ fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
 fn keeps_digits<T: Scalar>(force: T, radius: T, load_integral: T) -> bool {
     let (least, square) = (smallest_normal::<T>(), radius * radius);
     let power = square * square;
-    let is_normal = |value: T, unit: T| (least * unit <= value) & (least * value <= unit);
+    // Subnormal products would be slow; infinite ones are not.
+    let most = least.recip();
+    let is_normal = |value: T, unit: T| (unit <= value * most) & (value <= unit * most);
     let has_power = (power >= least) & power.is_finite();
     let has_pressure = force.is_zero() | is_normal(force, power);
     radius.is_zero() | (has_power & is_normal(load_integral, power * radius) & has_pressure)

@@ -50,7 +50,7 @@ where
         if depth < deepest {
             age = stretch.age_at(depth);
             let top = high - depth;
-            let rest = (-(chi * age)).exp() * (profile.quick_approach(top) - profile.approach(low));
+            let rest = (-(chi * age)).exp() * (profile.quick_approach(top) - profile.quick_approach(low));
             let rest_offset = rest * ((top - low) * (top + low));
             if rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible {
                 return sum;
