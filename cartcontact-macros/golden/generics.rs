@@ -228,7 +228,7 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             ::cartcontact::generated::quick_pressure_kernel(

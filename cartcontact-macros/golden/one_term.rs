@@ -110,7 +110,7 @@ const _: () = {
                 [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::quick_even_pressure_kernel(
                 __a,

@@ -170,7 +170,7 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             ::cartcontact::generated::quick_even_pressure_kernel(

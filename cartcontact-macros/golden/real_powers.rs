@@ -181,7 +181,7 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             ::cartcontact::generated::quick_pressure_kernel(
                 __a,

@@ -1,4 +1,4 @@
-//! The contact radius of a constant geometry in one step, from a table that the macro has computed.
+//! The contact radius in one step, from a table that the macro has computed.
 //!
 //! A row of the table is a cubic in the fraction of the load integral y that meets the radius to six digits.
 //! From there one step of Halley's method reaches the last bit of double precision,

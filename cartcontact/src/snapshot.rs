@@ -103,7 +103,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             #[inline(always)]
             move || {
                 for (pressure, &r) in initial.iter_mut().zip(radii) {
-                    let kernel = profile.pressure_kernel(a, r) + strip * ((a - r) * (a + r));
+                    let kernel = profile.quick_pressure_kernel(a, r) + strip * ((a - r) * (a + r));
                     *pressure = from_start.apply(share * kernel, r);
                 }
             },

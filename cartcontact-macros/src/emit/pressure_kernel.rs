@@ -24,11 +24,13 @@ pub(super) fn methods(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<
     };
     let (a, r) = (local("a"), local("r"));
     let quick_kernel = format!("quick_{kernel}");
-    [("pressure_kernel", kernel), ("quick_pressure_kernel", quick_kernel.as_str())].map(
-        |(method, function)| {
+    // Loops over many radii take the quick one with wide vectors, which would end at a call.
+    let (precise, quick) = (quote!(#[inline]), quote!(#[inline(always)]));
+    [("pressure_kernel", kernel, precise), ("quick_pressure_kernel", quick_kernel.as_str(), quick)].map(
+        |(method, function, inline)| {
             let (method, function) = (Ident::new(method, Span::call_site()), names.generated(function));
             quote! {
-                #[inline]
+                #inline
                 fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar {
                     #preamble
                     #function(#a, #r, [#(#arguments),*])

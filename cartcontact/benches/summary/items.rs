@@ -47,7 +47,7 @@ const LINES: &[Line] = &[
     ("radius, three terms, of a slice", Some(AtMost(0.12)), "radius f64/slice/three terms", POWF),
     ("radius, four terms", None, "radius f64/throughput/four terms", POWF),
     ("radius, four terms, of a slice", None, "radius f64/slice/four terms", POWF),
-    ("radius, two terms with a field", None, "radius f64/throughput/two terms with a field", POWF),
+    ("radius, two terms with a field, the end of its range included", None, "radius f64/throughput/two terms with a field", POWF),
     ("radius, two terms, `Polynomial`", None, "radius f64/throughput/two terms, Polynomial", POWF),
     ("radius, two terms, by the crate `roots`", None, "radius f64/throughput/two terms, roots", POWF),
     ("radius, two terms, f32, over `powf` in f32", None, "radius f32/throughput/two terms", "radius f32/throughput/powf"),
@@ -66,12 +66,12 @@ const LINES: &[Line] = &[
     ("radius over the same by hand, latency", Some(AtMost(1.05)), "radius f64/latency/two terms", "radius f64/latency/two terms, by hand"),
     ("radius over the same by hand, of a slice", Some(AtMost(1.05)), "radius f64/slice/two terms", "radius f64/slice/two terms, by hand"),
     ("radius over Newton's method by hand", None, "radius f64/throughput/two terms", "radius f64/throughput/two terms, by hand, Newton"),
-    ("approach over the same by hand", Some(AtMost(1.05)), "evaluators f64/throughput/approach", "evaluators f64/throughput/approach, by hand"),
-    ("approach over the same by hand, latency", Some(AtMost(1.05)), "evaluators f64/latency/approach", "evaluators f64/latency/approach, by hand"),
-    ("load integral over the same by hand", Some(AtMost(1.05)), "evaluators f64/throughput/load integral", "evaluators f64/throughput/load integral, by hand"),
-    ("load integral over the same by hand, latency", Some(AtMost(1.05)), "evaluators f64/latency/load integral", "evaluators f64/latency/load integral, by hand"),
-    ("pressure kernel over the same by hand", Some(AtMost(1.05)), "evaluators f64/throughput/pressure kernel", "evaluators f64/throughput/pressure kernel, by hand"),
-    ("pressure kernel over the same by hand, latency", Some(AtMost(1.05)), "evaluators f64/latency/pressure kernel", "evaluators f64/latency/pressure kernel, by hand"),
+    ("approach, rounded once, over plain arithmetic by hand", None, "evaluators f64/throughput/approach", "evaluators f64/throughput/approach, by hand"),
+    ("approach, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/approach", "evaluators f64/latency/approach, by hand"),
+    ("load integral, rounded once, over plain arithmetic by hand", None, "evaluators f64/throughput/load integral", "evaluators f64/throughput/load integral, by hand"),
+    ("load integral, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/load integral", "evaluators f64/latency/load integral, by hand"),
+    ("pressure kernel, rounded once, over plain arithmetic by hand", None, "evaluators f64/throughput/pressure kernel", "evaluators f64/throughput/pressure kernel, by hand"),
+    ("pressure kernel, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/pressure kernel", "evaluators f64/latency/pressure kernel, by hand"),
 ];
 
 /// The lines above, and one for everything that a scene can do without.

@@ -191,16 +191,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// A time with its contact radius, for integrals that begin or end there.
     pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
-        let force = self.load.force(time);
-        let hereditary = force + self.medium.chi() * self.load.impulse(time);
-        Moment { time, radius, surplus: surplus_that_counts(self.surplus(hereditary, radius), force) }
+        self.moment_of(time, radius, self.profile.quick_load_integral(radius))
     }
 
     /// [`moment`](Self::moment) with a load integral that is rounded once.
     pub(crate) fn precise_moment(&self, time: T, radius: T) -> Moment<T> {
+        self.moment_of(time, radius, self.profile.load_integral(radius))
+    }
+
+    fn moment_of(&self, time: T, radius: T, load_integral: T) -> Moment<T> {
         let force = self.load.force(time);
-        let hereditary = force + self.medium.chi() * self.load.impulse(time);
-        let surplus = hereditary - self.stiffness() * self.profile.load_integral(radius);
+        let surplus = force + self.medium.chi() * self.load.impulse(time) - self.stiffness() * load_integral;
         Moment { time, radius, surplus: surplus_that_counts(surplus, force) }
     }
 
@@ -334,7 +335,7 @@ fn keeps_digits<T: Scalar>(force: T, radius: T, load_integral: T) -> bool {
     let is_normal = |value: T, unit: T| (unit <= value * most) & (value <= unit * most);
     let has_power = (power >= least) & power.is_finite();
     let has_pressure = force.is_zero() | is_normal(force, power);
-    radius.is_zero() | (has_power & is_normal(load_integral, power * radius) & has_pressure)
+    radius.is_zero() | (has_power & is_normal(load_integral / radius, power) & has_pressure)
 }
 
 #[inline(always)]

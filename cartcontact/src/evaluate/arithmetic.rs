@@ -27,47 +27,47 @@ pub(crate) trait Arithmetic<T>: Copy {
 pub(crate) struct Word<T>(T);
 
 impl<T: Scalar> Arithmetic<T> for Word<T> {
-    #[inline]
+    #[inline(always)]
     fn of(word: T) -> Self {
         Self(word)
     }
-    #[inline]
+    #[inline(always)]
     fn sum(x: T, y: T) -> Self {
         Self(x + y)
     }
-    #[inline]
+    #[inline(always)]
     fn product(x: T, y: T) -> Self {
         Self(x * y)
     }
-    #[inline]
+    #[inline(always)]
     fn term(c: Self, x: T, n: T) -> Self {
         Self(term(c.0, x, n))
     }
-    #[inline]
+    #[inline(always)]
     fn plus(self, other: Self) -> Self {
         Self(self.0 + other.0)
     }
-    #[inline]
+    #[inline(always)]
     fn plus_word(self, word: T) -> Self {
         Self(self.0 + word)
     }
-    #[inline]
+    #[inline(always)]
     fn times(self, other: Self) -> Self {
         Self(self.0 * other.0)
     }
-    #[inline]
+    #[inline(always)]
     fn times_word(self, word: T) -> Self {
         Self(self.0 * word)
     }
-    #[inline]
+    #[inline(always)]
     fn over(self, other: Self) -> Self {
         Self(self.0 / other.0)
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
-    #[inline]
+    #[inline(always)]
     fn rounded(self) -> T {
         self.0
     }

@@ -52,7 +52,7 @@ pub fn even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; 
 }
 
 /// [`even_pressure_kernel`] in plain arithmetic, within 8 ε.
-#[inline]
+#[inline(always)]
 pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
     let sum: Word<T> = sum_of_even_kernels(a, r, &weights);
     sum.rounded()
