@@ -25,15 +25,14 @@ pub(super) fn items(
     let [table, steepness] = ["Seeds", "Steepness"].map(|name| names.generated(name));
     let count = Literal::usize_unsuffixed(seeds.rows.len());
     let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
-    let rows = seeds.rows.iter().map(|row| {
-        let [c0, c1, c2, c3] = row.map(Literal::f32_unsuffixed);
-        quote!([#c0, #c1, #c2, #c3])
-    });
+    // One text for the compiler to read is quicker than three thousand tokens, and shortest literals are what `Debug`
+    // writes.
+    let rows: TokenStream = format!("{:?}", seeds.rows).parse().unwrap_or_default();
     let (variables, count_of_variables) = coefficients.variables();
     let a = local("a");
     let body = body(load_integral, &a, coefficients, names);
     quote! {
-        static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: [#(#rows),*] };
+        static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: #rows };
 
         #[inline(always)]
         fn steepness<#scalar: #krate::Scalar>(
