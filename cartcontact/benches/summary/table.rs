@@ -13,7 +13,7 @@ pub(crate) fn of(items: &[Item]) -> String {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0).max(8);
     let [result, asked, measured] = [0, 1, 2].map(width);
     let mut table = String::new();
-    let head = ["result", "asked", "measured"].map(str::to_owned);
+    let head = ["result", "target", "measured"].map(str::to_owned);
     let rule = [result, asked, measured].map(|width| "-".repeat(width));
     for [first, second, third] in [head, rule].iter().chain(&rows) {
         // Writing to a string does not fail.
