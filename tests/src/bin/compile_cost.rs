@@ -1,7 +1,8 @@
 //! What `cartcontact` costs when a program is compiled: `cargo run --release -p tests --bin compile_cost`.
 //!
-//! First the expansion of an annotation, as what it adds to `cargo check` of a crate that ends in an error, so that
-//! the compiler stops once everything is expanded; then a clean build of a crate that uses `cartcontact`, against one
+//! First what an annotation adds to `cargo check`: its expansion, about two fifths of it in a profile of the compiler, and
+//! the check of what was generated, which goes on in a crate that ends in an error, so that it is checked every time.
+//! Then a clean build of a crate that uses `cartcontact`, against one
 //! that uses `serde` with its derive macro. Both builds have the same profile and an empty target directory, and take
 //! turns; the least of several counts. Processor time of all children is more reliable than the clock where other
 //! programs run, and is known on Linux only.
@@ -54,7 +55,9 @@ fn sum(exponents: impl Iterator<Item = u32>, sign: char) -> String {
 }
 
 fn expansions(folder: &Path) -> Result<(), Failure> {
-    println!("expansion of one annotation, unoptimised as cargo builds macros by default");
+    println!(
+        "what one annotation adds to `cargo check`, its macro unoptimised as cargo builds it by default"
+    );
     let user = User::new(folder, "expansion", &cartcontact())?;
     let mut empty = Cost::MOST;
     for (name, attribute) in [
