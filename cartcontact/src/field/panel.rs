@@ -80,6 +80,12 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let force = load.force(start.time);
         let load_rate = (load.force_before(end) - force) / duration;
         let hereditary = force + chi * load.impulse(start.time);
+        // The square of Y′, from which ages are, must have all its digits.
+        let rate = load_rate + chi * force;
+        let square = rate * rate * T::default_epsilon();
+        if !(rate.is_zero() || square >= smallest_normal() && square.is_finite()) {
+            return None;
+        }
         // q and q (a² − a₁²) at the time z after the start.
         let densities = |x: T| {
             let z = half * (T::one() + x);
