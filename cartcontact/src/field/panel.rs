@@ -26,7 +26,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::not_negative;
+use crate::memory::{age_along_line, not_negative};
 use crate::memory::quadrature::NODES_4;
 use crate::profile::GapProfile;
 use crate::scalar::smallest_normal;
@@ -80,12 +80,6 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let force = load.force(start.time);
         let load_rate = (load.force_before(end) - force) / duration;
         let hereditary = force + chi * load.impulse(start.time);
-        // The square of Y′, from which ages are, must have all its digits.
-        let rate = load_rate + chi * force;
-        let square = rate * rate * T::default_epsilon();
-        if !(rate.is_zero() || square >= smallest_normal() && square.is_finite()) {
-            return None;
-        }
         // q and q (a² − a₁²) at the time z after the start.
         let densities = |x: T| {
             let z = half * (T::one() + x);
@@ -164,15 +158,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
     }
 
     /// The pressure at a radius that the edge passes between two times of the panel.
-    ///
-    /// Y was smaller by Y′ z − χ F′ z²/2 at the time z before `now`; z is the root in the form without
-    /// cancellation.
     pub(super) fn first_pressure(&self, before: Edge<T>, now: Edge<T>, r: T) -> T {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let deficit = contact.stiffness() * contact.profile().load_integral_drop(now.radius, now.radius - r);
         let rate = self.load_rate + chi * contact.load().force_before(now.time);
-        let then = (rate * rate - T::constant(2.0) * chi * self.load_rate * deficit).abs().sqrt();
-        let age = T::constant(2.0) * deficit / (rate + then);
+        let age = age_along_line(rate, (chi, self.load_rate), deficit);
         let elapsed = now.time - self.start.time;
         let (offset, slope) = self.integrals(elapsed, age.min(now.time - before.time));
         let faded = T::one() + decay_gain(chi * elapsed);

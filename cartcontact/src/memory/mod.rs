@@ -21,6 +21,7 @@ mod time_form;
 use crate::Scalar;
 
 pub(crate) use march::{march, surplus_that_counts};
+pub(crate) use stretch::age_along_line;
 
 /// A time with the contact radius at it.
 ///

@@ -55,24 +55,10 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
     }
 
     /// How long before the end Y was smaller than at the end by `deficit`.
-    ///
-    /// Along a straight load Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without
-    /// cancellation; its square root is Y′ at the time found.
     pub(super) fn age(&self, chi: T, deficit: T) -> T {
         match *self {
             Self::Step => T::zero(),
-            Self::Linear { rate, load_rate, .. } if load_rate.is_zero() => deficit / rate,
-            Self::Linear { rate, load_rate, .. } => {
-                let two = T::constant(2.0);
-                // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes
-                // at the end, count as a long time after it.
-                let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
-                let size = straight + bend.abs();
-                if !(size.is_finite() && size * T::default_epsilon() > smallest_normal()) {
-                    return age_in_units(rate, (chi, load_rate), deficit);
-                }
-                two * deficit / (rate + (straight - bend).abs().sqrt())
-            }
+            Self::Linear { rate, load_rate, .. } => age_along_line(rate, (chi, load_rate), deficit),
             Self::Smooth { load, start, duration } => {
                 let end = start + duration;
                 let hereditary = |time: T| load.force(time) + chi * load.impulse(time);
@@ -81,6 +67,26 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
             }
         }
     }
+}
+
+/// How long before the end of a straight load, where Y grows at `rate`, Y was smaller than at the end by `deficit`.
+///
+/// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
+/// Y′ at the time found.
+#[inline]
+pub(crate) fn age_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
+    if load_rate.is_zero() {
+        return deficit / rate;
+    }
+    let two = T::constant(2.0);
+    // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes at the end,
+    // count as a long time after it.
+    let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
+    let size = straight + bend.abs();
+    if !(size.is_finite() && size * T::default_epsilon() > smallest_normal()) {
+        return age_in_units(rate, (chi, load_rate), deficit);
+    }
+    two * deficit / (rate + (straight - bend).abs().sqrt())
 }
 
 /// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
