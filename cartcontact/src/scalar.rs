@@ -62,13 +62,13 @@ pub(crate) fn is_plain<T: Scalar>() -> bool {
 }
 
 /// The smallest number with all its digits.
-#[inline]
+#[inline(always)]
 pub(crate) fn smallest_normal<T: Scalar>() -> T {
     T::constant(if is::<T, f32>() { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE })
 }
 
 /// Whether two types are the same.
-#[inline]
+#[inline(always)]
 pub(crate) fn is<T: 'static, U: 'static>() -> bool {
     TypeId::of::<T>() == TypeId::of::<U>()
 }

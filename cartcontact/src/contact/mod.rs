@@ -18,6 +18,32 @@ use crate::{Scalar, field};
 /// How many radii are solved for at once.
 const BLOCK: usize = 256;
 
+/// A load at a time: F, ∫F and Y = F + χ ∫F.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Loading<T> {
+    pub(crate) force: T,
+    impulse: T,
+    pub(crate) hereditary: T,
+}
+
+impl<T: Scalar> Loading<T> {
+    /// From a force and an impulse.
+    #[inline(always)]
+    pub(crate) fn new(force: T, impulse: T, chi: T) -> Self {
+        Self { force, impulse, hereditary: force + chi * impulse }
+    }
+
+    /// Whether the load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
+    #[inline(always)]
+    fn has_digits(&self, chi: T, load_integral: T) -> bool {
+        let (force, least) = (self.force, smallest_normal());
+        let has_force = force.is_zero() | ((force >= least) & (chi.is_zero() | (chi * force >= least)));
+        // Of an impulse only what is not rounding beside the force has to be right.
+        let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
+        has_force & has_impulse & (load_integral >= least)
+    }
+}
+
 /// The contact of two cartilage layers: the solution for a geometry, a medium and a load.
 ///
 /// # Examples
@@ -184,29 +210,29 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.profile.radius_within(load_integral, self.max_radius)
     }
 
-    /// What a hereditary load exceeds that of a radius, as pressures need it.
-    pub(crate) fn surplus(&self, hereditary: T, radius: T) -> T {
-        hereditary - self.stiffness() * self.profile.quick_load_integral(radius)
-    }
-
     /// A time with its contact radius, for integrals that begin or end there.
     pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
-        self.moment_of(time, radius, self.profile.quick_load_integral(radius))
+        self.moment_under(self.loading(time), time, radius)
+    }
+
+    /// [`moment`](Self::moment) under a loading that the caller knows.
+    pub(crate) fn moment_under(&self, loading: Loading<T>, time: T, radius: T) -> Moment<T> {
+        self.moment_of(loading, time, radius, self.profile.quick_load_integral(radius))
     }
 
     /// [`moment`](Self::moment) with a load integral that is rounded once.
     pub(crate) fn precise_moment(&self, time: T, radius: T) -> Moment<T> {
-        self.moment_of(time, radius, self.profile.load_integral(radius))
+        self.moment_of(self.loading(time), time, radius, self.profile.load_integral(radius))
     }
 
-    fn moment_of(&self, time: T, radius: T, load_integral: T) -> Moment<T> {
-        let force = self.load.force(time);
-        let surplus = force + self.medium.chi() * self.load.impulse(time) - self.stiffness() * load_integral;
-        Moment { time, radius, surplus: surplus_that_counts(surplus, force) }
+    fn moment_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Moment<T> {
+        let surplus = loading.hereditary - self.stiffness() * load_integral;
+        Moment { time, radius, surplus: surplus_that_counts(surplus, loading.force) }
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
-        let load_integral = self.load_integral_at(t)?;
+        let loading = self.loading_at(t)?;
+        let load_integral = loading.hereditary * self.per_stiffness;
         let radius = self.radius_of(load_integral).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
@@ -215,11 +241,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
-        let force = self.load.force(t);
-        if keeps_digits(force, radius, load_integral) {
+        if keeps_digits(loading.force, radius, load_integral) {
             Ok(radius)
         } else {
-            Err(ContactError::OutOfRange { time: t.value(), force: force.value() })
+            Err(ContactError::OutOfRange { time: t.value(), force: loading.force.value() })
         }
     }
 
@@ -250,53 +275,46 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The load integrals at some times, without a branch for each; false if there is a fault among them.
     #[inline(always)]
     fn load_integrals(&self, times: &[T], load_integrals: &mut [T]) -> bool {
+        let (chi, per_stiffness) = (self.medium.chi(), self.per_stiffness);
         let mut valid = true;
         for (load_integral, &time) in load_integrals.iter_mut().zip(times) {
-            let (force, impulse) = (self.load.force(time), self.load.impulse(time));
-            valid &= is_time(time) & is_force(force) & is_force(impulse);
-            *load_integral = (force + self.medium.chi() * impulse) * self.per_stiffness;
-            valid &= self.has_digits(force, impulse, *load_integral);
+            let loading = Loading::new(self.load.force(time), self.load.impulse(time), chi);
+            let of_load = loading.hereditary * per_stiffness;
+            valid &= is_time(time) & is_force(loading.force) & is_force(loading.impulse);
+            valid &= loading.has_digits(chi, of_load);
+            *load_integral = of_load;
         }
         valid
     }
 
-    /// The load integral of the contact radius at a time that the solution covers.
-    fn load_integral_at(&self, t: T) -> Result<T, ContactError> {
-        if !is_time(t) {
-            return Err(ContactError::InvalidTime { time: t.value() });
-        }
-        let hereditary = self.hereditary_load(t)?;
-        if let Some(since) = self.load.recession(self.medium.chi(), t) {
-            return Err(ContactError::Receding { time: t.value(), since: since.value() });
-        }
-        let (force, load_integral) = (self.load.force(t), hereditary * self.per_stiffness);
-        if hereditary.is_zero() || self.has_digits(force, self.load.impulse(t), load_integral) {
-            return Ok(load_integral);
-        }
-        Err(ContactError::OutOfRange { time: t.value(), force: force.value() })
-    }
-
-    /// Whether a load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
+    /// What is known of the load at a time.
     #[inline(always)]
-    fn has_digits(&self, force: T, impulse: T, load_integral: T) -> bool {
-        let (chi, least) = (self.medium.chi(), smallest_normal());
-        let has_force = force.is_zero() | ((force >= least) & (chi.is_zero() | (chi * force >= least)));
-        // Of an impulse only what is not rounding beside the force has to be right.
-        let has_impulse = (chi <= force * least.recip()) | (impulse >= least);
-        has_force & has_impulse & (load_integral >= least)
+    fn loading(&self, t: T) -> Loading<T> {
+        Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
     }
 
-    /// Y(t) = F(t) + χ ∫₀ᵗ F, from forces and impulses that a load of the user's own may get wrong.
-    fn hereditary_load(&self, t: T) -> Result<T, ContactError> {
-        let (force, impulse) = (self.load.force(t), self.load.impulse(t));
+    /// The loading at a time that the solution covers, from a load that a user may have got wrong.
+    fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
         let time = t.value();
-        if !is_force(force) {
-            return Err(ContactError::Load(LoadError::InvalidForce { time, force: force.value() }));
+        if !is_time(t) {
+            return Err(ContactError::InvalidTime { time });
         }
-        if !is_force(impulse) {
-            return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse: impulse.value() }));
+        let loading = self.loading(t);
+        let (force, impulse) = (loading.force.value(), loading.impulse.value());
+        if !is_force(loading.force) {
+            return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
-        Ok(force + self.medium.chi() * impulse)
+        if !is_force(loading.impulse) {
+            return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
+        }
+        let chi = self.medium.chi();
+        if let Some(since) = self.load.recession(chi, t) {
+            return Err(ContactError::Receding { time, since: since.value() });
+        }
+        if loading.hereditary.is_zero() || loading.has_digits(chi, loading.hereditary * self.per_stiffness) {
+            return Ok(loading);
+        }
+        Err(ContactError::OutOfRange { time, force })
     }
 
     /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit.
@@ -308,8 +326,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             if !(inside < middle && middle < outside) {
                 return inside;
             }
-            let hereditary = self.load.force(middle) + self.medium.chi() * self.load.impulse(middle);
-            if self.radius_under(hereditary).is_ok() {
+            if self.radius_under(self.loading(middle).hereditary).is_ok() {
                 inside = middle;
             } else {
                 outside = middle;
@@ -328,14 +345,19 @@ fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
 /// J/a⁵ is δ₀′ but for a factor of 8 to 2056, and F/a⁴ is the curvature.
 #[inline(always)]
 fn keeps_digits<T: Scalar>(force: T, radius: T, load_integral: T) -> bool {
-    let (least, square) = (smallest_normal::<T>(), radius * radius);
+    let square = radius * radius;
     let power = square * square;
-    // Subnormal products would be slow; infinite ones are not.
-    let most = least.recip();
-    let is_normal = |value: T, unit: T| (unit <= value * most) & (value <= unit * most);
-    let has_power = (power >= least) & power.is_finite();
+    let has_power = (power >= smallest_normal()) & power.is_finite();
     let has_pressure = force.is_zero() | is_normal(force, power);
     radius.is_zero() | (has_power & is_normal(load_integral / radius, power) & has_pressure)
+}
+
+/// Whether a quotient is neither subnormal nor infinite.
+#[inline(always)]
+fn is_normal<T: Scalar>(value: T, unit: T) -> bool {
+    // Subnormal products would be slow; infinite ones are not.
+    let most = smallest_normal::<T>().recip();
+    (unit <= value * most) & (value <= unit * most)
 }
 
 #[inline(always)]

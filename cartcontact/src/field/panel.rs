@@ -26,8 +26,8 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{age_along_line, not_negative};
 use crate::memory::quadrature::NODES_4;
+use crate::memory::{age_along_line, not_negative};
 use crate::profile::GapProfile;
 use crate::scalar::smallest_normal;
 

@@ -10,7 +10,7 @@
 
 use super::stretch::{Course, Stretch};
 use super::{Increment, Moment, Transition, not_negative};
-use crate::contact::Contact;
+use crate::contact::{Contact, Loading};
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
 
@@ -114,11 +114,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let skipped = load.force(time);
         self.impulse += (time - start) * (force + skipped) * T::constant(0.5);
         let radius = self.radius_under(time, skipped).max(self.now.radius);
-        let hereditary = skipped + chi * self.impulse;
-        let surplus = surplus_that_counts(self.contact.surplus(hereditary, radius), skipped);
         let decay = (-(chi * (time - start))).exp();
         self.transition.advance(decay, self.quarter_m(), Increment::zero(), radius);
-        self.now = Moment { time, radius, surplus };
+        self.now = self.contact.moment_under(Loading::new(skipped, self.impulse, chi), time, radius);
     }
 
     fn advance_straight(&mut self, end: T) {
