@@ -19,6 +19,13 @@ pub(crate) struct Summand {
     pub(crate) exponent: Rational,
 }
 
+impl Summand {
+    /// The factor of its power, if that is a constant.
+    pub(crate) fn constant(&self, gap: &Gap) -> Option<Rational> {
+        Some(gap.terms.get(self.term)?.coefficient.as_constant()? * &self.weight)
+    }
+}
+
 pub(crate) struct ClosedForms {
     /// Φ(r) = Σ C rⁿ
     pub(crate) gap: PowerSum,

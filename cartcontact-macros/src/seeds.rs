@@ -46,8 +46,6 @@ pub(crate) struct Seeds {
     pub(crate) first: i32,
     /// Whether single precision holds everything that the step computes.
     pub(crate) single: bool,
-    /// Whether y and a stand for multiples of units that only the values of the fields decide.
-    pub(crate) is_scaled: bool,
     pub(crate) rows: Vec<[f32; 4]>,
 }
 
@@ -75,11 +73,8 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
         Range::Limited(end) => end.to_f64()?,
         Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
     };
-    let coefficients = load_integral
-        .summands
-        .iter()
-        .map(|summand| (gap.terms.get(summand.term)?.coefficient.as_constant()? * &summand.weight).to_f64());
-    let coefficients: Option<Vec<f64>> = coefficients.collect();
+    let coefficients: Option<Vec<f64>> =
+        load_integral.summands.iter().map(|summand| summand.constant(gap)?.to_f64()).collect();
     let load_integral = LoadIntegral { terms: coefficients?.into_iter().zip(exponents).collect() };
     let steepest = load_integral.at(length(gap)?.min(end)).value.log2().floor();
     let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
@@ -89,8 +84,7 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
 /// Two terms with any coefficients, in units of the radius at which they are equal and of their value there.
 fn of_two_terms(exponents: Vec<f64>) -> Option<Seeds> {
     let terms: Vec<(f64, f64)> = exponents.into_iter().map(|exponent| (1.0, exponent)).collect();
-    let seeds = (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)?;
-    Some(Seeds { is_scaled: true, ..seeds })
+    (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)
 }
 
 /// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
@@ -148,7 +142,7 @@ impl LoadIntegral {
             self.row(index, ends)
         });
         let (first, rows) = longest_run(bottom, rows)?;
-        let seeds = Seeds { first, single: false, is_scaled: false, rows };
+        let seeds = Seeds { first, single: false, rows };
         let holds = |y| self.radius(y).is_some_and(|a| self.largest_logarithm(y, a) < LARGEST_SINGLE);
         let single = seeds.range().into_iter().all(holds);
         (seeds.rows.len() >= FEWEST_ROWS).then_some(Seeds { single, ..seeds })

@@ -32,7 +32,7 @@ const MOST_STEPS: u32 = 20_000;
 /// # Errors
 ///
 /// [`ProfileError`] for coefficients or exponents that are not usable, too small ones among them, and for a gap that does not open.
-pub fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> Result<T, ProfileError> {
+fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> Result<T, ProfileError> {
     let mut smallest = T::infinity();
     let mut negative = false;
     for (c, n) in terms.clone() {

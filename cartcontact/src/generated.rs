@@ -1,7 +1,7 @@
 //! What generated code calls. Not part of the interface: it changes with the macro of the same version.
 
 pub use crate::admissibility::{
-    admissible_range, check_coefficients, check_positive, checked_range, inside_surfaces, not_below_zero,
+    check_coefficients, check_positive, checked_range, inside_surfaces, not_below_zero,
 };
 pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,

@@ -44,8 +44,7 @@ impl<'a> Coefficients<'a> {
 
     /// The factor of a power in a sum, if it is a constant.
     pub(super) fn constant(&self, summand: &Summand) -> Option<Rational> {
-        let term = self.geometry.gap.terms.get(summand.term)?;
-        Some(term.coefficient.as_constant()? * &summand.weight)
+        summand.constant(&self.geometry.gap)
     }
 
     /// All terms of the gap as pairs (coefficient, exponent).

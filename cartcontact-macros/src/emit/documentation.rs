@@ -49,7 +49,7 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
         kernel(gap),
         admissibility(geometry),
         truncation(geometry),
-        table(seeds),
+        table(seeds, gap),
         effort(operations, shared),
     );
     // A space, as in a comment written by hand.
@@ -180,10 +180,10 @@ fn truncation(geometry: &Geometry) -> String {
 }
 
 /// How the contact radius is found.
-fn table(seeds: Option<&Seeds>) -> String {
+fn table(seeds: Option<&Seeds>, gap: &Gap) -> String {
     let Some(seeds) = seeds else { return String::new() };
     let [from, to] = seeds.range();
-    let unit = if seeds.is_scaled { " in units of the geometry's own" } else { "" };
+    let unit = if gap.is_constant() { "" } else { " in units of the geometry's own" };
     format!(
         "\n\nThe contact radius takes one step from a table of {} bytes where J{unit} is between {from:.1e} and \
          {to:.1e}; elsewhere it is iterated.",

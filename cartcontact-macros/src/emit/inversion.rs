@@ -37,24 +37,22 @@ pub(super) fn methods(
         }
         _ => newton(gap, forms, coefficients, names),
     };
-    let radius = if has_seeds {
-        seeds::methods(&forms.load_integral, coefficients, names, &general)
-    } else {
-        quote! {
-            #[inline]
-            fn radius_within(
-                &self,
-                #load_integral: #scalar,
-                #limit: #scalar,
-            ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
-                #preamble
-                #general
-            }
-        }
-    };
+    let sum = &forms.load_integral;
+    let radius = if has_seeds { seeds::radius(sum, coefficients, names, &general) } else { general };
+    let radii_within = has_seeds.then(|| seeds::radii_within(sum, coefficients, names));
     let drop = drop_of_load_integral(forms, coefficients, names);
     quote! {
-        #radius
+        #[inline]
+        fn radius_within(
+            &self,
+            #load_integral: #scalar,
+            #limit: #scalar,
+        ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
+            #preamble
+            #radius
+        }
+
+        #radii_within
 
         #[inline]
         fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }

@@ -44,33 +44,36 @@ pub(super) fn items(
     }
 }
 
-/// `radius_within` and `radii_within` from the table, and elsewhere by `general`.
-pub(super) fn methods(
+/// The radius from the table, and elsewhere by `general`: the body of `radius_within`.
+pub(super) fn radius(
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
     general: &TokenStream,
 ) -> TokenStream {
+    let (elsewhere, (variables, _)) = (names.generated("elsewhere"), coefficients.variables());
+    let scale = scale(load_integral, coefficients, names);
+    let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
+    quote! {
+        match SEEDS.radius(#load_integral, #limit, #scale, |#a| steepness(#a, #variables)) {
+            ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
+            ::core::option::Option::None => #elsewhere(move || { #general }),
+        }
+    }
+}
+
+/// `radii_within` from the table, and elsewhere by `radius_within`.
+pub(super) fn radii_within(
+    load_integral: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
     let Names { krate, scalar } = names;
-    let elsewhere = names.generated("elsewhere");
     let (preamble, (variables, _)) = (coefficients.preamble(), coefficients.variables());
     let scale = scale(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     quote! {
-        #[inline]
-        fn radius_within(
-            &self,
-            #load_integral: #scalar,
-            #limit: #scalar,
-        ) -> ::core::result::Result<#scalar, #krate::RadiusError> {
-            #preamble
-            match SEEDS.radius(#load_integral, #limit, #scale, |#a| steepness(#a, #variables)) {
-                ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
-                ::core::option::Option::None => #elsewhere(move || { #general }),
-            }
-        }
-
         fn radii_within(
             &self,
             #load_integrals: &[#scalar],
