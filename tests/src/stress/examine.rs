@@ -87,11 +87,11 @@ fn exact<T: Precision>(scene: &Scene<T>) -> History {
     History::new(Profile::new(scene.exact_terms()), (scene.m.value(), scene.chi.value()), &knots)
 }
 
-struct Examination<'a, T: Precision> {
-    scene: &'a Scene<T>,
-    contact: Loaded<'a, T>,
+pub(super) struct Examination<'a, T: Precision> {
+    pub(super) scene: &'a Scene<T>,
+    pub(super) contact: Loaded<'a, T>,
     exact: History,
-    findings: &'a mut dyn Findings,
+    pub(super) findings: &'a mut dyn Findings,
 }
 
 impl<T: Precision> Examination<'_, T> {
@@ -212,7 +212,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     /// A distance from the axis by its distance from the edge.
-    fn place(&self, radius: T, inset: f64) -> T {
+    pub(super) fn place(&self, radius: T, inset: f64) -> T {
         T::rounded(radius.value() * (1.0 - inset)).min(radius)
     }
 
@@ -346,50 +346,6 @@ impl<T: Precision> Examination<'_, T> {
             .map(|time| self.contact.at(time).map_or(0.0, |then| (then.radius() / a).value().min(1.0)))
     }
 
-    /// Lengths, forces and times in units that differ by powers of two: the same bits.
-    fn units(&mut self, now: &Now<'_, '_, T>) {
-        // Coefficients of constant geometries have no other units; the end of a range that is searched for is the zero of a
-        // sum of exponentials of ln r, and rounded as such.
-        let is_bound = matches!(self.scene.form, Form::Constant(_))
-            || self.scene.terms.iter().any(|(c, _)| *c < T::zero());
-        let lengths = if is_bound { 0 } else { 4 };
-        for (length, force, time) in [(lengths, 0, 0), (-lengths, 5, 0), (0, -7, 3)] {
-            let Some(scene) = self.scene.in_units(length, force, time) else { continue };
-            let Ok(profile) = solver(&scene) else { continue };
-            let Ok(contact) = contact(&scene, &*profile) else { continue };
-            let r = self.place(now.radius(), self.scene.inset);
-            let unit = T::power_of_two(length);
-            let pressure = T::power_of_two(force) / (unit * unit);
-            let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
-            let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
-            let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
-            let intermediate = [self.contact.profile().load_integral(now.radius()), least];
-            let has_room = |x: &T| {
-                x.is_zero()
-                    || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
-            };
-            let mut inputs = self.scene.numbers().chain(scene.numbers());
-            if !expected.iter().chain(&intermediate).all(has_room) || !inputs.all(|x| has_room(&x)) {
-                continue;
-            }
-            let found = match contact.at(scene.time) {
-                Ok(then) => [then.radius(), then.approach(), then.pressure(r * unit)],
-                Err(error) => {
-                    self.findings.fault(Fault::Refused, &error);
-                    continue;
-                }
-            };
-            if found != expected {
-                let [found, expected] = [found, expected].map(|values| values.map(Precision::shown));
-                let units = (length, force, time);
-                self.findings.fault(
-                    Fault::NotInvariant,
-                    &format_args!("{found:?}, not {expected:?} in units 2^{units:?}"),
-                );
-            }
-        }
-    }
-
     /// Notes an error in units of ε, relative to a normal number at least, as a share of what is allowed.
     fn measure(&mut self, quantity: Quantity, found: f64, expected: Wide, condition: f64) {
         let value = expected.value();
@@ -416,4 +372,4 @@ impl<T: Precision> Examination<'_, T> {
     }
 }
 
-type Now<'c, 'a, T> = Snapshot<'c, T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
+pub(super) type Now<'c, 'a, T> = Snapshot<'c, T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;

@@ -12,4 +12,5 @@ pub mod region;
 mod report;
 pub mod scene;
 pub mod soundness;
+mod units;
 pub mod wide;
