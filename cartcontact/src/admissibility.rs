@@ -94,7 +94,7 @@ fn has_digits<T: Scalar>(c: T, n: T) -> bool {
 ///
 /// # Errors
 ///
-/// [`ProfileError`] as [`admissible_range`], and if `requested` is not positive or lies beyond the range.
+/// [`ProfileError`] as `admissible_range`, and if `requested` is not positive or lies beyond the range.
 pub fn checked_range<T: Scalar>(
     terms: impl Iterator<Item = (T, T)> + Clone,
     requested: Option<T>,
