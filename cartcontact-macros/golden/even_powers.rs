@@ -29,8 +29,9 @@
 /// ```
 struct Patellofemoral;
 const _: () = {
-    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
         first: -168,
+        count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
@@ -152,7 +153,7 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::Scale::none(),
+                    ::cartcontact::generated::OwnUnits,
                     |__a| steepness(__a, []),
                 )
             {
@@ -208,7 +209,7 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::Scale::none(),
+                    ::cartcontact::generated::OwnUnits,
                     #[inline(always)]
                     |__a| steepness(__a, []),
                     |__load_integral| ::cartcontact::GapProfile::radius_within(

@@ -57,8 +57,9 @@ const _: () = {
                 }),
         ]
     }
-    static SEEDS: crate::renamed::generated::Seeds<256> = crate::renamed::generated::Seeds {
+    static SEEDS: crate::renamed::generated::Seeds = crate::renamed::generated::Seeds {
         first: -176,
+        count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
@@ -205,22 +206,20 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    crate::renamed::generated::Scale::from(
-                        crate::renamed::generated::equal_terms(
-                            (
-                                __c0
-                                    * <T as crate::renamed::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as crate::renamed::Scalar>::constant(6.0f64),
-                            ),
-                            (
-                                __c1
-                                    * <T as crate::renamed::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as crate::renamed::Scalar>::constant(8.0f64),
-                            ),
+                    crate::renamed::generated::EqualTerms::of(
+                        (
+                            __c0
+                                * <T as crate::renamed::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as crate::renamed::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1
+                                * <T as crate::renamed::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as crate::renamed::Scalar>::constant(8.0f64),
                         ),
                     ),
                     |__a| steepness(__a, [__c0, __c1]),
@@ -276,22 +275,20 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    crate::renamed::generated::Scale::from(
-                        crate::renamed::generated::equal_terms(
-                            (
-                                __c0
-                                    * <T as crate::renamed::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as crate::renamed::Scalar>::constant(6.0f64),
-                            ),
-                            (
-                                __c1
-                                    * <T as crate::renamed::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as crate::renamed::Scalar>::constant(8.0f64),
-                            ),
+                    crate::renamed::generated::EqualTerms::of(
+                        (
+                            __c0
+                                * <T as crate::renamed::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as crate::renamed::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1
+                                * <T as crate::renamed::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as crate::renamed::Scalar>::constant(8.0f64),
                         ),
                     ),
                     #[inline(always)]

@@ -48,8 +48,9 @@ const _: () = {
             ),
         ]
     }
-    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
         first: -176,
+        count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
@@ -251,22 +252,20 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::Scale::from(
-                        ::cartcontact::generated::equal_terms(
-                            (
-                                __c0
-                                    * <S as ::cartcontact::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <S as ::cartcontact::Scalar>::constant(6.0f64),
-                            ),
-                            (
-                                __c1
-                                    * <S as ::cartcontact::Scalar>::constant(
-                                        0.08547008547008547f64,
-                                    ),
-                                <S as ::cartcontact::Scalar>::constant(6.5f64),
-                            ),
+                    ::cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0
+                                * <S as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1
+                                * <S as ::cartcontact::Scalar>::constant(
+                                    0.08547008547008547f64,
+                                ),
+                            <S as ::cartcontact::Scalar>::constant(6.5f64),
                         ),
                     ),
                     |__a| steepness(__a, [__c0, __c1]),
@@ -320,22 +319,20 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::Scale::from(
-                        ::cartcontact::generated::equal_terms(
-                            (
-                                __c0
-                                    * <S as ::cartcontact::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <S as ::cartcontact::Scalar>::constant(6.0f64),
-                            ),
-                            (
-                                __c1
-                                    * <S as ::cartcontact::Scalar>::constant(
-                                        0.08547008547008547f64,
-                                    ),
-                                <S as ::cartcontact::Scalar>::constant(6.5f64),
-                            ),
+                    ::cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0
+                                * <S as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1
+                                * <S as ::cartcontact::Scalar>::constant(
+                                    0.08547008547008547f64,
+                                ),
+                            <S as ::cartcontact::Scalar>::constant(6.5f64),
                         ),
                     ),
                     #[inline(always)]

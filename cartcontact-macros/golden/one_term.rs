@@ -30,8 +30,9 @@
 /// ```
 pub struct Paraboloid;
 const _: () = {
-    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
         first: -148,
+        count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
@@ -128,7 +129,7 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::Scale::none(),
+                    ::cartcontact::generated::OwnUnits,
                     |__a| steepness(__a, []),
                 )
             {
@@ -157,7 +158,7 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::Scale::none(),
+                    ::cartcontact::generated::OwnUnits,
                     #[inline(always)]
                     |__a| steepness(__a, []),
                     |__load_integral| ::cartcontact::GapProfile::radius_within(

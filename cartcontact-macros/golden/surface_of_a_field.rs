@@ -57,8 +57,9 @@ const _: () = {
                 }),
         ]
     }
-    static SEEDS: ::cartcontact::generated::Seeds<256> = ::cartcontact::generated::Seeds {
+    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
         first: -176,
+        count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
@@ -194,22 +195,20 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::Scale::from(
-                        ::cartcontact::generated::equal_terms(
-                            (
-                                __c0
-                                    * <T as ::cartcontact::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as ::cartcontact::Scalar>::constant(6.0f64),
-                            ),
-                            (
-                                __c1
-                                    * <T as ::cartcontact::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as ::cartcontact::Scalar>::constant(8.0f64),
-                            ),
+                    ::cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0
+                                * <T as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as ::cartcontact::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1
+                                * <T as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as ::cartcontact::Scalar>::constant(8.0f64),
                         ),
                     ),
                     |__a| steepness(__a, [__c0, __c1]),
@@ -265,22 +264,20 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::Scale::from(
-                        ::cartcontact::generated::equal_terms(
-                            (
-                                __c0
-                                    * <T as ::cartcontact::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as ::cartcontact::Scalar>::constant(6.0f64),
-                            ),
-                            (
-                                __c1
-                                    * <T as ::cartcontact::Scalar>::constant(
-                                        0.08333333333333333f64,
-                                    ),
-                                <T as ::cartcontact::Scalar>::constant(8.0f64),
-                            ),
+                    ::cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0
+                                * <T as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as ::cartcontact::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1
+                                * <T as ::cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                            <T as ::cartcontact::Scalar>::constant(8.0f64),
                         ),
                     ),
                     #[inline(always)]

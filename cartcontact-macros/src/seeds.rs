@@ -26,13 +26,14 @@ use crate::geometry::{Geometry, Range};
 /// Rows per octave of the load integral.
 const ROWS_PER_OCTAVE: i32 = 4;
 const OCTAVES: i32 = 64;
+const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
 /// How much of the window lies above J(ℓ).
 const OCTAVES_ABOVE: i32 = 4;
 /// How much of it lies above the load integral at which two terms are equal.
 const OCTAVES_ABOVE_EQUALITY: i32 = 20;
 /// A shorter table is not worth its code.
 const FEWEST_ROWS: usize = 32;
-/// Logarithms of y, of the powers of a, and of their coefficients, up to which no product of the step overflows.
+/// Logarithms of what a step begins with, up to which none of its products overflows: they have up to three factors.
 const LARGEST_DOUBLE: f64 = 300.0;
 const LARGEST_SINGLE: f64 = 100.0;
 /// ε/8.
@@ -53,6 +54,20 @@ impl Seeds {
     /// The load integrals at both ends of the table.
     pub(crate) fn range(&self) -> [f64; 2] {
         [self.first, self.first + self.rows.len() as i32].map(lower_end)
+    }
+
+    /// The rows where the solver looks for them, with their coefficients in its order: that of index k is at k − 4
+    /// modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
+    pub(crate) fn in_places(&self) -> [[f32; 4]; ROWS] {
+        let mut places = [[0.0; 4]; ROWS];
+        for (&[c0, c1, c2, c3], index) in self.rows.iter().zip(self.first..) {
+            places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = [c0, c2, c1, c3];
+        }
+        places
+    }
+
+    pub(crate) const fn size_in_bytes() -> usize {
+        size_of::<[[f32; 4]; ROWS]>()
     }
 }
 
@@ -183,10 +198,14 @@ impl LoadIntegral {
         None
     }
 
-    /// The largest of the logarithms of y, of the powers of its radius a and of their coefficients.
+    /// The largest logarithm of y, its radius's powers, their coefficients, and J and J′ in units of the highest term.
     fn largest_logarithm(&self, y: f64, a: f64) -> f64 {
-        let sizes = self.terms.iter().flat_map(|&(j, p)| [j.abs().log2(), p * a.log2()]);
-        sizes.fold(y.log2().abs(), |largest, size| largest.max(size.abs()))
+        let size = |&(j, p): &(f64, f64)| [j.abs().log2(), p * a.log2()];
+        let ([_, lowest], [unit, _]) =
+            (self.terms.first().map_or([0.0; 2], size), self.terms.last().map_or([0.0; 2], size));
+        let (y, value) = (y.log2(), y.log2() - unit);
+        let sizes = self.terms.iter().flat_map(size).chain([y, value, value - lowest]);
+        sizes.fold(0.0, |largest, size| largest.max(size.abs()))
     }
 
     /// The cubic for the row between two radii, if it passes the check.

@@ -7,12 +7,12 @@ pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
 pub use crate::evaluate::power::{
-    equal_terms, integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness,
-    quick_power_sum, real_power,
+    integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness, quick_power_sum,
+    real_power,
 };
 pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
 };
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
-pub use crate::seeds::{Scale, Seeds, Steepness, elsewhere};
+pub use crate::seeds::{EqualTerms, OwnUnits, Seeds, Steepness, elsewhere};

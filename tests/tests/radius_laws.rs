@@ -1,7 +1,7 @@
 //! Laws of the contact radius: it inverts the load integral, for any load.
 
 use cartcontact::load::Constant;
-use cartcontact::{Contact, GapProfile, Medium, RadiusError};
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, RadiusError, gap_profile};
 use proptest::prelude::*;
 use tests::budget;
 use tests::measure::relative_error;
@@ -93,6 +93,28 @@ fn radii_are_not_wrong_where_the_slope_overflows() {
     }
 }
 
+#[gap_profile(b * r^2 + c * r^4)]
+struct Fields {
+    b: f64,
+    c: f64,
+}
+
+/// Numbers whose squares leave the format, in a step from the table that all geometries of two fields share.
+#[test]
+fn coefficients_of_any_size_have_all_digits() {
+    for exponent in -290..290 {
+        let unit = 10f64.powi(exponent);
+        let polynomial =
+            Polynomial::new([(unit, 2.0), (unit, 4.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+        for load_integral in [0.01, 1.0, 70.0].map(|share| share * unit) {
+            let found = Fields { b: unit, c: unit }.radius_within(load_integral, f64::INFINITY);
+            let expected = polynomial.radius(load_integral).unwrap_or(f64::NAN);
+            let error = relative_error(found.unwrap_or(f64::NAN), expected, f64::EPSILON);
+            assert!(error <= 2.0, "{unit:e}, {load_integral:e}: {error} ε");
+        }
+    }
+}
+
 #[test]
 fn no_load_makes_no_contact() {
     for case in cases() {
@@ -112,19 +134,21 @@ fn the_end_of_the_range_is_reached_and_not_passed() {
     }
 }
 
-/// Whole blocks, the rest of one, and blocks in which some load integrals lie outside the table.
+/// Large blocks, small ones and the rest of one, in the table or with some load integrals outside it.
 #[test]
 fn many_radii_are_those_of_single_ones() {
     for case in cases() {
         let largest = case.double.load_integral(case.max_radius.unwrap_or(100.0));
-        let load_integrals: Vec<f64> =
-            (0..1000).map(|k| largest * 0.9_f64.powi(k * 37 % 1000)).chain([0.0, largest]).collect();
-        for length in [1, 63, 64, 65, 1002] {
-            let load_integrals = &load_integrals[..length];
-            let mut radii = vec![0.0; length];
-            assert_eq!(case.double.radii(load_integrals, &mut radii), Ok(()), "{case:?}");
-            let single = |&load_integral| case.double.radius(load_integral).unwrap_or(f64::NAN);
-            assert!(load_integrals.iter().map(single).eq(radii), "{case:?}, {length}");
+        for ratio in [0.99_f64, 0.9] {
+            let falling = (0..1000).map(|k| largest * ratio.powi(k * 37 % 1000));
+            let load_integrals: Vec<f64> = falling.chain([0.0, largest]).collect();
+            for length in [1, 15, 16, 17, 127, 128, 129, 1002] {
+                let load_integrals = &load_integrals[..length];
+                let mut radii = vec![0.0; length];
+                assert_eq!(case.double.radii(load_integrals, &mut radii), Ok(()), "{case:?}");
+                let single = |&load_integral| case.double.radius(load_integral).unwrap_or(f64::NAN);
+                assert!(load_integrals.iter().map(single).eq(radii), "{case:?}, {ratio}, {length}");
+            }
         }
     }
 }

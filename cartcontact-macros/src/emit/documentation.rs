@@ -187,7 +187,7 @@ fn table(seeds: Option<&Seeds>, gap: &Gap) -> String {
     format!(
         "\n\nThe contact radius takes one step from a table of {} bytes where J{unit} is between {from:.1e} and \
          {to:.1e}; elsewhere it is iterated.",
-        16 * seeds.rows.len()
+        Seeds::size_in_bytes()
     )
 }
 

@@ -23,16 +23,16 @@ pub(super) fn items(
 ) -> TokenStream {
     let Names { krate, scalar } = names;
     let [table, steepness] = ["Seeds", "Steepness"].map(|name| names.generated(name));
-    let count = Literal::usize_unsuffixed(seeds.rows.len());
     let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
+    let count = Literal::usize_unsuffixed(seeds.rows.len());
     // One text for the compiler to read is quicker than three thousand tokens, and shortest literals are what `Debug`
     // writes.
-    let rows: TokenStream = format!("{:?}", seeds.rows).parse().unwrap_or_default();
+    let rows: TokenStream = format!("{:?}", seeds.in_places()).parse().unwrap_or_default();
     let (variables, count_of_variables) = coefficients.variables();
     let a = local("a");
     let body = body(load_integral, &a, coefficients, names);
     quote! {
-        static SEEDS: #table<#count> = #table { first: #first, single: #single, rows: #rows };
+        static SEEDS: #table = #table { first: #first, count: #count, single: #single, rows: #rows };
 
         #[inline(always)]
         fn steepness<#scalar: #krate::Scalar>(
@@ -52,10 +52,10 @@ pub(super) fn radius(
     general: &TokenStream,
 ) -> TokenStream {
     let (elsewhere, (variables, _)) = (names.generated("elsewhere"), coefficients.variables());
-    let scale = scale(load_integral, coefficients, names);
+    let units = units(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     quote! {
-        match SEEDS.radius(#load_integral, #limit, #scale, |#a| steepness(#a, #variables)) {
+        match SEEDS.radius(#load_integral, #limit, #units, |#a| steepness(#a, #variables)) {
             ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
             ::core::option::Option::None => #elsewhere(move || { #general }),
         }
@@ -70,7 +70,7 @@ pub(super) fn radii_within(
 ) -> TokenStream {
     let Names { krate, scalar } = names;
     let (preamble, (variables, _)) = (coefficients.preamble(), coefficients.variables());
-    let scale = scale(load_integral, coefficients, names);
+    let units = units(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     quote! {
@@ -84,7 +84,7 @@ pub(super) fn radii_within(
             SEEDS.radii(
                 (#load_integrals, #radii),
                 #limit,
-                #scale,
+                #units,
                 // Without it, wide vectors would end at the call.
                 #[inline(always)]
                 |#a| steepness(#a, #variables),
@@ -95,19 +95,19 @@ pub(super) fn radii_within(
 }
 
 /// The units of the table: those of its own geometry, or of the two terms that it stands for.
-fn scale(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let scale = names.generated("Scale");
-    let [low, high] = load_integral.summands.as_slice() else { return quote!(#scale::none()) };
+fn units(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let own = names.generated("OwnUnits");
+    let [low, high] = load_integral.summands.as_slice() else { return own };
     if coefficients.constant(low).is_some() && coefficients.constant(high).is_some() {
-        return quote!(#scale::none());
+        return own;
     }
-    let (constant, equal) = (names.constant(), names.generated("equal_terms"));
+    let (constant, equal_terms) = (names.constant(), names.generated("EqualTerms"));
     let [low, high] = [low, high].map(|summand| {
         let (coefficient, exponent) =
             (coefficients.times(summand.term, &summand.weight), literal(&summand.exponent));
         quote!((#coefficient, #constant(#exponent)))
     });
-    quote!(#scale::from(#equal(#low, #high)))
+    quote!(#equal_terms::of(#low, #high))
 }
 
 /// A `Steepness` at the radius `a`: J, a J′/p and a² J″/(2 p²) with the highest power a^p of J for unit.

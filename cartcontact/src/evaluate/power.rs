@@ -101,7 +101,7 @@ pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, 
 
 /// Where the terms c x^p and d x^q, p < q, are equal, and their value there, both within some digits.
 #[inline]
-pub fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
+pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     let (ratio, order) = (c / d, q - p);
     let x = if order == T::one() {
         ratio

@@ -1,0 +1,112 @@
+//! The radii of many load integrals, in blocks that become vector code.
+
+use super::units::Units;
+use super::{Seeds, Steepness, cubic, single};
+use crate::Scalar;
+use crate::dispatch::wide;
+use crate::profile::{RadiusError, check_lengths};
+
+/// How many radii are stepped to at once; their rows and seeds stay in the nearest cache.
+const BLOCK: usize = 128;
+
+/// The same at the end of a slice. Fewer still are quicker one by one.
+const SMALL_BLOCK: usize = 16;
+
+impl Seeds {
+    /// The radii of many load integrals; blocks that are not all in the table, and few, by `general`.
+    ///
+    /// # Errors
+    ///
+    /// The first of those of `general`, and if the slices differ in length.
+    #[inline]
+    pub fn radii<T: Scalar>(
+        &self,
+        (load_integrals, radii): (&[T], &mut [T]),
+        limit: T,
+        units: impl Units<T>,
+        evaluate: impl Fn(T) -> Steepness<T>,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        check_lengths(load_integrals, radii)?;
+        let blocks = Blocks { seeds: self, limit, units, evaluate };
+        let mut start = 0;
+        while start < radii.len() {
+            let (load_integrals, radii) = (&load_integrals[start..], &mut radii[start..]);
+            let found = if self.holds::<T>() && radii.len() >= SMALL_BLOCK {
+                wide(
+                    #[inline(always)]
+                    || blocks.solve(load_integrals, radii),
+                )
+            } else {
+                0
+            };
+            let end = radii.len().min(found + BLOCK);
+            for (radius, &load_integral) in radii[found..end].iter_mut().zip(&load_integrals[found..end]) {
+                *radius = general(load_integral)?;
+            }
+            start += end;
+        }
+        Ok(())
+    }
+}
+
+/// What the radii of many load integrals are found with.
+struct Blocks<'a, T, U, F> {
+    seeds: &'a Seeds,
+    limit: T,
+    units: U,
+    evaluate: F,
+}
+
+impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
+    /// The radii before the first block that is not all in the table, or before the last few; how many they are.
+    #[inline(always)]
+    fn solve(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
+        let found = self.leading::<BLOCK>(load_integrals, radii);
+        if radii.len() - found >= BLOCK {
+            return found;
+        }
+        found + self.leading::<SMALL_BLOCK>(&load_integrals[found..], &mut radii[found..])
+    }
+
+    /// The radii of the blocks before the first that is not all in the table, and how many they are.
+    #[inline(always)]
+    fn leading<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
+        let (load_integrals, radii) = (load_integrals.as_chunks::<N>().0, radii.as_chunks_mut::<N>().0);
+        let mut found = 0;
+        for (load_integrals, radii) in load_integrals.iter().zip(radii) {
+            if !self.block(load_integrals, radii) {
+                break;
+            }
+            found += N;
+        }
+        found
+    }
+
+    /// The radii of a block; false if one of them is not to be found in the table.
+    ///
+    /// Only copying the rows goes value by value; the loops before and after take several at once.
+    #[inline(always)]
+    fn block<const N: usize>(&self, load_integrals: &[T; N], radii: &mut [T; N]) -> bool {
+        let Self { seeds, limit, units, evaluate } = self;
+        let mut found = true;
+        let (mut places, mut fractions) = ([0; N], [0; N]);
+        for ((row, fraction), &load_integral) in places.iter_mut().zip(&mut fractions).zip(load_integrals) {
+            let place = seeds.place(units.in_table(load_integral));
+            (*row, *fraction) = (place.row, place.fraction);
+            found &= place.is_inside;
+        }
+        let rows: [_; N] = core::array::from_fn(|k| seeds.rows[usize::from(places[k])]);
+        let mut seeds = [0.0; N];
+        for ((seed, row), &fraction) in seeds.iter_mut().zip(&rows).zip(&fractions) {
+            *seed = cubic(row, fraction);
+        }
+        for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
+            let seed = units.of_geometry(single(seed));
+            *radius = evaluate(seed).step(seed, load_integral);
+            let is_beyond = *radius > *limit;
+            found &= !is_beyond;
+        }
+        found
+    }
+}

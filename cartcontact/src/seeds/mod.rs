@@ -1,0 +1,157 @@
+//! The contact radius in one step, from a table that the macro has computed.
+//!
+//! A row of the table is a cubic in the fraction of the load integral y that meets the radius to six digits.
+//! From there one step of Halley's method reaches the last bit of double precision,
+//!
+//! ```text
+//! a ← a − a f aJ′/((aJ′)² − f a²J″/2),    f = J(a) − y
+//! ```
+//!
+//! and one of Newton's that of single precision. The macro has checked what the step leaves at every row: less
+//! than ε/8. J itself, whose error is divided by p = a J′/J > 4, and the last subtraction round.
+//!
+//! What lies outside the table, be it zero, not a number, or beyond the range, is left to the general solution:
+//! one comparison finds all of it.
+
+mod blocks;
+mod units;
+
+use core::any::Any;
+
+use simba::scalar::SupersetOf;
+
+use units::Units;
+pub use units::{EqualTerms, OwnUnits};
+
+use crate::Scalar;
+use crate::scalar::is;
+
+/// a(y) ≈ c₀ + c₁ u + c₂ u² + c₃ u³ with y = u · 2^e, 1 ≤ u < 2, for quarters of octaves k = 4 e + ⌊4 (u − 1)⌋.
+#[derive(Debug)]
+pub struct Seeds {
+    /// The first k of the table.
+    pub first: i32,
+    /// How many there are, at most 256.
+    pub count: u32,
+    /// Whether single precision holds all y, and all powers of a, up to 2^±100.
+    pub single: bool,
+    /// c₀, c₂, c₁ and c₃, those of k at k − 4 modulo 256.
+    ///
+    /// That is the number in eight bits of y, six of its exponent and two of its fraction: the row that they name needs
+    /// no check of bounds.
+    pub rows: [[f32; 4]; 256],
+}
+
+/// J and its derivatives at a radius in units of its highest power a^p, all divided by their lowest power a^k.
+#[derive(Clone, Copy, Debug)]
+pub struct Steepness<T> {
+    /// a^k.
+    pub power: T,
+    /// J.
+    pub value: T,
+    /// a J′/p.
+    pub first: T,
+    /// a² J″/(2 p²).
+    pub half_second: T,
+    /// 1 over the coefficient of a^p.
+    pub per_unit: T,
+    /// 1/p.
+    pub per_degree: T,
+}
+
+impl Seeds {
+    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
+    /// than f32 and f64.
+    #[inline(always)]
+    pub fn radius<T: Scalar>(
+        &self,
+        load_integral: T,
+        limit: T,
+        units: impl Units<T>,
+        evaluate: impl Fn(T) -> Steepness<T>,
+    ) -> Option<T> {
+        let place = self.place(units.in_table(load_integral));
+        if !(self.holds::<T>() && place.is_inside) {
+            return None;
+        }
+        let seed = units.of_geometry(single(cubic(&self.rows[usize::from(place.row)], place.fraction)));
+        let radius = evaluate(seed).step(seed, load_integral);
+        // No comparison where the limit is infinite; and nothing here is NaN.
+        let is_beyond = radius > limit;
+        (!is_beyond).then_some(radius)
+    }
+
+    fn holds<T: Scalar>(&self) -> bool {
+        is::<T, f64>() || (is::<T, f32>() && self.single)
+    }
+
+    /// The exponent and two digits of the fraction are the place.
+    ///
+    /// Too small for the table, or with the sign set, they become one that is too large.
+    #[inline(always)]
+    fn place<T: Scalar>(&self, load_integral: T) -> Place {
+        let any: &dyn Any = &load_integral;
+        let (quarter, bias, fraction) = match any.downcast_ref::<f32>() {
+            Some(single) => (single.to_bits() >> 21, 127, single.to_bits()),
+            None => {
+                let bits = load_integral.value().to_bits();
+                ((bits >> 50) as u32, 1023, (bits >> 29) as u32)
+            }
+        };
+        let is_inside = quarter.wrapping_sub((4 * bias + self.first) as u32) < self.count;
+        Place { row: quarter as u8, fraction, is_inside }
+    }
+}
+
+/// Where a load integral lies in the table.
+struct Place {
+    row: u8,
+    /// Its fraction as the last 23 bits.
+    fraction: u32,
+    is_inside: bool,
+}
+
+/// The cubic at 1 plus the last 23 bits as a fraction.
+#[inline(always)]
+fn cubic(row: &[f32; 4], fraction: u32) -> f32 {
+    let u = f32::from_bits(fraction & 0x007f_ffff | 0x3f80_0000);
+    (row[0] + row[2] * u) + (row[1] + row[3] * u) * (u * u)
+}
+
+#[inline(always)]
+fn single<T: Scalar>(value: f32) -> T {
+    <T as SupersetOf<f32>>::from_subset(&value)
+}
+
+impl<T: Scalar> Steepness<T> {
+    #[inline(always)]
+    fn surplus(&self, load_integral: T) -> T {
+        self.power * self.value - load_integral * self.per_unit
+    }
+
+    /// The radius from its seed.
+    #[inline(always)]
+    fn step(self, seed: T, load_integral: T) -> T {
+        if is::<T, f32>() { self.newton(seed, load_integral) } else { self.halley(seed, load_integral) }
+    }
+
+    #[inline(always)]
+    fn halley(self, a: T, load_integral: T) -> T {
+        let surplus = self.surplus(load_integral);
+        // What needs no surplus is multiplied while that is formed, and nothing after the division.
+        let steep = self.power * self.first * self.first - surplus * self.half_second;
+        a - (a * self.per_degree * self.first) * surplus / steep
+    }
+
+    #[inline(always)]
+    fn newton(self, a: T, load_integral: T) -> T {
+        a - (a * self.per_degree) * self.surplus(load_integral) / (self.power * self.first)
+    }
+}
+
+/// The general solution, out of the way of the step from the table.
+#[cold]
+#[inline(never)]
+pub fn elsewhere<R>(solve: impl FnOnce() -> R) -> R {
+    solve()
+}

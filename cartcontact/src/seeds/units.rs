@@ -1,0 +1,69 @@
+//! The units that a table of seeds is in.
+
+use crate::Scalar;
+use crate::evaluate::power::equal_terms;
+use crate::scalar::is;
+
+/// The units of a table's load integrals and radii.
+///
+/// A type for each kind, so that those of the geometry itself leave nothing to do.
+pub trait Units<T>: Copy {
+    /// A load integral of the geometry in units of the table.
+    fn in_table(self, load_integral: T) -> T;
+
+    /// A radius from the table in units of the geometry.
+    fn of_geometry(self, radius: T) -> T;
+}
+
+/// Those of the geometry that the table was made for.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnUnits;
+
+impl<T: Scalar> Units<T> for OwnUnits {
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> T {
+        load_integral
+    }
+
+    #[inline(always)]
+    fn of_geometry(self, radius: T) -> T {
+        radius
+    }
+}
+
+/// Those in which J = j aᵖ + j′ aᵖ′ is xᵖ + xᵖ′, so that all such J have the same table: the radius at which both terms
+/// are equal, and the value that they have there.
+#[derive(Clone, Copy, Debug)]
+pub struct EqualTerms<T> {
+    radius: T,
+    per_load_integral: T,
+}
+
+impl<T: Scalar> EqualTerms<T> {
+    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′.
+    ///
+    /// If j, j′ and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±51 b, J′/a^(p−1) within as much,
+    /// and aᵖ within 2^±44 b²: none of their products in a step leaves the format. Other terms have no table.
+    #[inline(always)]
+    pub fn of(low: (T, T), high: (T, T)) -> Self {
+        let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
+        let (radius, load_integral) = equal_terms(low, high);
+        // False for NaN, which terms of different sign have for a unit.
+        let is_moderate = |size: T| (T::constant(least) <= size) & (size <= T::constant(most));
+        let has_table = is_moderate(low.0) & is_moderate(high.0) & is_moderate(load_integral);
+        // Zero lies in no table.
+        Self { radius, per_load_integral: if has_table { load_integral.recip() } else { T::zero() } }
+    }
+}
+
+impl<T: Scalar> Units<T> for EqualTerms<T> {
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> T {
+        load_integral * self.per_load_integral
+    }
+
+    #[inline(always)]
+    fn of_geometry(self, radius: T) -> T {
+        radius * self.radius
+    }
+}
