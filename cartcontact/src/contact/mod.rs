@@ -1,12 +1,12 @@
 //! A contact: a geometry, a medium and a load.
 
 mod error;
+mod radii;
 
 use core::fmt;
 
 pub use error::ContactError;
 
-use crate::dispatch::wide;
 use crate::load::{Load, LoadError, is_force};
 use crate::medium::Medium;
 use crate::memory::{Moment, surplus_that_counts};
@@ -14,9 +14,6 @@ use crate::profile::{GapProfile, RadiusError};
 use crate::scalar::smallest_normal;
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
-
-/// How many radii are solved for at once.
-const BLOCK: usize = 256;
 
 /// A load at a time: F, ∫F and Y = F + χ ∫F.
 #[derive(Clone, Copy, Debug)]
@@ -151,15 +148,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Empty { what: "times" });
         }
         check_length("radii", radii.len(), times.len())?;
-        for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
-            if !self.fill_radii(times, radii) {
-                // The first of the single radii that there is not names its fault.
-                for (radius, &time) in radii.iter_mut().zip(times) {
-                    *radius = self.radius_at(time)?;
-                }
-            }
-        }
-        Ok(())
+        radii::fill(self, times, radii)
     }
 
     /// The pressures at many times and radii, in MPa.
@@ -246,45 +235,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         } else {
             Err(ContactError::OutOfRange { time: t.value(), force: loading.force.value() })
         }
-    }
-
-    /// The contact radii at up to `BLOCK` times; false if there is a fault among them.
-    fn fill_radii(&self, times: &[T], radii: &mut [T]) -> bool {
-        let mut load_integrals = [T::zero(); BLOCK];
-        let load_integrals = &mut load_integrals[..times.len()];
-        let valid = wide(
-            #[inline(always)]
-            || self.load_integrals(times, load_integrals),
-        );
-        // Up to the last of the times the load has fallen too fast if it has at any.
-        let last = times.iter().fold(T::zero(), |last, &time| if time > last { time } else { last });
-        valid
-            && self.load.recession(self.medium.chi(), last).is_none()
-            && self.profile.radii_within(load_integrals, self.max_radius, radii).is_ok()
-            && wide(
-                #[inline(always)]
-                || {
-                    let contacts = times.iter().zip(&*radii).zip(&*load_integrals);
-                    contacts.fold(true, |all, ((&time, &radius), &load_integral)| {
-                        all & keeps_digits(self.load.force(time), radius, load_integral)
-                    })
-                },
-            )
-    }
-
-    /// The load integrals at some times, without a branch for each; false if there is a fault among them.
-    #[inline(always)]
-    fn load_integrals(&self, times: &[T], load_integrals: &mut [T]) -> bool {
-        let (chi, per_stiffness) = (self.medium.chi(), self.per_stiffness);
-        let mut valid = true;
-        for (load_integral, &time) in load_integrals.iter_mut().zip(times) {
-            let loading = Loading::new(self.load.force(time), self.load.impulse(time), chi);
-            let of_load = loading.hereditary * per_stiffness;
-            valid &= is_time(time) & is_force(loading.force) & is_force(loading.impulse);
-            valid &= loading.has_digits(chi, of_load);
-            *load_integral = of_load;
-        }
-        valid
     }
 
     /// What is known of the load at a time.

@@ -1,0 +1,109 @@
+//! The radii at many times are those at single ones to the last bit, and so are the faults.
+
+use cartcontact::load::{Constant, Load};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Scalar};
+use tests::loads::histories;
+use tests::profiles::{MixedSign, Oblate, Patellofemoral, RealPowers, SixTerm};
+
+const CHI: f64 = 0.0015;
+
+fn medium<T: Scalar>(m: T) -> Medium<T> {
+    let medium = Medium::from_constants(m, T::constant(CHI));
+    medium.unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+fn contact<T: Scalar, P: GapProfile<T>, L: Load<T>>(profile: P, m: T, load: L) -> Contact<T, P, L> {
+    Contact::new(profile, medium(m), load).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+/// Less than a block, a block and the next time, and several.
+const LENGTHS: [usize; 4] = [1, 255, 257, 1000];
+
+fn assert_same<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, name: &str) {
+    for length in LENGTHS {
+        let times: Vec<T> = (0..length).map(|k| T::constant((k * 389 % length) as f64 * 3.0)).collect();
+        let mut radii = vec![T::zero(); length];
+        assert_eq!(contact.radii(&times, &mut radii), Ok(()), "{name}, {length}");
+        for (&time, radius) in times.iter().zip(radii) {
+            let single = contact.at(time).map(|now| now.radius());
+            assert_eq!(single, Ok(radius), "{name}, {length}, time {time}");
+        }
+    }
+}
+
+#[test]
+fn radii_under_every_history() {
+    for (name, load) in histories(CHI) {
+        assert_same(&contact(Patellofemoral, 0.375, &load), name);
+        assert_same(&contact(SixTerm, 0.375, &load), name);
+        assert_same(&contact(RealPowers, 0.375, &load), name);
+        assert_same(&contact(MixedSign, 0.375, &load), name);
+    }
+}
+
+/// Also where a block's numbers are not of common size.
+#[test]
+fn radii_under_loads_of_every_size() {
+    for exponent in (-280..=280).step_by(10) {
+        let load = Constant(10f64.powi(exponent));
+        assert_same(&contact(Patellofemoral, 0.375, load), &format!("{load:?}"));
+    }
+    for exponent in -30..=30 {
+        let load = Constant(10f32.powi(exponent));
+        assert_same(&contact(Patellofemoral, 0.375, load), &format!("{load:?}"));
+    }
+}
+
+#[test]
+fn no_load_makes_no_contact_at_any_time() {
+    assert_same(&contact(Patellofemoral, 0.375, Constant(0.0)), "f64");
+    assert_same(&contact(Patellofemoral, 0.375_f32, Constant(0.0)), "f32");
+}
+
+/// The first fault is the one that the time has on its own.
+fn assert_refused<P: GapProfile<f64>, L: Load<f64>>(contact: &Contact<f64, P, L>, fault: f64) {
+    let mut times: Vec<f64> = (0..600).map(f64::from).collect();
+    times[300] = fault;
+    times[500] = -1.0;
+    let expected: Option<ContactError> = contact.at(fault).err();
+    assert!(expected.is_some(), "{fault}");
+    let found = contact.radii(&times, &mut [0.0; 600]).err();
+    // Errors may hold what is not a number.
+    assert_eq!(format!("{found:?}"), format!("{expected:?}"));
+}
+
+#[test]
+fn the_first_time_without_a_radius_is_named() {
+    for fault in [f64::NAN, f64::INFINITY, -f64::INFINITY, -1e-300] {
+        assert_refused(&contact(Patellofemoral, 0.375, Constant(100.0)), fault);
+    }
+    assert_refused(&contact(Oblate, 0.375, Constant(50.0)), 1e6);
+}
+
+/// A load that is no force, or whose impulse is none, at one time.
+struct Faulty {
+    force: f64,
+    impulse: f64,
+    at: f64,
+}
+
+impl Load<f64> for Faulty {
+    fn force(&self, t: f64) -> f64 {
+        if t == self.at { self.force } else { 100.0 }
+    }
+    fn impulse(&self, t: f64) -> f64 {
+        if t == self.at { self.impulse } else { 100.0 * t }
+    }
+    fn recession(&self, _chi: f64, _t: f64) -> Option<f64> {
+        None
+    }
+}
+
+#[test]
+fn loads_that_are_none_are_named() {
+    for bad in [f64::NAN, f64::INFINITY, -1.0] {
+        let at = 300.5;
+        assert_refused(&contact(Patellofemoral, 0.375, Faulty { force: bad, impulse: 3e4, at }), at);
+        assert_refused(&contact(Patellofemoral, 0.375, Faulty { force: 100.0, impulse: bad, at }), at);
+    }
+}
