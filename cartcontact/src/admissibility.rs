@@ -29,21 +29,40 @@ const MOST_STEPS: u32 = 20_000;
 
 /// Checks the terms (C, n) of a gap and returns the end of its admissible range.
 ///
+/// Inlined, because exponents are mostly constants: what is asked of a positive term is then two comparisons.
+///
 /// # Errors
 ///
 /// [`ProfileError`] for coefficients or exponents that are not usable, too small ones among them, and for a gap that does not open.
+#[inline(always)]
 fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> Result<T, ProfileError> {
+    if is_sum_of_positive_terms(terms.clone()) { Ok(T::infinity()) } else { searched_range(terms) }
+}
+
+/// Whether the terms are usable, none of them is negative, and one is positive.
+#[inline(always)]
+fn is_sum_of_positive_terms<T: Scalar>(terms: impl Iterator<Item = (T, T)>) -> bool {
+    let none = (true, false);
+    let (are_usable, opens) = terms.fold(none, |(are_usable, opens), (c, n)| {
+        let is_positive = c > T::zero();
+        let is_usable = is_exponent(n) & (c.is_zero() | (is_positive & fits(c, n)));
+        (are_usable & is_usable, opens | is_positive)
+    });
+    are_usable & opens
+}
+
+/// The end of the range if there may be a fault among the terms, or a negative one.
+#[inline(never)]
+fn searched_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> Result<T, ProfileError> {
     let mut smallest = T::infinity();
-    let mut negative = false;
     for (c, n) in terms.clone() {
-        if !(n > T::zero() && n <= T::constant(1024.0)) {
+        if !is_exponent(n) {
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
         check_coefficient(c, n)?;
         if !c.is_zero() {
             smallest = smallest.min(n);
         }
-        negative |= c < T::zero();
     }
     if !smallest.is_finite() {
         return Err(ProfileError::Empty);
@@ -56,10 +75,12 @@ fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> R
             parameters: Parameters::default(),
         });
     }
-    if !negative {
-        return Ok(T::infinity());
-    }
     Ok(Slope { terms, smallest }.first_zero())
+}
+
+#[inline(always)]
+fn is_exponent<T: Scalar>(n: T) -> bool {
+    (n > T::zero()) & (n <= T::constant(1024.0))
 }
 
 /// Checks that the coefficients of constant terms (C, n) fit the format that they are used in.
@@ -72,9 +93,7 @@ pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) ->
 }
 
 fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
-    // Twice the coefficient is the largest multiple of it in the closed forms.
-    let fits = (T::constant(2.0) * c).is_finite() && (c.is_zero() || has_digits(c, n));
-    if fits {
+    if c.is_zero() || fits(c, n) {
         return Ok(());
     }
     Err(ProfileError::InvalidCoefficient {
@@ -84,10 +103,13 @@ fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
     })
 }
 
-/// Whether C and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
-fn has_digits<T: Scalar>(c: T, n: T) -> bool {
+/// Whether C and C n keep all their digits when they are multiplied by 2, the largest factor in the closed forms, and
+/// when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
+#[inline(always)]
+fn fits<T: Scalar>(c: T, n: T) -> bool {
     let weight = n.min(T::one()) / ((n + T::constant(2.0)) * (n + T::constant(2.0)));
-    c.abs() * weight >= smallest_normal::<T>() * T::constant(2.0)
+    let size = c.abs();
+    (T::constant(2.0) * size).is_finite() & (size * weight >= smallest_normal::<T>() * T::constant(2.0))
 }
 
 /// The end of the range of a geometry that is asked for up to `requested`, if at all.
@@ -95,6 +117,7 @@ fn has_digits<T: Scalar>(c: T, n: T) -> bool {
 /// # Errors
 ///
 /// [`ProfileError`] as `admissible_range`, and if `requested` is not positive or lies beyond the range.
+#[inline(always)]
 pub fn checked_range<T: Scalar>(
     terms: impl Iterator<Item = (T, T)> + Clone,
     requested: Option<T>,
