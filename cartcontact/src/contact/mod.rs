@@ -1,10 +1,12 @@
 //! A contact: a geometry, a medium and a load.
 
+mod common;
 mod error;
 mod radii;
 
 use core::fmt;
 
+use common::CommonSizes;
 pub use error::ContactError;
 
 use crate::load::{Load, LoadError, is_force};
@@ -134,6 +136,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # References
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
+    #[inline]
     pub fn at(&self, t: T) -> Result<Snapshot<'_, T, P, L>, ContactError> {
         Ok(Snapshot::new(self, t, self.radius_at(t)?))
     }
@@ -219,7 +222,26 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         Moment { time, radius, surplus: surplus_that_counts(surplus, loading.force) }
     }
 
+    #[inline]
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
+        self.common_radius_at(t).map_or_else(|| self.checked_radius_at(t), Ok)
+    }
+
+    /// The contact radius, if all numbers on the way to it are of common size.
+    #[inline(always)]
+    fn common_radius_at(&self, t: T) -> Option<T> {
+        let (sizes, chi, loading) = (CommonSizes::new(), self.medium.chi(), self.loading(t));
+        let load_integral = loading.hereditary * self.per_stiffness;
+        let is_common = sizes.contain_rate(chi) & sizes.contain_load(t, loading, load_integral);
+        if !is_common || self.load.recession(chi, t).is_some() {
+            return None;
+        }
+        self.radius_of(load_integral).ok().filter(|&radius| sizes.contain(radius))
+    }
+
+    /// The contact radius, or the first of its faults.
+    #[inline(never)]
+    fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
         let loading = self.loading_at(t)?;
         let load_integral = loading.hereditary * self.per_stiffness;
         let radius = self.radius_of(load_integral).map_err(|error| match error {

@@ -1,17 +1,15 @@
 //! The contact radii at many times, without a branch for each.
 //!
-//! A time has a radius where [`Contact::at`] finds no fault. A block of times is asked for something simpler first:
-//! that all its forces, load integrals and radii lie between 1/b and b. Then a⁴, J/a⁵, F/a⁴ and χ F lie between b⁻⁶
-//! and b⁶, which are normal numbers, so that comparisons with constants stand for a division and many more of them.
-//! A block that is not so common, such as one that begins unloaded, is held to the conditions themselves; and where
-//! one of these fails, times are taken one by one, until the first without a radius names its fault.
+//! Times are taken in blocks. One whose numbers are all of common size needs no more than that; another, such as one
+//! that begins unloaded, is held to the conditions themselves; and where one of these fails, times are taken one by
+//! one, until the first without a radius names its fault.
 
+use super::common::CommonSizes;
 use super::{Contact, ContactError, is_time, keeps_digits};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::load::{Load, is_force};
 use crate::profile::GapProfile;
-use crate::scalar::is;
 
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
 const BLOCK: usize = 256;
@@ -57,16 +55,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// The load integrals; false if not all of them and of the forces are of common size.
     #[inline(always)]
     fn take_load_integrals(&mut self) -> bool {
-        let (chi, per_stiffness, zero) = (self.contact.medium.chi(), self.contact.per_stiffness, T::zero());
-        let (least, most) = common_sizes();
-        let is_common = |size: T| (least <= size) & (size <= most);
-        let mut are_common = chi.is_zero() | is_common(chi);
+        let (sizes, chi, per_stiffness) =
+            (CommonSizes::new(), self.contact.medium.chi(), self.contact.per_stiffness);
+        let mut are_common = sizes.contain_rate(chi);
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let loading = self.contact.loading(time);
             *load_integral = loading.hereditary * per_stiffness;
-            are_common &= is_common(loading.force) & is_common(*load_integral);
-            // An infinite impulse makes the load integral infinite or, times a rate of zero, not a number.
-            are_common &= (zero <= time) & (time <= most) & (zero <= loading.impulse);
+            are_common &= sizes.contain_load(time, loading, *load_integral);
         }
         are_common
     }
@@ -95,10 +90,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     }
 
     fn has_common_radii(&self) -> bool {
-        let (least, most) = common_sizes();
         wide(
             #[inline(always)]
-            || self.radii.iter().fold(true, |all, &radius| all & (least <= radius) & (radius <= most)),
+            || self.radii.iter().fold(true, |all, &radius| all & CommonSizes::new().contain(radius)),
         )
     }
 
@@ -113,10 +107,4 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
             },
         )
     }
-}
-
-/// 1/b and b.
-fn common_sizes<T: Scalar>() -> (T, T) {
-    let (least, most) = if is::<T, f32>() { (5e-7, 2e6) } else { (1e-51, 1e51) };
-    (T::constant(least), T::constant(most))
 }

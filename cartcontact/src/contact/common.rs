@@ -1,0 +1,44 @@
+//! Numbers of common size, which leave the format in no formula.
+//!
+//! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵ and F/a⁴. If force, load integral and radius lie
+//! between 1/b and b, all of these lie between b⁻⁶ and b⁶, which are normal numbers: a few comparisons with constants
+//! stand for a division and a dozen of them. What is not so common is asked the conditions themselves.
+
+use super::Loading;
+use crate::Scalar;
+use crate::scalar::is;
+
+/// From 1/b to b.
+#[derive(Clone, Copy)]
+pub(super) struct CommonSizes<T> {
+    least: T,
+    most: T,
+}
+
+impl<T: Scalar> CommonSizes<T> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        let (least, most) = if is::<T, f32>() { (5e-7, 2e6) } else { (1e-51, 1e51) };
+        Self { least: T::constant(least), most: T::constant(most) }
+    }
+
+    #[inline(always)]
+    pub(super) fn contain(self, size: T) -> bool {
+        (self.least <= size) & (size <= self.most)
+    }
+
+    #[inline(always)]
+    pub(super) fn contain_rate(self, chi: T) -> bool {
+        chi.is_zero() | self.contain(chi)
+    }
+
+    /// Whether the time and the load are such as a contact accepts.
+    ///
+    /// An infinite impulse makes the load integral infinite or, times a rate of zero, not a number.
+    #[inline(always)]
+    pub(super) fn contain_load(self, time: T, loading: Loading<T>, load_integral: T) -> bool {
+        let zero = T::zero();
+        let is_time = (zero <= time) & (time <= self.most);
+        is_time & (zero <= loading.impulse) & self.contain(loading.force) & self.contain(load_integral)
+    }
+}
