@@ -368,6 +368,7 @@ const _: () = {
                 ],
             )
         }
+        #[inline]
         fn max_radius(&self) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             match ::cartcontact::generated::checked_range(

@@ -313,6 +313,7 @@ const _: () = {
                         ],
                     ))
         }
+        #[inline]
         fn max_radius(&self) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             match ::cartcontact::generated::inside_surfaces(

@@ -13,7 +13,7 @@ use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use gungraun::prelude::*;
 use scenes::{
     Ball, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, STIFFNESS, ThreeTerm, by_hand, contact,
-    load_integrals, run_time,
+    load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -72,6 +72,31 @@ fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, 
     // The lengths are equal and the loads are in range.
     let _ = profile.radii(&targets, &mut radii);
     (profile, targets, radii)
+}
+
+/// A contact with times and places for its radii.
+fn at_times<L>(contact: Contact<f64, Patellofemoral, L>) -> Given<Contact<f64, Patellofemoral, L>, f64> {
+    let times = times();
+    let radii = vec![0.0; times.len()];
+    (contact, times, radii)
+}
+
+#[library_benchmark(setup = at_times)]
+#[bench::constant_load(contact(Patellofemoral))]
+fn radii_at_times<P: GapProfile<f64>, L: Load<f64>>(
+    (contact, times, mut radii): Given<Contact<f64, P, L>, f64>,
+) -> Given<Contact<f64, P, L>, f64> {
+    // The lengths are equal and the times are in range.
+    let _ = contact.radii(&times, &mut radii);
+    (contact, times, radii)
+}
+
+#[library_benchmark(setup = at_times)]
+#[bench::constant_load(contact(Patellofemoral))]
+fn radius_at_a_time<P: GapProfile<f64>, L: Load<f64>>(
+    given: Given<Contact<f64, P, L>, f64>,
+) -> Given<Contact<f64, P, L>, f64> {
+    each(given, |contact, time| contact.at(time).map_or(0.0, |now| now.radius()))
 }
 
 #[library_benchmark(setup = radii)]
@@ -140,8 +165,17 @@ fn field<L: Load<f64>>(mut field: Field<L>) -> Field<L> {
 
 library_benchmark_group!(
     name = profile,
-    benchmarks =
-        [radius, radius_f32, radius_by_hand, radii_of_a_slice, approach, load_integral, pressure_kernel]
+    benchmarks = [
+        radius,
+        radius_f32,
+        radius_by_hand,
+        radii_of_a_slice,
+        radii_at_times,
+        radius_at_a_time,
+        approach,
+        load_integral,
+        pressure_kernel
+    ]
 );
 library_benchmark_group!(name = pressure, benchmarks = [cold_pressure, field]);
 main!(library_benchmark_groups = [profile, pressure]);

@@ -14,7 +14,8 @@ use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, FourTerm, Paraboloid, Patellofemoral, TERMS, ThreeTerm, by_hand, load_integrals, radius_by_roots,
+    Ball, FourTerm, Paraboloid, Patellofemoral, TERMS, ThreeTerm, by_hand, contact, load_integrals,
+    radius_by_roots, times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -30,6 +31,9 @@ fn radius(criterion: &mut Criterion) {
         by_hand::radii(targets, radii);
         Ok(())
     });
+    at_times(&mut group, "one term", Paraboloid);
+    at_times(&mut group, "two terms", Patellofemoral);
+    at_times(&mut group, "three terms", ThreeTerm);
     group.finish();
 
     let mut group = start(criterion, "radius f32");
@@ -106,6 +110,23 @@ fn slice<T: Scalar>(
     let mut values = vec![T::zero(); arguments.len()];
     group.bench_function(BenchmarkId::new("slice", name), |bencher| {
         bencher.iter(|| f(black_box(arguments), black_box(&mut values)));
+    });
+}
+
+/// The throughput of a contact under a constant load, asked for many times at once and one by one.
+fn at_times(group: &mut Group<'_>, name: &str, profile: impl GapProfile<f64>) {
+    let (contact, times) = (contact(profile), times());
+    group.throughput(Throughput::Elements(times.len() as u64));
+    let mut radii = vec![0.0; times.len()];
+    group.bench_function(BenchmarkId::new("Contact::radii", name), |bencher| {
+        bencher.iter(|| contact.radii(black_box(&times), black_box(&mut radii)));
+    });
+    group.bench_function(BenchmarkId::new("Contact::at", name), |bencher| {
+        bencher.iter(|| {
+            for (radius, &time) in black_box(&mut radii[..]).iter_mut().zip(black_box(&times)) {
+                *radius = contact.at(time).map_or(0.0, |now| now.radius());
+            }
+        });
     });
 }
 

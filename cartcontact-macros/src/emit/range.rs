@@ -93,6 +93,7 @@ impl Checked<'_> {
         let (preamble, range) = (self.coefficients.preamble(), self.range());
         let (constant, scalar, end) = (self.names.constant(), &self.names.scalar, local("end"));
         quote! {
+            #[inline]
             fn max_radius(&self) -> #scalar {
                 #preamble
                 match #range {

@@ -115,7 +115,7 @@ const fn halley(a: f64, load_integral: f64) -> f64 {
     let surplus = cube * (RATIO + s) - load_integral * (1.0 / J8);
     let first = 0.75 * RATIO + s;
     let half_second = 15.0 / 64.0 * RATIO + 0.4375 * s;
-    a - (0.125 * a) * (surplus * first / (cube * first * first - surplus * half_second))
+    a - (0.125 * a * first) * surplus / (cube * first * first - surplus * half_second)
 }
 
 /// In every row the cubic through the radius at the four Chebyshev points of its load integrals.

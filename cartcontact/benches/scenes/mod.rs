@@ -77,6 +77,11 @@ pub(crate) fn load_integrals<T: Scalar>() -> Vec<T> {
     (0..1024).map(|k| T::constant(10.0 * 1000f64.powf(f64::from(k * 389 % 1024) / 1023.0))).collect()
 }
 
+/// As many times, in s.
+pub(crate) fn times() -> Vec<f64> {
+    (0..1024).map(f64::from).collect()
+}
+
 /// J and J′ of [`Patellofemoral`], written by hand.
 pub(crate) fn load_integral(a: f64) -> (f64, f64) {
     let (c2, c4) = (0.025 / 12.0, 1.09375e-4 / 12.0);
