@@ -1,7 +1,7 @@
 //! The radii of many load integrals, in blocks that become vector code.
 
 use super::units::Units;
-use super::{Seeds, Steepness, cubic, single};
+use super::{Seeds, Steepness, cubic, digits, single};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_lengths};
@@ -73,9 +73,9 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
     #[inline(always)]
     fn leading<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
         let (load_integrals, radii) = (load_integrals.as_chunks::<N>().0, radii.as_chunks_mut::<N>().0);
-        let mut found = 0;
+        let (mut found, mut rows) = (0, [[0.0; 4]; N]);
         for (load_integrals, radii) in load_integrals.iter().zip(radii) {
-            if !self.block(load_integrals, radii) {
+            if !self.block(load_integrals, &mut rows, radii) {
                 break;
             }
             found += N;
@@ -87,26 +87,33 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
     ///
     /// Only copying the rows goes value by value; the loops before and after take several at once.
     #[inline(always)]
-    fn block<const N: usize>(&self, load_integrals: &[T; N], radii: &mut [T; N]) -> bool {
-        let Self { seeds, limit, units, evaluate } = self;
+    fn block<const N: usize>(
+        &self,
+        load_integrals: &[T; N],
+        rows: &mut [[f32; 4]; N],
+        radii: &mut [T; N],
+    ) -> bool {
+        let Self { seeds: table, limit, units, evaluate } = self;
+        let [from, to] = table.ends::<T>();
         let mut found = true;
-        let (mut places, mut fractions) = ([0; N], [0; N]);
-        for ((row, fraction), &load_integral) in places.iter_mut().zip(&mut fractions).zip(load_integrals) {
-            let place = seeds.place(units.in_table(load_integral));
-            (*row, *fraction) = (place.row, place.fraction);
-            found &= place.is_inside;
+        let mut all_digits = [0; N];
+        for (all_digits, &load_integral) in all_digits.iter_mut().zip(load_integrals) {
+            let y = units.in_table(load_integral);
+            *all_digits = digits(y);
+            found &= (from <= y) & (y < to);
         }
-        let rows: [_; N] = core::array::from_fn(|k| seeds.rows[usize::from(places[k])]);
+        for (row, &digits) in rows.iter_mut().zip(&all_digits) {
+            *row = *table.row(digits);
+        }
         let mut seeds = [0.0; N];
-        for ((seed, row), &fraction) in seeds.iter_mut().zip(&rows).zip(&fractions) {
-            *seed = cubic(row, fraction);
+        for ((seed, row), &digits) in seeds.iter_mut().zip(&*rows).zip(&all_digits) {
+            *seed = cubic(row, digits);
         }
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
             let seed = units.of_geometry(single(seed));
             *radius = evaluate(seed).step(seed, load_integral);
-            let is_beyond = *radius > *limit;
-            found &= !is_beyond;
         }
-        found
+        // Mostly there is no limit; and nothing here is NaN.
+        found && (!limit.is_finite() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
     }
 }

@@ -70,11 +70,12 @@ impl Seeds {
         units: impl Units<T>,
         evaluate: impl Fn(T) -> Steepness<T>,
     ) -> Option<T> {
-        let place = self.place(units.in_table(load_integral));
-        if !(self.holds::<T>() && place.is_inside) {
+        let y = units.in_table(load_integral);
+        if !(self.holds::<T>() && self.contains(y)) {
             return None;
         }
-        let seed = units.of_geometry(single(cubic(&self.rows[usize::from(place.row)], place.fraction)));
+        let digits = digits(y);
+        let seed = units.of_geometry(single(cubic(self.row(digits), digits)));
         let radius = evaluate(seed).step(seed, load_integral);
         // No comparison where the limit is infinite; and nothing here is NaN.
         let is_beyond = radius > limit;
@@ -85,36 +86,40 @@ impl Seeds {
         is::<T, f64>() || (is::<T, f32>() && self.single)
     }
 
-    /// The exponent and two digits of the fraction are the place.
-    ///
-    /// Too small for the table, or with the sign set, they become one that is too large.
+    /// Too small for the table, or with the sign set, y becomes an index that is too large.
     #[inline(always)]
-    fn place<T: Scalar>(&self, load_integral: T) -> Place {
-        let any: &dyn Any = &load_integral;
-        let (quarter, bias, fraction) = match any.downcast_ref::<f32>() {
-            Some(single) => (single.to_bits() >> 21, 127, single.to_bits()),
-            None => {
-                let bits = load_integral.value().to_bits();
-                ((bits >> 50) as u32, 1023, (bits >> 29) as u32)
-            }
+    fn contains<T: Scalar>(&self, y: T) -> bool {
+        let any: &dyn Any = &y;
+        let (quarter, bias) = match any.downcast_ref::<f32>() {
+            Some(single) => (single.to_bits() >> 21, 127),
+            None => ((y.value().to_bits() >> 50) as u32, 1023),
         };
-        let is_inside = quarter.wrapping_sub((4 * bias + self.first) as u32) < self.count;
-        Place { row: quarter as u8, fraction, is_inside }
+        quarter.wrapping_sub((4 * bias + self.first) as u32) < self.count
+    }
+
+    /// The load integrals at both ends.
+    fn ends<T: Scalar>(&self) -> [T; 2] {
+        let quarter = |k: i32| T::constant(f64::from_bits(((4 * 1023 + k) as u64) << 50));
+        [self.first, self.first + self.count as i32].map(quarter)
+    }
+
+    #[inline(always)]
+    fn row(&self, digits: u32) -> &[f32; 4] {
+        &self.rows[usize::from((digits >> 21) as u8)]
     }
 }
 
-/// Where a load integral lies in the table.
-struct Place {
-    row: u8,
-    /// Its fraction as the last 23 bits.
-    fraction: u32,
-    is_inside: bool,
+/// 23 bits of the fraction of y, and above them the last of its exponent.
+#[inline(always)]
+fn digits<T: Scalar>(y: T) -> u32 {
+    let any: &dyn Any = &y;
+    any.downcast_ref::<f32>().map_or_else(|| (y.value().to_bits() >> 29) as u32, |single| single.to_bits())
 }
 
 /// The cubic at 1 plus the last 23 bits as a fraction.
 #[inline(always)]
-fn cubic(row: &[f32; 4], fraction: u32) -> f32 {
-    let u = f32::from_bits(fraction & 0x007f_ffff | 0x3f80_0000);
+fn cubic(row: &[f32; 4], digits: u32) -> f32 {
+    let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
     (row[0] + row[2] * u) + (row[1] + row[3] * u) * (u * u)
 }
 
