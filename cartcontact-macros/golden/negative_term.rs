@@ -47,9 +47,9 @@ const _: () = {
                     * __a,
             first: <T as ::cartcontact::Scalar>::constant(187.5f64)
                 + (<T as ::cartcontact::Scalar>::constant(-18.0f64) + __a) * __a,
-            half_second: <T as ::cartcontact::Scalar>::constant(58.59375f64)
-                + (<T as ::cartcontact::Scalar>::constant(-6.75f64)
-                    + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * __a) * __a,
+            half_second: (<T as ::cartcontact::Scalar>::constant(58.59375f64)
+                + (<T as ::cartcontact::Scalar>::constant(-6.75f64)) * __a)
+                + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * (__a * __a),
             per_unit: <T as ::cartcontact::Scalar>::constant(60000.0f64),
             per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
         }
