@@ -42,11 +42,11 @@ fn admissible_range<T: Scalar>(terms: impl Iterator<Item = (T, T)> + Clone) -> R
 /// Whether the terms are usable, none of them is negative, and one is positive.
 #[inline(always)]
 fn is_sum_of_positive_terms<T: Scalar>(terms: impl Iterator<Item = (T, T)>) -> bool {
-    let none = (true, false);
-    let (are_usable, opens) = terms.fold(none, |(are_usable, opens), (c, n)| {
-        let is_positive = c > T::zero();
-        let is_usable = is_exponent(n) & (c.is_zero() | (is_positive & fits(c, n)));
-        (are_usable & is_usable, opens | is_positive)
+    // Whether twice this is finite is not asked of the bits of every coefficient.
+    let most = smallest_normal::<T>().recip();
+    let (are_usable, opens) = terms.fold((true, false), |(are_usable, opens), (c, n)| {
+        let is_positive = has_digits(c, n) & (c <= most);
+        (are_usable & is_exponent(n) & (is_positive | c.is_zero()), opens | is_positive)
     });
     are_usable & opens
 }
@@ -93,7 +93,8 @@ pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) ->
 }
 
 fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
-    if c.is_zero() || fits(c, n) {
+    // Twice the coefficient is the largest multiple of it in the closed forms.
+    if c.is_zero() || ((T::constant(2.0) * c).is_finite() && has_digits(c.abs(), n)) {
         return Ok(());
     }
     Err(ProfileError::InvalidCoefficient {
@@ -103,13 +104,11 @@ fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
     })
 }
 
-/// Whether C and C n keep all their digits when they are multiplied by 2, the largest factor in the closed forms, and
-/// when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
+/// Whether C > 0 and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
 #[inline(always)]
-fn fits<T: Scalar>(c: T, n: T) -> bool {
+fn has_digits<T: Scalar>(c: T, n: T) -> bool {
     let weight = n.min(T::one()) / ((n + T::constant(2.0)) * (n + T::constant(2.0)));
-    let size = c.abs();
-    (T::constant(2.0) * size).is_finite() & (size * weight >= smallest_normal::<T>() * T::constant(2.0))
+    c * weight >= smallest_normal::<T>() * T::constant(2.0)
 }
 
 /// The end of the range of a geometry that is asked for up to `requested`, if at all.
