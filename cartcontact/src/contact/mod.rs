@@ -22,7 +22,7 @@ const BLOCK: usize = 256;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Loading<T> {
     pub(crate) force: T,
-    impulse: T,
+    pub(crate) impulse: T,
     pub(crate) hereditary: T,
 }
 
@@ -200,6 +200,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         stiffness(&self.medium)
     }
 
+    /// The load integral over its hereditary load.
+    pub(crate) fn per_stiffness(&self) -> T {
+        self.per_stiffness
+    }
+
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
         self.radius_of(hereditary * self.per_stiffness)
@@ -208,6 +213,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius of a load integral.
     pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
         self.profile.radius_within(load_integral, self.max_radius)
+    }
+
+    /// The contact radii under many hereditary loads, which are replaced by their load integrals.
+    pub(crate) fn radii_under(&self, hereditary: &mut [T], radii: &mut [T]) -> Result<(), RadiusError> {
+        for load in hereditary.iter_mut() {
+            *load *= self.per_stiffness;
+        }
+        self.profile.radii_within(hereditary, self.max_radius, radii)
     }
 
     /// A time with its contact radius, for integrals that begin or end there.
@@ -227,7 +240,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     fn moment_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Moment<T> {
         let surplus = loading.hereditary - self.stiffness() * load_integral;
-        Moment { time, radius, surplus: surplus_that_counts(surplus, loading.force) }
+        let surplus = surplus_that_counts(surplus, loading.force);
+        Moment { time, radius, surplus, impulse: loading.impulse }
     }
 
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
@@ -289,7 +303,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// What is known of the load at a time.
     #[inline(always)]
-    fn loading(&self, t: T) -> Loading<T> {
+    pub(crate) fn loading(&self, t: T) -> Loading<T> {
         Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
     }
 
