@@ -111,6 +111,10 @@ impl<T: Scalar> Increment<T> {
         Self { offset: T::zero(), slope: T::zero() }
     }
 
+    fn plus(self, other: Self) -> Self {
+        Self { offset: self.offset + other.offset, slope: self.slope + other.slope }
+    }
+
     /// Adds the value of one node: `weight` is that of δ₀′ e^(−χ age) ds at the radius s.
     #[inline(always)]
     fn add(&mut self, weight: T, s: T, low: T) {

@@ -17,13 +17,12 @@
 //! w between Y^(−4/4.25) and Y^(−4/68) and any Y′, also one that vanishes at an end. What has faded by e^(−x) since
 //! may have an error of e^x times that.
 //!
-//! **Where w has another singularity**, which is where δ₀′ vanishes in the plane of complex radii, the radii show it:
-//! their highest Legendre coefficient that a rule of n nodes can see, of degree n − 1, is then not small enough for the
-//! geometric fall from degree 1 on to reach rounding before degree 2 n. Such pieces are left to the other forms.
+//! **Where w has another singularity**, which is where δ₀′ vanishes in the plane of complex radii, the radii themselves
+//! show that the rule is too short. Such pieces are left to the other forms.
 
 use super::Increment;
 use super::fading::{FEW_FOLDS, decay_gain};
-use super::quadrature::{NODES_4, NODES_6, NODES_8, NODES_10, NODES_12};
+use super::quadrature::Rule;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::{Load, Piece};
@@ -37,65 +36,26 @@ const ROWS: usize = 12;
 /// A number for every piece.
 type Lanes<T> = [T; LANES];
 
-/// A Gauss-Legendre rule, and the pieces that are short enough for it.
+/// A rule, and the pieces that are short enough for it.
 #[derive(Clone, Copy, Debug)]
 struct ShortRule {
-    /// Its positive nodes on [−1, 1] with their weights.
-    half: &'static [(f64, f64)],
-    /// The factors of the Legendre coefficient of degree n − 1.
-    highest: &'static [f64],
+    rule: Rule,
     folds: f64,
     distance: f64,
 }
 
 const RULES: [ShortRule; 5] = [
-    ShortRule { half: &NODES_4, highest: &highest(NODES_4), folds: 0.067, distance: 75.0 },
-    ShortRule { half: &NODES_6, highest: &highest(NODES_6), folds: 0.66, distance: 6.8 },
-    ShortRule { half: &NODES_8, highest: &highest(NODES_8), folds: 2.1, distance: 2.5 },
-    ShortRule { half: &NODES_10, highest: &highest(NODES_10), folds: 4.4, distance: 1.3 },
-    ShortRule { half: &NODES_12, highest: &highest(NODES_12), folds: 7.6, distance: 0.82 },
+    ShortRule { rule: Rule::FOUR, folds: 0.067, distance: 75.0 },
+    ShortRule { rule: Rule::SIX, folds: 0.66, distance: 6.8 },
+    ShortRule { rule: Rule::EIGHT, folds: 2.1, distance: 2.5 },
+    ShortRule { rule: Rule::TEN, folds: 4.4, distance: 1.3 },
+    ShortRule { rule: Rule::TWELVE, folds: 7.6, distance: 0.82 },
 ];
-
-/// (2n−1)/2 w P₍ₙ₋₁₎(x) at the positive nodes x of a rule of n nodes.
-const fn highest<const HALF: usize>(half: [(f64, f64); HALF]) -> [f64; HALF] {
-    let n = 2 * HALF;
-    let mut factors = [0.0; HALF];
-    let mut index = 0;
-    while index < HALF {
-        let (x, weight) = half[index];
-        // (k+1) P₍ₖ₊₁₎ = (2k+1) x Pₖ − k P₍ₖ₋₁₎
-        let (mut before, mut legendre) = (1.0, x);
-        let mut k = 1;
-        while k < n - 1 {
-            let degree = k as f64;
-            let next = ((2.0 * degree + 1.0) * x * legendre - degree * before) / (degree + 1.0);
-            (before, legendre) = (legendre, next);
-            k += 1;
-        }
-        factors[index] = (n as f64 - 0.5) * weight * legendre;
-        index += 1;
-    }
-    factors
-}
-
-impl ShortRule {
-    fn rows(&self) -> usize {
-        2 * self.half.len()
-    }
-
-    /// The shares of a piece that lie behind the nodes, the later of every two first, with the weights.
-    #[inline(always)]
-    fn nodes<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
-        self.half.iter().flat_map(|&(node, weight)| {
-            [0.5 - 0.5 * node, 0.5 + 0.5 * node].map(|share| (T::constant(share), T::constant(0.5 * weight)))
-        })
-    }
-}
 
 /// Short pieces one after the other, without a step between them; places that are left over are as long as nothing.
 pub(super) struct Run<T> {
     count: usize,
-    rule: &'static ShortRule,
+    rule: Rule,
     /// χ times the durations, and times what follows in all.
     folds: Lanes<T>,
     since_end: Lanes<T>,
@@ -117,7 +77,7 @@ impl<T: Scalar> Run<T> {
         let none = [T::zero(); LANES];
         let mut run = Self {
             count: 0,
-            rule: &RULES[0],
+            rule: Rule::FOUR,
             folds: none,
             since_end: none,
             hereditary: none,
@@ -148,7 +108,7 @@ impl<T: Scalar> Run<T> {
                 break;
             }
             let place = run.count;
-            run.rule = rule;
+            run.rule = rule.rule;
             run.folds[place] = folds;
             run.hereditary[place..].fill(hereditary);
             run.rates[place] = rate;
@@ -181,10 +141,9 @@ impl<T: Scalar> Run<T> {
         P: GapProfile<T>,
         L: Load<T>,
     {
-        let last = self.count.checked_sub(1)?;
         let zero = [[T::zero(); LANES]; ROWS];
         let (mut hereditary, mut weights, mut fading, mut radii) = (zero, zero, zero, zero);
-        let rows = self.rule.rows();
+        let rows = self.rule.len();
         let (hereditary, weights) = (&mut hereditary[..rows], &mut weights[..rows]);
         let (fading, radii) = (&mut fading[..rows], &mut radii[..rows]);
         wide(
@@ -193,7 +152,8 @@ impl<T: Scalar> Run<T> {
         );
         contact.radii_under(hereditary.as_flattened_mut(), radii.as_flattened_mut()).ok()?;
         self.fade(self.since_end[0] + self.folds[0], fading);
-        let share = share * fading[0][last];
+        // The last node but one is next to the end.
+        let shares: Lanes<T> = each(|lane| share * fading[rows - 2][lane]);
         wide(
             #[inline(always)]
             || {
@@ -207,7 +167,7 @@ impl<T: Scalar> Run<T> {
                 }
                 let factor = T::constant(2.0) * contact.per_stiffness();
                 let increment = Increment { offset: factor * sum(offsets), slope: factor * sum(weights) };
-                self.is_resolved(radii, share).then_some(increment)
+                self.is_resolved(radii, &shares).then_some(increment)
             },
         )
     }
@@ -217,7 +177,7 @@ impl<T: Scalar> Run<T> {
     fn fill(&self, hereditary: &mut [Lanes<T>], weights: &mut [Lanes<T>], ages: &mut [Lanes<T>]) {
         let Self { folds, since_end, hereditary: final_loads, rates, bends, .. } = *self;
         let rows = hereditary.iter_mut().zip(weights).zip(ages);
-        for (((hereditary, weights), ages), (v, weight)) in rows.zip(self.rule.nodes::<T>()) {
+        for (((hereditary, weights), ages), (v, weight)) in rows.zip(self.rule.nodes(T::zero(), T::one())) {
             let half = v * T::constant(0.5);
             *hereditary = each(|lane| final_loads[lane] - v * (rates[lane] - bends[lane] * half));
             *weights = each(|lane| weight * (rates[lane] - bends[lane] * v));
@@ -238,26 +198,21 @@ impl<T: Scalar> Run<T> {
         }
     }
 
-    /// Whether the radii at the nodes of every piece fall fast enough, with their highest coefficient over the first
-    /// h/g and over the radius h: geometrically, h (h/g)^(3/2) is more than that of degree 2 n.
+    /// Whether the rule integrates a function of the radii at the nodes of every piece, of which some share is left.
     #[inline(always)]
-    fn is_resolved(&self, radii: &[Lanes<T>], share: T) -> bool {
+    fn is_resolved(&self, radii: &[Lanes<T>], shares: &Lanes<T>) -> bool {
         let (mut first, mut highest) = ([T::zero(); LANES], [T::zero(); LANES]);
-        let factors = self.rule.half.iter().zip(self.rule.highest);
-        for (pair, (&(node, weight), &factor)) in radii.chunks_exact(2).zip(factors) {
-            let (to_first, to_highest) = (T::constant(1.5 * node * weight), T::constant(factor));
-            let odd: Lanes<T> = each(|lane| pair[0][lane] - pair[1][lane]);
+        for (pair, factors) in radii.chunks_exact(2).zip(self.rule.coefficients()) {
+            let (to_first, to_highest) = (T::constant(factors.0), T::constant(factors.1));
+            let odd: Lanes<T> = each(|lane| pair[1][lane] - pair[0][lane]);
             first = each(|lane| first[lane] + to_first * odd[lane]);
             highest = each(|lane| highest[lane] + to_highest * odd[lane]);
         }
-        let epsilon = T::default_epsilon();
-        let (rounding, most) = (T::constant(4.0) * epsilon, epsilon * epsilon * T::constant(1.0 / 64.0));
-        // Only what is above rounding says anything.
-        let error: Lanes<T> = each(|lane| share * (highest[lane] / radii[0][lane]).abs());
-        let ratio: Lanes<T> = each(|lane| (highest[lane] / first[lane]).abs());
-        let bound: Lanes<T> =
-            each(|lane| error[lane] * error[lane] * (ratio[lane] * ratio[lane] * ratio[lane]));
-        (0..LANES).fold(true, |all, lane| all & ((error[lane] <= rounding) | (bound[lane] <= most)))
+        let sizes: Lanes<T> = each(|lane| radii[0][lane].recip());
+        (0..LANES).fold(true, |all, lane| {
+            let (first, highest) = (first[lane] * sizes[lane], highest[lane] * sizes[lane]);
+            all & self.rule.resolves(first, highest, shares[lane])
+        })
     }
 }
 
@@ -277,7 +232,7 @@ impl ShortRule {
     /// Whether the rule is long enough for a piece of some e-foldings and of which e^(−faded) is left, with Y, R and B.
     fn suffices<T: Scalar>(&self, folds: T, (hereditary, rate, bend): (T, T, T), faded: T) -> bool {
         // e^(faded/(2n+1)), or a little less.
-        let root = T::one() + faded * T::constant(0.25 / (2 * self.rows() + 1) as f64);
+        let root = T::one() + faded * T::constant(0.25 / (2 * self.rule.len() + 1) as f64);
         let square = root * root;
         let of_distance = (square * square - folds * T::constant(self.folds.recip())).max(T::zero());
         // |R| v + |B| v²/2 = Y at v = 2/(r + √(r² + 2 b)), with r = R/Y and b = |B|/Y.
@@ -293,26 +248,6 @@ mod tests {
     use super::*;
     use crate::load::PiecewiseLinear;
     use crate::{Medium, Polynomial};
-
-    #[test]
-    fn factors_give_the_coefficient_of_the_highest_degree() {
-        for rule in RULES {
-            let n = rule.rows();
-            for degree in (1..n).step_by(2) {
-                let legendre = |x: f64| {
-                    (1..degree).fold((1.0, x), |(before, now), k| {
-                        let k = k as f64;
-                        (now, ((2.0 * k + 1.0) * x * now - k * before) / (k + 1.0))
-                    })
-                };
-                let nodes = rule.half.iter().zip(rule.highest);
-                // An odd function has the same at both nodes of a pair.
-                let found: f64 = nodes.map(|(&(x, _), factor)| factor * legendre(x).1).sum::<f64>() * 2.0;
-                let expected = if degree == n - 1 { 1.0 } else { 0.0 };
-                assert!((found - expected).abs() < 1e-14, "{n} nodes, degree {degree}: {found}");
-            }
-        }
-    }
 
     type Load<T> = PiecewiseLinear<T, Vec<(T, T)>>;
     type Joint<T> = Contact<T, Polynomial<T, Vec<(T, T)>>, Load<T>>;
