@@ -42,7 +42,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
     pub fn approach(&self) -> T {
         let moment = self.contact.precise_moment(self.time, self.radius);
-        self.contact.profile().approach(self.radius) + moment.strip(self.contact.stiffness())
+        self.contact.profile().approach(self.radius) + moment.strip(self.contact.per_stiffness())
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
@@ -97,7 +97,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         // A loop without branches; what it gives beyond the start means nothing and is replaced by the next.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
         let share = if start.time.is_zero() { m } else { T::zero() };
-        let (a, strip) = (start.radius, start.strip(self.contact.stiffness()) * T::constant(0.25));
+        let (a, strip) = (start.radius, start.strip(self.contact.per_stiffness()) * T::constant(0.25));
         let initial = &mut *pressures;
         wide(
             #[inline(always)]
@@ -126,7 +126,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// m G(a, r), the pressure before anything has drained.
     fn undrained_pressure(&self, moment: Moment<T>, r: T) -> T {
         let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), moment.radius);
-        let strip = moment.strip(self.contact.stiffness()) * T::constant(0.25) * ((a - r) * (a + r));
+        let strip = moment.strip(self.contact.per_stiffness()) * T::constant(0.25) * ((a - r) * (a + r));
         not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
     }
 
@@ -160,7 +160,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// An earlier moment; its radius is admissible because that of the snapshot is.
     fn past_moment(&self, time: T) -> Moment<T> {
-        self.contact.moment(time, self.contact.radius_at(time).unwrap_or(T::zero()))
+        let loading = self.contact.loading(time);
+        let radius = self.contact.radius_under(loading.hereditary).unwrap_or(T::zero());
+        self.contact.moment_under(loading, time, radius)
     }
 }
 

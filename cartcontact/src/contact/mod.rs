@@ -21,7 +21,7 @@ use crate::{Scalar, field};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Loading<T> {
     pub(crate) force: T,
-    impulse: T,
+    pub(crate) impulse: T,
     pub(crate) hereditary: T,
 }
 
@@ -192,6 +192,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         stiffness(&self.medium)
     }
 
+    /// The load integral over its hereditary load.
+    pub(crate) fn per_stiffness(&self) -> T {
+        self.per_stiffness
+    }
+
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
         self.radius_of(hereditary * self.per_stiffness)
@@ -200,6 +205,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius of a load integral.
     pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
         self.profile.radius_within(load_integral, self.max_radius)
+    }
+
+    /// The contact radii under many hereditary loads, which are replaced by their load integrals.
+    pub(crate) fn radii_under(&self, hereditary: &mut [T], radii: &mut [T]) -> Result<(), RadiusError> {
+        for load in hereditary.iter_mut() {
+            *load *= self.per_stiffness;
+        }
+        self.profile.radii_within(hereditary, self.max_radius, radii)
     }
 
     /// A time with its contact radius, for integrals that begin or end there.
@@ -219,7 +232,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     fn moment_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Moment<T> {
         let surplus = loading.hereditary - self.stiffness() * load_integral;
-        Moment { time, radius, surplus: surplus_that_counts(surplus, loading.force) }
+        let surplus = surplus_that_counts(surplus, loading.force);
+        Moment { time, radius, surplus, impulse: loading.impulse }
     }
 
     #[inline]
@@ -261,7 +275,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// What is known of the load at a time.
     #[inline(always)]
-    fn loading(&self, t: T) -> Loading<T> {
+    pub(crate) fn loading(&self, t: T) -> Loading<T> {
         Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
     }
 

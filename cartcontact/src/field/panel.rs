@@ -27,15 +27,12 @@ use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::quadrature::NODES_4;
-use crate::memory::{age_along_line, not_negative};
+use crate::memory::{FEW_FOLDS, age_along_line, decay_gain, not_negative};
 use crate::profile::GapProfile;
 use crate::scalar::smallest_normal;
 
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
 const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
-
-/// The most e-foldings of the memory in a panel.
-const FOLDS: f64 = 1.0 / 8.0;
 
 /// A time from `start` on in which pressures change like polynomials of time.
 pub(super) struct Panel<'a, T, P, L> {
@@ -74,7 +71,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let duration = end - start.time;
         let half = duration * T::constant(0.5);
         // The reciprocal of a subnormal number may overflow.
-        if !(half >= smallest_normal() && chi * duration <= T::constant(FOLDS)) {
+        if !(half >= smallest_normal() && chi * duration <= T::constant(FEW_FOLDS)) {
             return None;
         }
         let force = load.force(start.time);
@@ -185,16 +182,6 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
     }
 }
 
-/// e^(−x) − 1 for 0 ≤ x ≤ 1/8 by its Taylor series; the first term left out is below 3e-17 x.
-#[inline(always)]
-fn decay_gain<T: Scalar>(x: T) -> T {
-    let mut sum = T::one();
-    for k in [10.0, 9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0] {
-        sum = T::one() - x * T::constant(1.0 / k) * sum;
-    }
-    -x * sum
-}
-
 /// A polynomial of degree 7 on [−1, 1]: its even part and its odd part over x, as cubics in x² in Newton's
 /// form on the squares of [`NODES`].
 #[derive(Clone, Copy, Debug)]
@@ -257,14 +244,6 @@ fn divided_differences<T: Scalar>(mut values: [T; 4]) -> [T; 4] {
 mod tests {
     use super::*;
     use crate::{Medium, Polynomial as Gap, load};
-
-    #[test]
-    fn the_series_is_the_exponential() {
-        for k in 0..=1000 {
-            let x = FOLDS * f64::from(k) / 1000.0;
-            assert!((decay_gain(x) - (-x).exp_m1()).abs() <= 2.0 * f64::EPSILON * x, "{x}");
-        }
-    }
 
     #[test]
     fn polynomials_up_to_degree_7_are_exact() {

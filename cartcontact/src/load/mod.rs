@@ -1,6 +1,7 @@
 //! How hard the joint is loaded, as a function of time.
 
 mod constant;
+mod piece;
 mod piecewise_linear;
 
 use core::fmt;
@@ -9,6 +10,7 @@ use crate::Scalar;
 use crate::error::Shown;
 
 pub use constant::Constant;
+pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
@@ -59,6 +61,25 @@ pub trait Load<T: Scalar> {
         false
     }
 
+    /// Fills `pieces` with the straight pieces between two times, in order and as many as there is room for, and says
+    /// how many they are; for loads that are [linear between knots](Self::is_linear_between_knots).
+    ///
+    /// The first begins at `from`, with the force behind a step there, the last ends at `until` at the latest.
+    /// The provided method looks for one knot after the other; a load that holds its knots in order need not.
+    #[inline]
+    fn straight_pieces(&self, (from, until): (T, T), pieces: &mut [Piece<T>]) -> usize {
+        let mut time = from;
+        let mut count = 0;
+        while count < pieces.len() && time < until {
+            let knot = self.next_knot(time).filter(|&knot| time < knot && knot < until);
+            let end = knot.unwrap_or(until);
+            pieces[count] = Piece { start: (time, self.force(time)), end: (end, self.force_before(end)) };
+            count += 1;
+            time = end;
+        }
+        count
+    }
+
     /// A time up to `t` at which the hereditary load F + χ ∫F falls, so that the edge recedes.
     ///
     /// The provided method compares 64 equal steps; a load that may fall should answer exactly.
@@ -102,6 +123,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for &L {
     }
     fn is_linear_between_knots(&self) -> bool {
         (**self).is_linear_between_knots()
+    }
+    fn straight_pieces(&self, times: (T, T), pieces: &mut [Piece<T>]) -> usize {
+        (**self).straight_pieces(times, pieces)
     }
     fn recession(&self, chi: T, t: T) -> Option<T> {
         (**self).recession(chi, t)

@@ -1,7 +1,10 @@
 //! A load given by its values at some times, linear between them.
 
-use super::{Load, LoadError, is_force};
+use super::{Load, LoadError, Piece, is_force};
 use crate::Scalar;
+
+/// How many impulses a load keeps, so that any other is the sum of one of them and of few pieces.
+const CHECKPOINTS: usize = 64;
 
 /// A load through knots (time in s, force in N), linear between them and constant after the last.
 ///
@@ -23,6 +26,9 @@ pub struct PiecewiseLinear<T, K> {
     knots: K,
     /// The largest −F′/F: with a faster memory than that the edge never recedes.
     fastest_fall: T,
+    /// The impulses up to every `stride`-th knot.
+    impulses: [T; CHECKPOINTS],
+    stride: usize,
 }
 
 impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
@@ -34,22 +40,25 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
     /// three of them are equal, or a force is negative or not finite.
     pub fn new(knots: K) -> Result<Self, LoadError> {
         check_knots(knots.as_ref())?;
-        let mut load = Self { knots, fastest_fall: T::zero() };
-        load.fastest_fall = load.pieces().fold(T::zero(), |fastest, piece| fastest.max(piece.fall()));
+        let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
+        let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
+        let mut sum = Sum::from(T::zero());
+        for (index, piece) in pieces(load.knots.as_ref()).enumerate() {
+            load.fastest_fall = load.fastest_fall.max(piece.fall());
+            sum.add(piece.impulse());
+            let knot = index + 1;
+            if knot % stride == 0
+                && let Some(impulse) = load.impulses.get_mut(knot / stride)
+            {
+                *impulse = sum.value;
+            }
+        }
         Ok(load)
     }
 
     /// The knots (time, force) as they were given.
     pub fn knots(&self) -> &[(T, T)] {
         self.knots.as_ref()
-    }
-
-    /// The pieces between neighbouring knots, steps among them.
-    fn pieces(&self) -> impl Iterator<Item = Piece<T>> {
-        self.knots.as_ref().windows(2).filter_map(|pair| match *pair {
-            [start, end] => Some(Piece { start, end }),
-            _ => None,
-        })
     }
 
     /// The force at `t` read from the last knot that `is_before` selects and the knot behind it.
@@ -62,6 +71,35 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
             (Some(&(_, force)), None) => force,
             (None, _) => T::zero(),
         }
+    }
+}
+
+/// The pieces between neighbouring knots, steps among them.
+fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
+    knots.windows(2).filter_map(|pair| match *pair {
+        [start, end] => Some(Piece { start, end }),
+        _ => None,
+    })
+}
+
+/// Kahan's sum: a measured load may have a hundred thousand knots.
+struct Sum<T> {
+    value: T,
+    lost: T,
+}
+
+impl<T: Scalar> From<T> for Sum<T> {
+    fn from(value: T) -> Self {
+        Self { value, lost: T::zero() }
+    }
+}
+
+impl<T: Scalar> Sum<T> {
+    fn add(&mut self, x: T) {
+        let corrected = x - self.lost;
+        let next = self.value + corrected;
+        self.lost = (next - self.value) - corrected;
+        self.value = next;
     }
 }
 
@@ -98,30 +136,7 @@ fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
     }
 }
 
-/// The load between two neighbouring knots.
-struct Piece<T> {
-    start: (T, T),
-    end: (T, T),
-}
-
 impl<T: Scalar> Piece<T> {
-    fn duration(&self) -> T {
-        self.end.0 - self.start.0
-    }
-
-    fn force(&self, t: T) -> T {
-        if self.duration().is_zero() {
-            return self.end.1;
-        }
-        self.start.1 + (self.end.1 - self.start.1) * ((t - self.start.0) / self.duration())
-    }
-
-    /// ∫F from the start of the piece to `t`, or to its end if `t` is later.
-    fn impulse(&self, t: T) -> T {
-        let (time, force) = if t < self.end.0 { (t, self.force(t)) } else { self.end };
-        (time - self.start.0) * (self.start.1 + force) * T::constant(0.5)
-    }
-
     /// −F′/F at the end of the piece, where it is largest; 0 if the load does not fall.
     fn fall(&self) -> T {
         let drop = self.start.1 - self.end.1;
@@ -155,26 +170,22 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
     }
 
     fn impulse(&self, t: T) -> T {
-        // Kahan's summation: a measured load may have a hundred thousand knots.
-        let (mut sum, mut lost) = (T::zero(), T::zero());
-        let mut add = |x: T| {
-            let corrected = x - lost;
-            let next = sum + corrected;
-            lost = (next - sum) - corrected;
-            sum = next;
+        let knots = self.knots.as_ref();
+        let last = knots.partition_point(|&(time, _)| time <= t).saturating_sub(1);
+        let Some(&start) = knots.get(last) else {
+            return T::zero();
         };
-        for piece in self.pieces() {
-            if t <= piece.start.0 {
-                break;
-            }
-            add(piece.impulse(t));
+        let checkpoint = (last / self.stride).min(CHECKPOINTS - 1);
+        let mut sum = Sum::from(self.impulses[checkpoint]);
+        for piece in pieces(&knots[checkpoint * self.stride..=last]) {
+            sum.add(piece.impulse());
         }
-        if let Some(&(time, force)) = self.knots.as_ref().last()
-            && t > time
-        {
-            add((t - time) * force);
+        if t > start.0 {
+            // After the last knot the force is constant.
+            let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
+            sum.add(Piece { start, end }.before(t).impulse());
         }
-        sum
+        sum.value
     }
 
     fn force_before(&self, t: T) -> T {
@@ -190,11 +201,30 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
         true
     }
 
+    fn straight_pieces(&self, (from, until): (T, T), pieces: &mut [Piece<T>]) -> usize {
+        let knots = self.knots.as_ref();
+        let last = knots.partition_point(|&(time, _)| time <= from).saturating_sub(1);
+        let mut count = 0;
+        let mut ends = knots.iter().skip(last + 1);
+        let mut starts = knots.iter().skip(last);
+        while count < pieces.len()
+            && let Some(&start) = starts.next()
+            && start.0 < until
+        {
+            let end = ends.next().copied().unwrap_or((until, start.1));
+            if start.0 < end.0 {
+                pieces[count] = Piece { start, end }.between(from, until);
+                count += 1;
+            }
+        }
+        count
+    }
+
     fn recession(&self, chi: T, t: T) -> Option<T> {
         if self.fastest_fall <= chi {
             return None;
         }
-        let mut begun = self.pieces().take_while(|piece| piece.start.0 <= t);
+        let mut begun = pieces(self.knots()).take_while(|piece| piece.start.0 <= t);
         let (time, is_step) =
             begun.find_map(|piece| Some((piece.recession(chi)?, piece.duration().is_zero())))?;
         // At the very time at which a slope becomes too steep the edge has not moved yet.
@@ -217,6 +247,65 @@ mod tests {
             (Some(5.0), Some(7.0), None)
         );
         Ok(())
+    }
+
+    #[test]
+    fn impulses_begin_at_any_checkpoint() -> Result<(), LoadError> {
+        for count in [1, 2, 63, 64, 65, 128, 129, 1000] {
+            let load = PiecewiseLinear::new(
+                (0..count).map(|k| (f64::from(k), f64::from(k % 3))).collect::<Vec<_>>(),
+            )?;
+            for quarter in 0..4 * count + 8 {
+                let t = f64::from(quarter) / 4.0;
+                let pieces = pieces(load.knots()).filter(|piece| piece.start.0 < t);
+                let until = |piece: Piece<f64>| if t < piece.end.0 { piece.before(t) } else { piece };
+                let held = (t - f64::from(count - 1)).max(0.0) * f64::from((count - 1) % 3);
+                let expected = pieces.map(|piece| until(piece).impulse()).sum::<f64>() + held;
+                assert_eq!(load.impulse(t), expected, "{count} knots, {t}");
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn straight_pieces_pass_steps_and_end_in_time() -> Result<(), LoadError> {
+        let load = PiecewiseLinear::new([(0.0, 10.0), (5.0, 20.0), (5.0, 30.0), (7.0, 50.0)])?;
+        let piece = |start, end| Piece { start, end };
+        let expected = [
+            piece((2.5, 15.0), (5.0, 20.0)),
+            piece((5.0, 30.0), (7.0, 50.0)),
+            piece((7.0, 50.0), (9.0, 50.0)),
+        ];
+        let mut pieces = [Piece::none(); 4];
+        let provided: &dyn Load<f64> = &Searched(&load);
+        for load in [&load as &dyn Load<f64>, provided] {
+            assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces), 3);
+            assert_eq!(pieces[..3], expected);
+            assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces[..2]), 2);
+            assert_eq!(load.straight_pieces((2.5, 5.0), &mut pieces), 1);
+            assert_eq!(pieces[0], expected[0]);
+            assert_eq!(load.straight_pieces((5.0, 6.0), &mut pieces), 1);
+            assert_eq!(pieces[0], piece((5.0, 30.0), (6.0, 40.0)));
+        }
+        Ok(())
+    }
+
+    /// A load that leaves everything to the provided methods.
+    struct Searched<'a>(&'a dyn Load<f64>);
+
+    impl Load<f64> for Searched<'_> {
+        fn force(&self, t: f64) -> f64 {
+            self.0.force(t)
+        }
+        fn impulse(&self, t: f64) -> f64 {
+            self.0.impulse(t)
+        }
+        fn force_before(&self, t: f64) -> f64 {
+            self.0.force_before(t)
+        }
+        fn next_knot(&self, t: f64) -> Option<f64> {
+            self.0.next_knot(t)
+        }
     }
 
     #[test]

@@ -8,10 +8,11 @@
 //! in two halves; if the two do not agree, it is shortened to its first half, otherwise the next is twice as
 //! long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
 
+use super::run::Run;
 use super::stretch::{Course, Stretch};
 use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::{Contact, Loading};
-use crate::load::Load;
+use crate::load::{Load, Piece};
 use crate::{GapProfile, Scalar};
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
@@ -27,19 +28,24 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let impulse = contact.load().impulse(from.time);
-    let mut march = March { contact, time, radius, now: from, impulse, transition: Transition::none(reach) };
-    let stiffness = contact.stiffness();
-    // The pressures at the start have the strip beyond its rounded radius, the integrals begin at that radius.
-    if reach <= from.radius {
-        march.transition.slope -= march.quarter_m() * from.strip(stiffness);
+    let force = contact.load().force(time);
+    let mut march = March {
+        contact,
+        time,
+        radius,
+        force,
+        now: from,
+        // The pressures at the start have the strip beyond its rounded radius.
+        has_strip: reach <= from.radius,
+        transition: Transition::none(reach),
+    };
+    let has_knots = contact.load().next_knot(from.time).is_some_and(|knot| knot < time);
+    match (contact.load().is_linear_between_knots(), has_knots) {
+        (true, true) => march.advance_in_pieces(),
+        (true, false) => march.advance_in_one_piece(),
+        (false, _) => march.advance_from_knot_to_knot(),
     }
-    while march.now.time < time {
-        march.advance_to_next_knot();
-    }
-    let slope = march.now.strip(stiffness);
-    let offset = slope * ((radius - reach) * (radius + reach));
-    march.transition.advance(T::one(), march.quarter_m(), Increment { offset, slope }, reach);
+    march.set_strip(true);
     march.transition.offset = not_negative(march.transition.offset);
     (march.transition, march.now)
 }
@@ -59,14 +65,20 @@ pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
     if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
 
+/// How many pieces of a load are looked up at once.
+const PIECES: usize = 16;
+
 /// A transition on its way.
 struct March<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     /// Where it ends; that radius must be met to the last bit.
     time: T,
     radius: T,
+    /// The force there.
+    force: T,
     now: Moment<T>,
-    impulse: T,
+    /// Whether the transition has what lies between the rounded radius and the exact one.
+    has_strip: bool,
     transition: Transition<T>,
 }
 
@@ -78,57 +90,136 @@ impl<T: Scalar, P, L> Clone for March<'_, T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
-    /// Continues to the next knot or the end, and through the jump that the load may make there.
-    fn advance_to_next_knot(&mut self) {
-        let load = self.contact.load();
-        let end = load.next_knot(self.now.time).map_or(self.time, |knot| knot.min(self.time));
-        if load.is_linear_between_knots() {
-            self.skip_what_fades(end);
-            self.advance_straight(end);
-        } else {
-            self.advance_in_steps(end);
+    /// Continues to the end along a straight load, and through the jump that it may make there.
+    fn advance_in_one_piece(&mut self) {
+        let (load, start) = (self.contact.load(), self.now.time);
+        if start < self.time {
+            let piece =
+                Piece { start: (start, load.force(start)), end: (self.time, load.force_before(self.time)) };
+            self.advance_straight(piece);
+            self.jump(piece.end.1, self.force);
         }
-        let (before, after) = (load.force_before(end), load.force(end));
+    }
+
+    /// Continues to the end along the straight pieces of the load, and through the jumps between them.
+    fn advance_in_pieces(&mut self) {
+        let mut pieces = [Piece::none(); PIECES];
+        while self.now.time < self.time {
+            let count = self.contact.load().straight_pieces((self.now.time, self.time), &mut pieces);
+            let mut ahead = &pieces[..count.min(PIECES)];
+            if ahead.is_empty() {
+                break;
+            }
+            while let Some(first) = ahead.first() {
+                let (done, rest) = ahead.split_at(self.advance_run(ahead).max(1));
+                if self.now.time < first.end.0 {
+                    done.iter().for_each(|piece| self.advance_straight(*piece));
+                }
+                let last = done.last().map_or(self.force, |piece| piece.end.1);
+                let next = rest.first().map_or_else(|| self.force_now(), |piece| piece.start.1);
+                self.jump(last, next);
+                ahead = rest;
+            }
+        }
+    }
+
+    /// Continues to the end along a load that is not straight, and through its jumps.
+    fn advance_from_knot_to_knot(&mut self) {
+        let load = self.contact.load();
+        while self.now.time < self.time {
+            let end = load.next_knot(self.now.time).map_or(self.time, |knot| knot.min(self.time));
+            self.advance_in_steps(end);
+            self.jump(load.force_before(end), self.force_now());
+        }
+    }
+
+    fn force_now(&self) -> T {
+        if self.now.time < self.time { self.contact.load().force(self.now.time) } else { self.force }
+    }
+
+    /// Passes a jump of the load, which never falls there.
+    fn jump(&mut self, before: T, after: T) {
         if after > before {
-            let radius = self.radius_under(end, after);
+            let radius = self.radius_under(self.now.time, after);
             self.cover(radius, Course::Step, (before, after), after - before);
         }
     }
 
-    /// Leaves out what a straight stretch that does not fall adds so early that nothing of it is left at its end.
+    /// Lays down as many of the pieces ahead as are short, and returns how many these are; none of them is laid down
+    /// if one is not as simple as it seemed.
+    fn advance_run(&mut self, pieces: &[Piece<T>]) -> usize {
+        let (contact, chi) = (self.contact, self.contact.medium().chi());
+        // One piece alone costs less over the radius.
+        if pieces.len() < 2 || self.transition.reach > self.now.radius {
+            return 0;
+        }
+        let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
+        let Some(last) = run.len().checked_sub(1).and_then(|last| pieces.get(last)) else {
+            return 0;
+        };
+        let (end, force) = last.end;
+        let share = (-self.faded_since(last)).exp();
+        if let Some(increment) = run.increment(contact, self.transition.reach, share) {
+            let decay = (-(chi * (end - self.now.time))).exp();
+            // Times know nothing of rounded radii.
+            self.set_strip(true);
+            self.transition.advance(decay, self.quarter_m(), increment, self.transition.reach);
+            self.now.impulse = run.impulse;
+            let radius = self.radius_under(end, force);
+            self.now =
+                Moment { time: end, radius, surplus: self.surplus_at(radius, run.gain, force), ..self.now };
+        }
+        run.len()
+    }
+
+    /// By how many e-foldings, at least, the share has faded that a piece has in the pressures at the end.
+    ///
+    /// What was there when the piece ended carries F e^(−χ age) of the force at the end, on a disc that is smaller; a
+    /// margin of 3 makes up for the sizes of the discs.
+    fn faded_since(&self, piece: &Piece<T>) -> T {
+        if piece.end.1 > self.force {
+            return T::zero();
+        }
+        (self.contact.medium().chi() * (self.time - piece.end.0) - T::constant(3.0)).max(T::zero())
+    }
+
+    /// Leaves out what a straight stretch that does not fall adds so early that nothing of it is left at its end, and
+    /// returns the rest.
     ///
     /// What a held load covered `folds` e-foldings ago carries e^(−folds) of it. The panels of an integral are chosen for
     /// what counts, next to the edge, and could not resolve it within a much longer stretch.
-    fn skip_what_fades(&mut self, end: T) {
-        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+    fn skip_what_fades(&mut self, piece: Piece<T>) -> Piece<T> {
+        let chi = self.contact.medium().chi();
         let folds = faded_folds::<T>();
-        let (start, force) = (self.now.time, load.force(self.now.time));
-        if chi * (end - start) <= folds + folds
+        let (start, end) = (piece.start.0, piece.end.0);
+        if chi * piece.duration() <= folds + folds
             || start >= end * (T::one() - T::default_epsilon() * T::constant(8.0))
-            || load.force_before(end) < force
+            || piece.rise() < T::zero()
         {
-            return;
+            return piece;
         }
         // At least a few roundings of the time, lest nothing is left.
         let time = end - (folds / chi).max(end * T::default_epsilon() * T::constant(4.0));
-        let skipped = load.force(time);
-        self.impulse += (time - start) * (force + skipped) * T::constant(0.5);
-        let radius = self.radius_under(time, skipped).max(self.now.radius);
-        let decay = (-(chi * (time - start))).exp();
+        let skipped = piece.before(time);
+        self.now.impulse += skipped.impulse();
+        let force = skipped.end.1;
+        let radius = self.radius_under(time, force).max(self.now.radius);
+        let decay = (-(chi * skipped.duration())).exp();
         self.transition.advance(decay, self.quarter_m(), Increment::zero(), radius);
-        self.now = self.contact.moment_under(Loading::new(skipped, self.impulse, chi), time, radius);
+        self.now = self.contact.moment_under(Loading::new(force, self.now.impulse, chi), time, radius);
+        Piece { start: skipped.end, end: piece.end }
     }
 
-    fn advance_straight(&mut self, end: T) {
-        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let duration = end - self.now.time;
-        let (first, last) = (load.force(self.now.time), load.force_before(end));
-        let impulse = duration * (first + last) * T::constant(0.5);
-        self.impulse += impulse;
-        let radius = self.radius_under(end, last);
-        let gain = (last - first) + chi * impulse;
-        self.cover(radius, Course::straight(chi, duration, (first, last)), (first, last), gain);
-        self.now.time = end;
+    fn advance_straight(&mut self, piece: Piece<T>) {
+        let chi = self.contact.medium().chi();
+        self.set_strip(false);
+        let piece = self.skip_what_fades(piece);
+        let (forces, impulse) = ((piece.start.1, piece.end.1), piece.impulse());
+        self.now.impulse += impulse;
+        let radius = self.radius_under(piece.end.0, piece.end.1);
+        let gain = piece.rise() + chi * impulse;
+        self.cover(radius, Course::straight(chi, piece.duration(), forces), forces, gain);
+        self.now.time = piece.end.0;
     }
 
     fn advance_in_steps(&mut self, end: T) {
@@ -161,12 +252,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let start = self.now.time;
         let first = load.force(start);
-        let before = first + chi * self.impulse;
-        self.impulse = load.impulse(end);
+        let before = first + chi * self.now.impulse;
+        self.now.impulse = load.impulse(end);
         let last = load.force_before(end);
         let radius = self.radius_under(end, last);
         let course = Course::Smooth { load, start, duration: end - start };
-        self.cover(radius, course, (first, last), last + chi * self.impulse - before);
+        self.cover(radius, course, (first, last), last + chi * self.now.impulse - before);
         self.now.time = end;
     }
 
@@ -174,6 +265,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// gains `gain`.
     fn cover(&mut self, high: T, course: Course<'_, T, L>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
+        // Integrals over the radius begin and end at rounded ones.
+        self.set_strip(false);
         let decay = course.decay(chi);
         let depth = high - self.now.radius;
         if depth <= high * T::default_epsilon() * T::constant(16.0)
@@ -182,13 +275,31 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             self.cover_at_once(high, course.fading(chi), decay, forces);
             return;
         }
-        let growth = contact.profile().load_integral_drop(high, depth);
-        let surplus = self.now.surplus + (gain - contact.stiffness() * growth);
-        let surplus = surplus_that_counts(surplus, forces.1);
+        let surplus = self.surplus_at(high, gain, forces.1);
         let low = self.transition.reach.max(self.now.radius);
         let increment = Stretch { contact, course, low, high, surplus }.increment();
         self.transition.advance(decay, self.quarter_m(), increment, low);
         self.now = Moment { radius: high, surplus, ..self.now };
+    }
+
+    /// The surplus at a later radius, up to which the hereditary load gains `gain`.
+    fn surplus_at(&self, radius: T, gain: T, force: T) -> T {
+        let contact = self.contact;
+        let growth = contact.profile().load_integral_drop(radius, radius - self.now.radius);
+        surplus_that_counts(self.now.surplus + (gain - contact.stiffness() * growth), force)
+    }
+
+    /// Adds or takes away what lies between the rounded radius and the exact one.
+    fn set_strip(&mut self, wanted: bool) {
+        if wanted == self.has_strip {
+            return;
+        }
+        let (radius, reach) = (self.now.radius, self.transition.reach);
+        let strip = self.now.strip(self.contact.per_stiffness());
+        let slope = if wanted { strip } else { -strip };
+        let offset = slope * ((radius - reach) * (radius + reach));
+        self.transition.advance(T::one(), self.quarter_m(), Increment { offset, slope }, reach);
+        self.has_strip = wanted;
     }
 
     /// Lays what a stretch gains at its last radius, which is the first one but for some roundings.
@@ -199,7 +310,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn cover_at_once(&mut self, high: T, fading: T, decay: T, (first, last): (T, T)) {
         let kept = Moment { radius: high, surplus: (last - first) + first * fading, ..self.now };
         let low = self.transition.reach.max(self.now.radius);
-        let slope = kept.strip(self.contact.stiffness());
+        let slope = kept.strip(self.contact.per_stiffness());
         let offset = slope * ((high - low) * (high + low));
         self.transition.advance(decay, self.quarter_m(), Increment { offset, slope }, low);
         self.now.radius = high;
@@ -207,11 +318,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// The contact radius at a time under a force at the impulse so far; a contact never exceeds that at the end.
     fn radius_under(&self, time: T, force: T) -> T {
-        let load = self.contact.load();
-        if time >= self.time && force >= load.force(time) {
+        if time >= self.time && force >= self.force {
             return self.radius;
         }
-        let hereditary = force + self.contact.medium().chi() * self.impulse;
+        let hereditary = force + self.contact.medium().chi() * self.now.impulse;
         self.contact.radius_under(hereditary).unwrap_or(self.radius).min(self.radius)
     }
 

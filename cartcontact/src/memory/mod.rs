@@ -12,14 +12,17 @@
 //! Source: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (25), (28), doi 10.1016/j.mechrescom.2010.11.006,
 //! integrated by parts.
 
+mod fading;
 mod march;
 pub(crate) mod quadrature;
 mod radius_form;
+mod run;
 mod stretch;
 mod time_form;
 
 use crate::Scalar;
 
+pub(crate) use fading::{FEW_FOLDS, decay_gain};
 pub(crate) use march::{march, surplus_that_counts};
 pub(crate) use stretch::age_along_line;
 
@@ -33,6 +36,8 @@ pub(crate) struct Moment<T> {
     pub(crate) time: T,
     pub(crate) radius: T,
     pub(crate) surplus: T,
+    /// ∫F from the beginning.
+    pub(crate) impulse: T,
 }
 
 /// How pressures at radii r up to `reach` change from one moment to another:
@@ -55,12 +60,13 @@ pub(crate) struct Increment<T> {
 impl<T: Scalar> Moment<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
     #[inline(always)]
-    pub(crate) fn strip(&self, stiffness: T) -> T {
+    pub(crate) fn strip(&self, per_stiffness: T) -> T {
         if self.surplus.is_zero() {
             return T::zero();
         }
-        let square = self.radius * self.radius;
-        T::constant(2.0) * self.surplus / stiffness / square / square
+        // One division, and a⁴ need not be in range.
+        let per_square = (self.radius * self.radius).recip();
+        T::constant(2.0) * self.surplus * per_stiffness * per_square * per_square
     }
 }
 
@@ -105,7 +111,12 @@ impl<T: Scalar> Increment<T> {
         Self { offset: T::zero(), slope: T::zero() }
     }
 
+    fn plus(self, other: Self) -> Self {
+        Self { offset: self.offset + other.offset, slope: self.slope + other.slope }
+    }
+
     /// Adds the value of one node: `weight` is that of δ₀′ e^(−χ age) ds at the radius s.
+    #[inline(always)]
     fn add(&mut self, weight: T, s: T, low: T) {
         self.offset += weight * ((s - low) * (s + low));
         self.slope += weight;

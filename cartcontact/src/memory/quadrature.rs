@@ -19,22 +19,54 @@ use crate::Scalar;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rule {
     half: &'static [(f64, f64)],
+    /// The factors of the coefficient that tells whether the rule resolves a function.
+    highest: &'static [f64],
     /// The most e-foldings it integrates to full accuracy, in f64 and in f32.
     folds: (f64, f64),
 }
 
-const RULES: [Rule; 6] = [
-    Rule { half: &NODES_4, folds: (0.1321, 1.512) },
-    Rule { half: &NODES_6, folds: (0.8733, 4.269) },
-    Rule { half: &NODES_8, folds: (2.403, 7.884) },
-    Rule { half: &NODES_12, folds: (7.447, 16.64) },
-    Rule { half: &NODES_16, folds: (14.42, 26.51) },
+const RULES: [Rule; 7] = [
+    Rule::FOUR,
+    Rule::SIX,
+    Rule::EIGHT,
+    Rule::TEN,
+    Rule::TWELVE,
+    Rule { half: &NODES_16, highest: &highest(NODES_16), folds: (14.42, 26.51) },
     Rule::FINEST,
 ];
 
+/// (2n−1)/2 w P₍ₙ₋₁₎(x) at the positive nodes x of a rule of n nodes.
+const fn highest<const HALF: usize>(half: [(f64, f64); HALF]) -> [f64; HALF] {
+    let n = 2 * HALF;
+    let mut factors = [0.0; HALF];
+    let mut index = 0;
+    while index < HALF {
+        let (x, weight) = half[index];
+        // (k+1) P₍ₖ₊₁₎ = (2k+1) x Pₖ − k P₍ₖ₋₁₎
+        let (mut before, mut legendre) = (1.0, x);
+        let mut k = 1;
+        while k < n - 1 {
+            let degree = k as f64;
+            let next = ((2.0 * degree + 1.0) * x * legendre - degree * before) / (degree + 1.0);
+            (before, legendre) = (legendre, next);
+            k += 1;
+        }
+        factors[index] = (n as f64 - 0.5) * weight * legendre;
+        index += 1;
+    }
+    factors
+}
+
 impl Rule {
+    pub(super) const FOUR: Self = Self { half: &NODES_4, highest: &highest(NODES_4), folds: (0.1321, 1.512) };
+    pub(super) const SIX: Self = Self { half: &NODES_6, highest: &highest(NODES_6), folds: (0.8733, 4.269) };
+    pub(super) const EIGHT: Self = Self { half: &NODES_8, highest: &highest(NODES_8), folds: (2.403, 7.884) };
+    pub(super) const TEN: Self = Self { half: &NODES_10, highest: &highest(NODES_10), folds: (4.632, 12.06) };
+    pub(super) const TWELVE: Self =
+        Self { half: &NODES_12, highest: &highest(NODES_12), folds: (7.447, 16.64) };
     /// The rule of 24 nodes.
-    pub(crate) const FINEST: Self = Self { half: &NODES_24, folds: (31.69, 47.76) };
+    pub(crate) const FINEST: Self =
+        Self { half: &NODES_24, highest: &highest(NODES_24), folds: (31.69, 47.76) };
 
     /// The shortest rule for an integrand that changes by e^`folds`.
     pub(crate) fn for_folds<T: Scalar>(folds: T) -> Self {
@@ -47,7 +79,38 @@ impl Rule {
         T::constant(if single { self.folds.1 } else { self.folds.0 })
     }
 
+    /// How many nodes it has.
+    pub(super) fn len(&self) -> usize {
+        2 * self.half.len()
+    }
+
+    /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the nodes
+    /// ±x of each pair.
+    #[inline(always)]
+    pub(super) fn coefficients(&self) -> impl Iterator<Item = (f64, f64)> {
+        let pairs = self.half.iter().zip(self.highest);
+        pairs.map(|(&(x, weight), &highest)| (1.5 * x * weight, highest))
+    }
+
+    /// Whether it integrates a function whose coefficient of degree n − 1 is `highest`, if they fall geometrically from
+    /// that of degree 1 on: the first that it does not see, of degree 2n, is then
+    ///
+    /// ```text
+    /// highest · (highest/first)^((n+1)/(n−2)),    (n+1)/(n−2) ≥ 3/2 for n ≤ 8 and ≥ 1 for all n
+    /// ```
+    ///
+    /// All are over the size of the function, and count for `share` of what the integral is for.
+    #[inline(always)]
+    pub(super) fn resolves<T: Scalar>(&self, first: T, highest: T, share: T) -> bool {
+        let (height, ratio) = (share * highest.abs(), (highest / first).abs());
+        let fall = if self.len() <= 8 { ratio * ratio.sqrt() } else { ratio };
+        let epsilon = T::default_epsilon();
+        // What is no more than rounding says nothing.
+        (height <= T::constant(4.0) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
+    }
+
     /// The nodes on [low, high] with their weights.
+    #[inline]
     pub(crate) fn nodes<T: Scalar>(self, low: T, high: T) -> impl Iterator<Item = (T, T)> {
         let middle = (low + high) * T::constant(0.5);
         let radius = (high - low) * T::constant(0.5);
@@ -71,6 +134,13 @@ const NODES_8: [(f64, f64); 4] = [
     (0.525532409916329, 0.31370664587788727),
     (0.7966664774136267, 0.22238103445337448),
     (0.9602898564975363, 0.10122853629037626),
+];
+const NODES_10: [(f64, f64); 5] = [
+    (0.14887433898163122, 0.29552422471475287),
+    (0.4333953941292472, 0.26926671930999635),
+    (0.6794095682990244, 0.21908636251598204),
+    (0.8650633666889845, 0.1494513491505806),
+    (0.9739065285171717, 0.06667134430868814),
 ];
 const NODES_12: [(f64, f64); 6] = [
     (0.1252334085114689, 0.24914704581340277),
@@ -120,6 +190,29 @@ mod tests {
                 // The power multiplies the rounding of the nodes by the degree.
                 let bound = (4.0 + 0.5 * f64::from(degree)) * f64::EPSILON;
                 assert!(error.abs() < bound, "{n} nodes, degree {degree}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn coefficients_are_those_of_legendre() {
+        for rule in RULES {
+            let n = rule.len();
+            for degree in (1..n).step_by(2) {
+                let legendre = |x: f64| {
+                    let next = |(before, now), k: usize| {
+                        (now, ((2 * k + 1) as f64 * x * now - k as f64 * before) / (k + 1) as f64)
+                    };
+                    (1..degree).fold((1.0, x), next).1
+                };
+                let pairs = rule.half.iter().zip(rule.coefficients());
+                let (first, highest) = pairs.fold((0.0, 0.0), |sums, (&(x, _), factors)| {
+                    let difference = legendre(x) - legendre(-x);
+                    (sums.0 + factors.0 * difference, sums.1 + factors.1 * difference)
+                });
+                let expected = |is_it| if is_it { 1.0 } else { 0.0 };
+                assert!((first - expected(degree == 1)).abs() < 1e-14, "{n} nodes, degree {degree}: {first}");
+                assert!((highest - expected(degree == n - 1)).abs() < 1e-13, "{n}, {degree}: {highest}");
             }
         }
     }

@@ -1,0 +1,55 @@
+//! A straight part of a load.
+
+use crate::Scalar;
+
+/// A part of a load that is linear in time, from one time in s with its force in N to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece<T> {
+    /// The time at which it starts, and the force from then on.
+    pub start: (T, T),
+    /// The time at which it ends, and the force up to then; the same time makes it a step.
+    pub end: (T, T),
+}
+
+impl<T: Scalar> Piece<T> {
+    /// No time, and no force.
+    pub(crate) fn none() -> Self {
+        Self { start: (T::zero(), T::zero()), end: (T::zero(), T::zero()) }
+    }
+
+    pub(crate) fn duration(&self) -> T {
+        self.end.0 - self.start.0
+    }
+
+    /// By how much the force rises.
+    pub(crate) fn rise(&self) -> T {
+        self.end.1 - self.start.1
+    }
+
+    /// The force at a time within the piece, after a step.
+    pub(crate) fn force(&self, t: T) -> T {
+        if self.duration().is_zero() {
+            return self.end.1;
+        }
+        self.start.1 + self.rise() * ((t - self.start.0) / self.duration())
+    }
+
+    /// ∫F over the piece.
+    pub(crate) fn impulse(&self) -> T {
+        self.duration() * (self.start.1 + self.end.1) * T::constant(0.5)
+    }
+
+    /// The part of it between two times, of which at least one is within the piece.
+    #[inline]
+    pub(crate) fn between(&self, from: T, until: T) -> Self {
+        let start = if from > self.start.0 { (from, self.force(from)) } else { self.start };
+        let end = if until < self.end.0 { (until, self.force(until)) } else { self.end };
+        Self { start, end }
+    }
+
+    /// The part before a time within the piece.
+    #[inline]
+    pub(crate) fn before(&self, t: T) -> Self {
+        self.between(self.start.0, t)
+    }
+}
