@@ -17,6 +17,24 @@ fn errors_are_within_their_bounds_everywhere() {
     assert!(report.holds(), "{report}");
 }
 
+/// Scenes that longer campaigns found at fault, as pairs of a seed and a case.
+#[test]
+fn what_was_found_once_stays_mended() {
+    let found = [
+        // A field that begins at a time at which the load is subnormal.
+        (2, 351_575),
+        (2, 73_443),
+        // A coefficient that is zero in other units.
+        (2, 186_943),
+    ];
+    for (seed, case) in found {
+        let campaign = Campaign { seed };
+        let mut report = campaign.report();
+        campaign.run_closely(case, &mut report);
+        assert!(report.holds(), "{}\n{report}", campaign.shown(case));
+    }
+}
+
 #[test]
 fn any_input_is_sound() {
     for case in 0..700 {

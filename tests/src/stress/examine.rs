@@ -111,7 +111,7 @@ impl<T: Precision> Examination<'_, T> {
         match (now, radius) {
             (Ok(now), Some(a)) => self.solved(&now, a, depth),
             (Ok(_), None) => self.accepted(found, y),
-            (Err(error), radius) => self.refused(&error, y, radius),
+            (Err(error), _) => self.refused(&error, self.scene.time),
         }
     }
 
@@ -134,8 +134,12 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// An error is right beyond the admissible range, and where J or a J′ leave the format.
-    fn refused(&mut self, error: &ContactError, y: Wide, radius: Option<Wide>) {
+    /// An error at a time is right beyond the admissible range, and where J or a J′ leave the format.
+    fn refused(&mut self, error: &ContactError, time: T) {
+        let time = Wide::of(time.value());
+        let y = self.exact.hereditary(time) / self.exact.stiffness();
+        let estimate = || self.exact.profile.one_term_radius(y);
+        let radius = if y.is_positive() { self.exact.profile.radius(y, estimate()) } else { None };
         let is_right = match (error, radius) {
             (ContactError::BeyondRange { max_radius, .. }, Some(a)) => {
                 // Rounding of J may hide whether a radius next to the end is inside.
@@ -144,17 +148,7 @@ impl<T: Precision> Examination<'_, T> {
             }
             (ContactError::BeyondRange { .. }, None) => true,
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
-            (ContactError::OutOfRange { .. }, radius) => {
-                let force = self.exact.force(Wide::of(self.scene.time.value())).value();
-                let chi = self.scene.chi.value();
-                let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
-                let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
-                let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
-                let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
-                let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature];
-                numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
-                    || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
-            }
+            (ContactError::OutOfRange { .. }, radius) => self.is_out_of_range(time, y, radius),
             (_, radius) => {
                 let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
                 slope.value() > T::MOST
@@ -163,6 +157,19 @@ impl<T: Precision> Examination<'_, T> {
         if !is_right {
             self.findings.fault(Fault::Refused, error);
         }
+    }
+
+    /// Whether a number that has to have all its digits has not.
+    fn is_out_of_range(&self, time: Wide, y: Wide, radius: Option<Wide>) -> bool {
+        let force = self.exact.force(time).value();
+        let chi = self.scene.chi.value();
+        let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
+        let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
+        let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
+        let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
+        let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature];
+        numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
+            || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
     }
 
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
@@ -293,7 +300,8 @@ impl<T: Precision> Examination<'_, T> {
         let radii = [T::zero(), self.place(now.radius(), 0.4), self.place(now.radius(), self.scene.inset)];
         let mut values = [T::zero(); 6];
         if let Err(error) = self.contact.pressure_field(&times, &radii, &mut values) {
-            self.findings.fault(Fault::Refused, &error);
+            // The snapshot at the second time was not refused.
+            self.refused(&error, third);
             return;
         }
         for (&r, value) in radii.iter().zip(&values[3..]) {
