@@ -1,6 +1,6 @@
 //! A short stress campaign; `cargo run --release -p tests --bin stress -- --cases 1000000` is the long one.
 
-use cartcontact::load::Constant;
+use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, Layer, Medium, MediumError, Polynomial};
 use tests::random::Stream;
 use tests::stress::campaign::Campaign;
@@ -104,6 +104,19 @@ fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error
     assert_eq!(at(1.0, 1e-290)?, None);
     assert!(Medium::from_constants(1e-310, 0.0).is_err() && Medium::from_constants(1.0, 1e-310).is_err());
     assert!(Polynomial::new([(1e-306, 64.0)]).is_err());
+    Ok(())
+}
+
+/// Y is in range, but neither F′ nor χ F is: ages would not be numbers.
+#[test]
+fn rates_out_of_range_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let ramp = PiecewiseLinear::new([(0.0, 3e16_f32), (2.5e-23, 4e17)]);
+    assert!(matches!(ramp, Err(LoadError::TooSteep { knot: 1, .. })), "{ramp:?}");
+    let medium = Medium::from_constants(1.0, 1e25_f32)?;
+    let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, Constant(1e20))?;
+    for time in [0.0, 1e-30, 1e-24] {
+        assert!(matches!(contact.at(time), Err(ContactError::OutOfRange { .. })), "{time:e}");
+    }
     Ok(())
 }
 

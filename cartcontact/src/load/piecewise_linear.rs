@@ -31,10 +31,15 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
     /// # Errors
     ///
     /// [`LoadError`] if there are no knots, a time is not finite, the first time is not 0, times decrease or
-    /// three of them are equal, or a force is negative or not finite.
+    /// three of them are equal, a force is negative or not finite, or a slope is out of range.
     pub fn new(knots: K) -> Result<Self, LoadError> {
         check_knots(knots.as_ref())?;
         let mut load = Self { knots, fastest_fall: T::zero() };
+        if let Some(before) = load.pieces().position(|piece| !piece.has_slope())
+            && let [start, end, ..] = load.knots()[before..]
+        {
+            return Err(LoadError::TooSteep { knot: before + 1, from: start.0.value(), to: end.0.value() });
+        }
         load.fastest_fall = load.pieces().fold(T::zero(), |fastest, piece| fastest.max(piece.fall()));
         Ok(load)
     }
@@ -107,6 +112,12 @@ struct Piece<T> {
 impl<T: Scalar> Piece<T> {
     fn duration(&self) -> T {
         self.end.0 - self.start.0
+    }
+
+    /// Whether it is a step, or F′ and F′ + χ F can be finite.
+    fn has_slope(&self) -> bool {
+        let slope = (self.end.1 - self.start.1) / self.duration();
+        self.duration().is_zero() || (slope + slope).is_finite()
     }
 
     fn force(&self, t: T) -> T {
@@ -243,6 +254,10 @@ mod tests {
         assert_eq!(
             fault(&[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)]),
             Some(LoadError::RepeatedTime { knot: 2, time: 0.0 })
+        );
+        assert_eq!(
+            fault(&[(0.0, 0.0), (1.0, 0.0), (1.0 + 2e-16, 1e300)]),
+            Some(LoadError::TooSteep { knot: 2, from: 1.0, to: 1.0 + 2e-16 })
         );
         assert_eq!(fault(&[(0.0, -1.0)]), Some(LoadError::InvalidForce { time: 0.0, force: -1.0 }));
     }
