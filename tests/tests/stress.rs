@@ -26,6 +26,8 @@ fn what_was_found_once_stays_mended() {
         (2, 73_443),
         // A coefficient that is zero in other units.
         (2, 186_943),
+        // An edge that rounding moves by more than the distance from it.
+        (1, 2_479_684),
         // A falling load whose square is out of range.
         (2, 108_283),
     ];

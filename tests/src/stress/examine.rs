@@ -249,7 +249,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64, depth: Depth) {
-        self.course(now, a);
+        self.course(now, a, condition);
         let is_undrained = (self.scene.chi * self.scene.time).is_zero();
         let r = self.place(now.radius(), self.scene.inset);
         for (quantity, r) in [(Quantity::PeakPressure, T::zero()), (Quantity::Pressure, r)] {
@@ -272,24 +272,27 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     /// Pressures are finite, not negative, and fall from the axis to the edge.
-    fn course(&mut self, now: &Now<'_, '_, T>, a: Wide) {
+    ///
+    /// Either of two pressures may be off by a share of what it is. The exact ones rise for certain if the outer less its
+    /// share exceeds the inner and its share; next to the edge that share may be all there is.
+    fn course(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64) {
         let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
-        let mut inner = f64::INFINITY;
+        let (mut inner, mut most) = (f64::INFINITY, f64::INFINITY);
         for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-15, 0.0] {
             let r = self.place(now.radius(), inset);
             let pressure = now.pressure(r).value();
+            let edge = condition::edge(now.radius(), r);
+            let share = T::allowed(Quantity::Pressure.allowance()) * T::EPSILON * edge * condition;
             let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
             if pressure < 0.0 {
                 self.findings.fault(Fault::NegativePressure, &place);
             } else if pressure.is_nan() || is_representable && pressure.is_infinite() {
                 self.findings.fault(Fault::NotANumber, &place);
-            } else if pressure
-                > inner * (1.0 + 16.0 * T::EPSILON * condition::edge(now.radius(), r))
-                    + 16.0 * T::LEAST * T::EPSILON
-            {
+            } else if pressure / (1.0 + share) > most + 16.0 * T::LEAST * T::EPSILON {
                 self.findings.fault(Fault::RisingPressure, &place);
             }
             inner = pressure;
+            most = if share < 1.0 { pressure / (1.0 - share) } else { most };
         }
     }
 
