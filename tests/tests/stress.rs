@@ -92,6 +92,21 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     Ok(())
 }
 
+/// A term that is not there may have a power that is out of range.
+#[test]
+fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>> {
+    let medium = Medium::from_constants(1.0, 0.01)?;
+    let alone = Contact::new(Polynomial::new(vec![(2e-4, 4.0)])?, medium, Constant(1e20_f32))?;
+    let beside = Contact::new(Polynomial::new(vec![(2e-4, 4.0), (0.0, 48.0)])?, medium, Constant(1e20))?;
+    for time in [0.0, 300.0] {
+        let [alone, beside] = [alone.at(time)?, beside.at(time)?];
+        assert_eq!(alone.radius(), beside.radius());
+        assert_eq!(alone.approach(), beside.approach());
+        assert_eq!(alone.peak_pressure(), beside.peak_pressure());
+    }
+    Ok(())
+}
+
 /// What has lost its digits is refused, not answered.
 #[test]
 fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error>> {

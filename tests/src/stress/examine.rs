@@ -99,7 +99,8 @@ impl<T: Precision> Examination<'_, T> {
         let contact = self.contact;
         let time = Wide::of(self.scene.time.value());
         let hereditary = self.exact.hereditary(time);
-        if !hereditary.is_positive() {
+        // What rounds to zero is no load.
+        if hereditary.value() < T::LEAST * T::EPSILON {
             self.unloaded();
             return;
         }
