@@ -30,6 +30,8 @@ fn what_was_found_once_stays_mended() {
         (1, 2_479_684),
         // A falling load whose square is out of range.
         (2, 108_283),
+        // A rising load whose slope, as a load integral, is out of range.
+        (7, 46_195),
     ];
     for (seed, case) in found {
         let campaign = Campaign { seed };
