@@ -62,7 +62,7 @@ pub fn positive_terms<T: Scalar>(
 /// [`RadiusError`] as [`invert`].
 #[inline]
 pub fn invert_one_term<T: Scalar>(target: T, term: PositiveTerm<T>, limit: T) -> Result<T, RadiusError> {
-    if !is_valid(target)? {
+    if !is_valid(target, limit)? {
         return Ok(T::zero());
     }
     let radius = root_of_product(target, term.inverse, term.power);
@@ -90,7 +90,7 @@ pub fn invert<T: Scalar>(
     negative: bool,
     evaluate: impl Fn(T) -> (T, T),
 ) -> Result<T, RadiusError> {
-    if !is_valid(target)? {
+    if !is_valid(target, limit)? {
         return Ok(T::zero());
     }
     let seed = Seed::of(target, positive);
@@ -110,14 +110,16 @@ pub fn invert<T: Scalar>(
     Ok(iterate(target, seed.radius.min(bracket.high), bracket, close_enough(negative), evaluate))
 }
 
-/// False for zero, whose radius is zero without a search.
-fn is_valid<T: Scalar>(target: T) -> Result<bool, RadiusError> {
-    if target > T::zero() && target.is_finite() {
-        Ok(true)
-    } else if target.is_zero() {
+/// False for zero, whose radius is zero without a search; a range that is none reaches no further.
+fn is_valid<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
+    if target.is_zero() {
         Ok(false)
-    } else {
+    } else if !(target > T::zero() && target.is_finite()) {
         Err(RadiusError::InvalidLoadIntegral { load_integral: target.value() })
+    } else if limit > T::zero() {
+        Ok(true)
+    } else {
+        Err(beyond(target, T::zero(), limit))
     }
 }
 
@@ -298,5 +300,16 @@ mod tests {
             assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
         }
         assert_eq!(invert_one_term(0.0, PositiveTerm::of(0.025, 2.0), f64::INFINITY), Ok(0.0));
+    }
+
+    #[test]
+    fn there_is_no_radius_in_a_range_that_is_none() {
+        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
+        for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
+            let alone = invert_one_term(1.0, positive[0], limit);
+            let all = invert(1.0, limit, positive.into_iter(), true, mixed);
+            assert!(matches!(alone, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{alone:?}");
+            assert!(matches!(all, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{all:?}");
+        }
     }
 }
