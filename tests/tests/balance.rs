@@ -46,6 +46,28 @@ fn pressure_carries_a_swinging_load_of_a_users_own() {
     check_load_on(cases().into_iter().step_by(6), "swing", &load, &[0.0, 2.5]);
 }
 
+/// After a long history the rounding of the hereditary load, and so of radii, is a share of what a step adds.
+#[test]
+fn pressure_carries_a_step_after_a_long_history() -> Result<(), Box<dyn core::error::Error>> {
+    let mut errors = Errors::of(budget::BALANCE);
+    let rule = Graded::new(16, 30);
+    let medium = Medium::from_constants(0.375, 1.0)?;
+    for held in [1e6, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15] {
+        for duration in [0.0, 4e-16, 1e-12, 1e-9] {
+            let end = held * (1.0 + duration);
+            let load = PiecewiseLinear::new([(0.0, 30.0), (held, 30.0), (end, 100.0)])?;
+            let contact = Contact::new(Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?, medium, load)?;
+            let now = contact.at(end)?;
+            let start = contact.at(0.0)?.radius();
+            let carried = |from, to| rule.integrate(from, to, |r| now.pressure(r) * r);
+            let carried = TAU * (carried(0.0, start) + carried(start, now.radius()));
+            errors.add(carried, now.force(), 1.0, &(held, duration));
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
 /// A gap of a power near the zeroth is nearly constant: its values at two radii may differ by less than rounding.
 #[test]
 fn pressure_of_powers_near_the_zeroth_carries_the_load() -> Result<(), Box<dyn core::error::Error>> {

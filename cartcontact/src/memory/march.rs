@@ -174,19 +174,23 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// gains `gain`.
     fn cover(&mut self, high: T, course: Course<'_, T, L>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        let decay = course.decay(chi);
+        let (decay, fading) = (course.decay(chi), course.fading(chi));
         let depth = high - self.now.radius;
         if depth <= high * T::default_epsilon() * T::constant(16.0)
             && self.transition.reach <= self.now.radius
         {
-            self.cover_at_once(high, course.fading(chi), decay, forces);
+            self.cover_at_once(high, fading, decay, forces);
             return;
         }
         let growth = contact.profile().load_integral_drop(high, depth);
-        let surplus = self.now.surplus + (gain - contact.stiffness() * growth);
-        let surplus = surplus_that_counts(surplus, forces.1);
+        let exact_surplus = self.now.surplus + (gain - contact.stiffness() * growth);
+        let surplus = surplus_that_counts(exact_surplus, forces.1);
         let low = self.transition.reach.max(self.now.radius);
-        let increment = Stretch { contact, course, low, high, surplus }.increment();
+        let mut increment = Stretch { contact, course, low, high, surplus }.increment();
+        if surplus != exact_surplus && self.transition.reach <= self.now.radius {
+            let kept = (forces.1 - forces.0) + forces.0 * fading;
+            increment.carry(kept / contact.stiffness(), (low, high));
+        }
         self.transition.advance(decay, self.quarter_m(), increment, low);
         self.now = Moment { radius: high, surplus, ..self.now };
     }
