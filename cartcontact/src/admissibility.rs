@@ -83,25 +83,28 @@ fn is_exponent<T: Scalar>(n: T) -> bool {
     (n > T::zero()) & (n <= T::constant(1024.0))
 }
 
-/// Checks that the coefficients of constant terms (C, n) fit the format that they are used in.
+/// Checks that the coefficients of constant terms (C, n) fit the format that they are used in; no constant is zero
+/// unless the format has made it so.
 ///
 /// # Errors
 ///
 /// [`ProfileError::InvalidCoefficient`] for the first that does not.
 pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) -> Result<(), ProfileError> {
-    terms.into_iter().try_for_each(|(c, n)| check_coefficient(c, n))
+    terms.into_iter().try_for_each(|(c, n)| if fits(c, n) { Ok(()) } else { Err(invalid(c, n)) })
 }
 
 fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
-    // Twice the coefficient is the largest multiple of it in the closed forms.
-    if c.is_zero() || ((T::constant(2.0) * c).is_finite() && has_digits(c.abs(), n)) {
-        return Ok(());
-    }
-    Err(ProfileError::InvalidCoefficient {
-        coefficient: c.value(),
-        exponent: n.value(),
-        parameters: Parameters::default(),
-    })
+    if c.is_zero() || fits(c, n) { Ok(()) } else { Err(invalid(c, n)) }
+}
+
+fn invalid<T: Scalar>(c: T, n: T) -> ProfileError {
+    let parameters = Parameters::default();
+    ProfileError::InvalidCoefficient { coefficient: c.value(), exponent: n.value(), parameters }
+}
+
+/// Whether C is a number and keeps its digits; twice the coefficient is the largest multiple of it in the closed forms.
+fn fits<T: Scalar>(c: T, n: T) -> bool {
+    (T::constant(2.0) * c).is_finite() && has_digits(c.abs(), n)
 }
 
 /// Whether C > 0 and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.

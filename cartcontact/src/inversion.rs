@@ -62,7 +62,7 @@ pub fn positive_terms<T: Scalar>(
 /// [`RadiusError`] as [`invert`].
 #[inline]
 pub fn invert_one_term<T: Scalar>(target: T, term: PositiveTerm<T>, limit: T) -> Result<T, RadiusError> {
-    if !is_valid(target)? {
+    if !is_valid(target, limit)? {
         return Ok(T::zero());
     }
     let radius = root_of_product(target, term.inverse, term.power);
@@ -90,7 +90,7 @@ pub fn invert<T: Scalar>(
     negative: bool,
     evaluate: impl Fn(T) -> (T, T),
 ) -> Result<T, RadiusError> {
-    if !is_valid(target)? {
+    if !is_valid(target, limit)? {
         return Ok(T::zero());
     }
     let seed = Seed::of(target, positive);
@@ -107,17 +107,19 @@ pub fn invert<T: Scalar>(
         }
     }
     bracket.low = bracket.low.min(bracket.high);
-    Ok(iterate(target, seed.radius.min(bracket.high), bracket, evaluate))
+    Ok(iterate(target, seed.radius.min(bracket.high), bracket, close_enough(negative), evaluate))
 }
 
-/// False for zero, whose radius is zero without a search.
-fn is_valid<T: Scalar>(target: T) -> Result<bool, RadiusError> {
-    if target > T::zero() && target.is_finite() {
-        Ok(true)
-    } else if target.is_zero() {
+/// False for zero, whose radius is zero without a search; a range that is none reaches no further.
+fn is_valid<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
+    if target.is_zero() {
         Ok(false)
-    } else {
+    } else if !(target > T::zero() && target.is_finite()) {
         Err(RadiusError::InvalidLoadIntegral { load_integral: target.value() })
+    } else if limit > T::zero() {
+        Ok(true)
+    } else {
+        Err(beyond(target, T::zero(), limit))
     }
 }
 
@@ -172,9 +174,14 @@ impl<T: Scalar> Bracket<T> {
     }
 }
 
-fn iterate<T: Scalar>(target: T, start: T, mut bracket: Bracket<T>, evaluate: impl Fn(T) -> (T, T)) -> T {
+fn iterate<T: Scalar>(
+    target: T,
+    start: T,
+    mut bracket: Bracket<T>,
+    close: T,
+    evaluate: impl Fn(T) -> (T, T),
+) -> T {
     let one = T::one();
-    let close = close_enough::<T>();
     let per_target = target.recip();
     let mut a = start;
     for step in 0..134 {
@@ -202,7 +209,7 @@ fn iterate<T: Scalar>(target: T, start: T, mut bracket: Bracket<T>, evaluate: im
     }
     let (value, log_slope) = evaluate(a);
     let correction = a * ((value - target) / log_slope);
-    // A slope that vanishes leaves nothing to correct by.
+    // A slope that nearly vanishes leaves nothing to correct by.
     if correction.abs() <= a * close { a - correction } else { a }
 }
 
@@ -211,8 +218,16 @@ fn iterate<T: Scalar>(target: T, start: T, mut bracket: Bracket<T>, evaluate: im
 /// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers
 /// weighted by their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is
 /// below ε/4 for the limits of f64 and f32. Of dual numbers the derivatives lag one step behind.
-fn close_enough<T: Scalar>() -> T {
-    if is::<T, f64>() {
+///
+/// With negative terms v and p, there a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
+/// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. Where
+/// rounding of J lets no step become as short, which it does if the condition number is above ε^(−1/4), the bracket is
+/// halved to its end instead.
+fn close_enough<T: Scalar>(negative: bool) -> T {
+    if negative {
+        let root = T::default_epsilon().sqrt();
+        root * root.sqrt()
+    } else if is::<T, f64>() {
         T::constant(4e-6)
     } else if is::<T, f32>() {
         T::constant(3e-4)
@@ -246,6 +261,26 @@ mod tests {
         }
     }
 
+    /// J and a J′ where δ₀′ ∝ a (1 − 2 b a + a²), and the sum of the sizes of the terms of J.
+    fn nearly_flat(b: f64, a: f64) -> ((f64, f64), f64) {
+        let terms = [(1.0 / 6.0, 6.0), (-2.0 * b / 7.0, 7.0), (1.0 / 8.0, 8.0)];
+        let sum = |weight: fn(f64, f64) -> f64| terms.iter().map(|&(j, p)| weight(j * a.powf(p), p)).sum();
+        ((sum(|term, _| term), sum(|term, p| p * term)), sum(|term, _| term.abs()))
+    }
+
+    #[test]
+    fn nearly_flat_load_integrals_are_met_to_their_rounding() {
+        let positive = [PositiveTerm { inverse: 6.0, power: 6.0 }, PositiveTerm { inverse: 8.0, power: 8.0 }];
+        for k in 0..1000 {
+            let b = 1.0 - 10f64.powf(-6.0 - 7.0 * f64::from(k % 31) / 31.0);
+            let planted = 1.0 + 2e-5 * (f64::from(k) / 500.0 - 1.0);
+            let ((target, _), size) = nearly_flat(b, planted);
+            let found = invert(target, f64::INFINITY, positive.into_iter(), true, |a| nearly_flat(b, a).0);
+            let left = found.map(|a| (nearly_flat(b, a).0.0 - target).abs() / size);
+            assert!(left.is_ok_and(|left| left < f64::EPSILON), "{k}: {left:?}");
+        }
+    }
+
     #[test]
     fn the_end_of_the_range_is_inside() {
         let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
@@ -265,5 +300,16 @@ mod tests {
             assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
         }
         assert_eq!(invert_one_term(0.0, PositiveTerm::of(0.025, 2.0), f64::INFINITY), Ok(0.0));
+    }
+
+    #[test]
+    fn there_is_no_radius_in_a_range_that_is_none() {
+        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
+        for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
+            let alone = invert_one_term(1.0, positive[0], limit);
+            let all = invert(1.0, limit, positive.into_iter(), true, mixed);
+            assert!(matches!(alone, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{alone:?}");
+            assert!(matches!(all, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{all:?}");
+        }
     }
 }

@@ -12,7 +12,7 @@ use crate::evaluate::power::{
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
-use crate::scalar::floor;
+use crate::scalar::{floor, is_plain};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///
@@ -65,8 +65,10 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         let pairs = || terms.as_ref().iter().copied();
         let max_radius = checked_range(pairs(), max_radius)?;
         let has_negative_terms = pairs().any(|(c, _)| c < T::zero());
-        let has_whole_exponents = pairs().all(|(_, n)| n == T::constant(f64::from(floor(n))));
-        let highest_exponent = pairs().fold(T::zero(), |highest, (_, n)| highest.max(n));
+        // A zero that carries a derivative counts.
+        let exponents = || pairs().filter(|(c, _)| !(c.is_zero() && is_plain::<T>())).map(|(_, n)| n);
+        let has_whole_exponents = exponents().all(|n| n == T::constant(f64::from(floor(n))));
+        let highest_exponent = exponents().fold(T::zero(), T::max);
         let scalar = PhantomData;
         Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, highest_exponent, scalar })
     }

@@ -251,7 +251,13 @@ fn constants_need_a_format_that_holds_them() {
         "a format with more exponents",
     );
     assert_eq!(GapProfile::<f64>::check(&tests::profiles::FlatEnded), Ok(()));
+    refused(GapProfile::<f32>::check(&Faint), is_expected, "the format rounds it to that");
+    assert_eq!(GapProfile::<f64>::check(&Faint), Ok(()));
 }
+
+/// A term that single precision takes for zero, although at r = 9 it is larger than the other.
+#[gap_profile(0.025 * r^2 + 1e-60 * r^64)]
+struct Faint;
 
 #[test]
 fn load_integrals_are_finite_and_within_the_range() {

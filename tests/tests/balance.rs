@@ -2,8 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_4, TAU};
 
-use cartcontact::load::{Constant, Load};
-use cartcontact::{Contact, GapProfile, Medium};
+use cartcontact::load::{Constant, Load, PiecewiseLinear};
+use cartcontact::{Contact, GapProfile, Medium, Polynomial};
 use tests::budget;
 use tests::loads::{Rise, Swing, histories};
 use tests::measure::Errors;
@@ -44,6 +44,49 @@ fn pressure_carries_a_swinging_load_of_a_users_own() {
     // Every step of the march costs a hundred evaluations of the load, so that a few geometries have to do.
     let load = Swing { mean: 100.0, amplitude: 30.0, frequency: 0.03 };
     check_load_on(cases().into_iter().step_by(6), "swing", &load, &[0.0, 2.5]);
+}
+
+/// After a long history the rounding of the hereditary load, and so of radii, is a share of what a step adds.
+#[test]
+fn pressure_carries_a_step_after_a_long_history() -> Result<(), Box<dyn core::error::Error>> {
+    let mut errors = Errors::of(budget::BALANCE);
+    let rule = Graded::new(16, 30);
+    let medium = Medium::from_constants(0.375, 1.0)?;
+    for held in [1e6, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15] {
+        for duration in [0.0, 4e-16, 1e-12, 1e-9] {
+            let end = held * (1.0 + duration);
+            let load = PiecewiseLinear::new([(0.0, 30.0), (held, 30.0), (end, 100.0)])?;
+            let contact = Contact::new(Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?, medium, load)?;
+            let now = contact.at(end)?;
+            let start = contact.at(0.0)?.radius();
+            let carried = |from, to| rule.integrate(from, to, |r| now.pressure(r) * r);
+            let carried = TAU * (carried(0.0, start) + carried(start, now.radius()));
+            errors.add(carried, now.force(), 1.0, &(held, duration));
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
+/// A gap of a power near the zeroth is nearly constant: its values at two radii may differ by less than rounding.
+#[test]
+fn pressure_of_powers_near_the_zeroth_carries_the_load() -> Result<(), Box<dyn core::error::Error>> {
+    let mut errors = Errors::of(budget::BALANCE);
+    let rule = Graded::new(16, 12);
+    let ramp = PiecewiseLinear::new([(0.0, 0.0), (1.0, 100.0)])?;
+    for n in [1e-233, 1e-20, 1e-10, 1e-3, 0.02] {
+        let contact = Contact::new(Polynomial::new([(0.3, n)])?, Medium::from_constants(0.375, 1.0)?, &ramp)?;
+        for t in [0.3_f64, 0.9, 5.0, 300.0] {
+            let now = contact.at(t)?;
+            let a = now.radius();
+            let start = contact.at(t.min(1.0))?.radius() / a;
+            let carried = |from, to| rule.integrate(from, to, |q| now.pressure(q * a) * (q * a) * a);
+            let load = TAU * (carried(0.0, start) + carried(start, 1.0));
+            errors.add(load, now.force(), 1.0, &(n, t));
+        }
+    }
+    errors.check();
+    Ok(())
 }
 
 fn check_load(name: &str, load: &dyn Load<f64>, times: &[f64]) {

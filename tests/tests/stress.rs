@@ -1,6 +1,6 @@
 //! A short stress campaign; `cargo run --release -p tests --bin stress -- --cases 1000000` is the long one.
 
-use cartcontact::load::Constant;
+use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, Layer, Medium, MediumError, Polynomial};
 use tests::random::Stream;
 use tests::stress::campaign::Campaign;
@@ -30,6 +30,30 @@ fn scenes_that_were_once_off_are_within_their_bounds() {
         let mut report = campaign.report();
         cases.iter().for_each(|&case| campaign.run(case, &mut report));
         assert!(report.holds(), "{report}");
+    }
+}
+
+/// Scenes that longer campaigns found at fault, as pairs of a seed and a case.
+#[test]
+fn what_was_found_once_stays_mended() {
+    let found = [
+        // A field that begins at a time at which the load is subnormal.
+        (2, 351_575),
+        (2, 73_443),
+        // A coefficient that is zero in other units.
+        (2, 186_943),
+        // An edge that rounding moves by more than the distance from it.
+        (1, 2_479_684),
+        // A falling load whose square is out of range.
+        (2, 108_283),
+        // A rising load whose slope, as a load integral, is out of range.
+        (7, 46_195),
+    ];
+    for (seed, case) in found {
+        let campaign = Campaign { seed };
+        let mut report = campaign.report();
+        campaign.run_closely(case, &mut report);
+        assert!(report.holds(), "{}\n{report}", campaign.shown(case));
     }
 }
 
@@ -86,6 +110,21 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     Ok(())
 }
 
+/// A term that is not there may have a power that is out of range.
+#[test]
+fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>> {
+    let medium = Medium::from_constants(1.0, 0.01)?;
+    let alone = Contact::new(Polynomial::new(vec![(2e-4, 4.0)])?, medium, Constant(1e20_f32))?;
+    let beside = Contact::new(Polynomial::new(vec![(2e-4, 4.0), (0.0, 48.0)])?, medium, Constant(1e20))?;
+    for time in [0.0, 300.0] {
+        let [alone, beside] = [alone.at(time)?, beside.at(time)?];
+        assert_eq!(alone.radius(), beside.radius());
+        assert_eq!(alone.approach(), beside.approach());
+        assert_eq!(alone.peak_pressure(), beside.peak_pressure());
+    }
+    Ok(())
+}
+
 /// What has lost its digits is refused, not answered.
 #[test]
 fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error>> {
@@ -100,6 +139,19 @@ fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error
     assert_eq!(at(1.0, 1e-290)?, None);
     assert!(Medium::from_constants(1e-310, 0.0).is_err() && Medium::from_constants(1.0, 1e-310).is_err());
     assert!(Polynomial::new([(1e-306, 64.0)]).is_err());
+    Ok(())
+}
+
+/// Y is in range, but neither F′ nor χ F is: ages would not be numbers.
+#[test]
+fn rates_out_of_range_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let ramp = PiecewiseLinear::new([(0.0, 3e16_f32), (2.5e-23, 4e17)]);
+    assert!(matches!(ramp, Err(LoadError::TooSteep { knot: 1, .. })), "{ramp:?}");
+    let medium = Medium::from_constants(1.0, 1e25_f32)?;
+    let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, Constant(1e20))?;
+    for time in [0.0, 1e-30, 1e-24] {
+        assert!(matches!(contact.at(time), Err(ContactError::OutOfRange { .. })), "{time:e}");
+    }
     Ok(())
 }
 

@@ -42,7 +42,8 @@ pub enum ContactError {
         /// The time at which the edge begins to recede, in s.
         since: f64,
     },
-    /// The load is so small that it, its quotient by m or its product with χ loses digits, or a⁴ leaves the format.
+    /// The load is so small that it, its quotient by m or its product with χ loses digits, or the latter or a⁴ leaves
+    /// the format.
     OutOfRange {
         /// The time, in s.
         time: f64,

@@ -32,11 +32,13 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether the load is large enough to have all its digits: as it is, over π m/4, times χ and times t.
+    /// Whether the load has all its digits: as it is, over π m/4, times χ and times t.
     #[inline(always)]
     fn has_digits(&self, chi: T, load_integral: T) -> bool {
         let (force, least) = (self.force, smallest_normal());
-        let has_force = force.is_zero() | ((force >= least) & (chi.is_zero() | (chi * force >= least)));
+        let drained = chi * force;
+        let has_drained = chi.is_zero() | ((drained >= least) & (drained + drained).is_finite());
+        let has_force = force.is_zero() | ((force >= least) & has_drained);
         // Of an impulse only what is not rounding beside the force has to be right.
         let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
         has_force & has_impulse & (load_integral >= least)
@@ -123,9 +125,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms; otherwise times the condition number of J,
     /// divided by a J′/J.
     ///
-    /// This holds over the whole range of the format: as long as the input, χ F, Y, J(a), a J′(a), J(a)/a⁵, a⁴, F/a⁴
-    /// and the result are normal numbers, powers and products on the way to them need not be. Pressures want the rate
-    /// F′ + χ F to be finite as well.
+    /// This holds over the whole range of the format: as long as the input, 2 χ F, ∫F, Y, J(a), a J′(a), J(a)/a⁵, a⁴,
+    /// F/a⁴ and the result are normal numbers, powers and products on the way to them need not be.
     ///
     /// # Errors
     ///

@@ -189,6 +189,10 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord
 
 /// c x^(n+k) with every product rounded, in halves as [`term`] does it.
 fn quick_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
+    // The power may be out of range; a zero that carries a derivative is no zero.
+    if c.is_zero() && is_plain::<T>() {
+        return c;
+    }
     let (whole, fraction) = parts(n);
     let whole = whole + k;
     if whole < 0 && x.is_zero() {
@@ -280,6 +284,12 @@ mod tests {
         assert!((value / 1e300 - 1.0).abs() < 1e-15, "{value:e}");
         let value: f64 = term(1e300, 1e-60, 10.0);
         assert!((value / 1e-300 - 1.0).abs() < 1e-15, "{value:e}");
+    }
+
+    #[test]
+    fn nothing_times_a_power_out_of_range_is_nothing() {
+        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, 48.0, 4)), (0.0, 0.0));
+        assert_eq!(power_sum(1e20, [(2.0, 1.0), (0.0, 48.0)]), 2e20);
     }
 
     #[test]

@@ -176,6 +176,15 @@ pub enum LoadError {
         /// The time of the knot before it, in s.
         previous: f64,
     },
+    /// The load changes so much in so short a time that its slope is out of range.
+    TooSteep {
+        /// The knot at the end of the slope, counted from 0.
+        knot: usize,
+        /// The time of the knot before it, in s.
+        from: f64,
+        /// Its time, in s.
+        to: f64,
+    },
     /// More than two knots are at the same time.
     RepeatedTime {
         /// The third of the knots, counted from 0.
@@ -224,6 +233,13 @@ impl fmt::Display for LoadError {
                 "knot {knot} is at time {}, before the knot at {} that precedes it; sort the knots by time",
                 Shown(time),
                 Shown(previous)
+            ),
+            Self::TooSteep { knot, from, to } => write!(
+                f,
+                "knot {knot} is at time {}, so soon after the one at {} that the slope of the load between them is out \
+                 of range; give both the same time, which is a step",
+                Shown(to),
+                Shown(from)
             ),
             Self::RepeatedTime { knot, time } => write!(
                 f,

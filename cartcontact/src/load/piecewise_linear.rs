@@ -37,13 +37,17 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
     /// # Errors
     ///
     /// [`LoadError`] if there are no knots, a time is not finite, the first time is not 0, times decrease or
-    /// three of them are equal, or a force is negative or not finite.
+    /// three of them are equal, a force is negative or not finite, or a slope is out of range.
     pub fn new(knots: K) -> Result<Self, LoadError> {
         check_knots(knots.as_ref())?;
         let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
         let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
         let mut sum = Sum::from(T::zero());
         for (index, piece) in pieces(load.knots.as_ref()).enumerate() {
+            if !piece.has_slope() {
+                let (from, to) = (piece.start.0.value(), piece.end.0.value());
+                return Err(LoadError::TooSteep { knot: index + 1, from, to });
+            }
             load.fastest_fall = load.fastest_fall.max(piece.fall());
             sum.add(piece.impulse());
             let knot = index + 1;
@@ -137,6 +141,12 @@ fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
 }
 
 impl<T: Scalar> Piece<T> {
+    /// Whether it is a step, or F′ and F′ + χ F can be finite.
+    fn has_slope(&self) -> bool {
+        let slope = self.rise() / self.duration();
+        self.duration().is_zero() || (slope + slope).is_finite()
+    }
+
     /// −F′/F at the end of the piece, where it is largest; 0 if the load does not fall.
     fn fall(&self) -> T {
         let drop = self.start.1 - self.end.1;
@@ -332,6 +342,10 @@ mod tests {
         assert_eq!(
             fault(&[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)]),
             Some(LoadError::RepeatedTime { knot: 2, time: 0.0 })
+        );
+        assert_eq!(
+            fault(&[(0.0, 0.0), (1.0, 0.0), (1.0 + 2e-16, 1e300)]),
+            Some(LoadError::TooSteep { knot: 2, from: 1.0, to: 1.0 + 2e-16 })
         );
         assert_eq!(fault(&[(0.0, -1.0)]), Some(LoadError::InvalidForce { time: 0.0, force: -1.0 }));
     }

@@ -166,8 +166,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             self.transition.advance(decay, self.quarter_m(), increment, self.transition.reach);
             self.now.impulse = run.impulse;
             let radius = self.radius_under(end, force);
-            self.now =
-                Moment { time: end, radius, surplus: self.surplus_at(radius, run.gain, force), ..self.now };
+            let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
+            self.now = Moment { time: end, radius, surplus, ..self.now };
         }
         run.len()
     }
@@ -267,26 +267,31 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // Integrals over the radius begin and end at rounded ones.
         self.set_strip(false);
-        let decay = course.decay(chi);
+        let (decay, fading) = (course.decay(chi), course.fading(chi));
         let depth = high - self.now.radius;
         if depth <= high * T::default_epsilon() * T::constant(16.0)
             && self.transition.reach <= self.now.radius
         {
-            self.cover_at_once(high, course.fading(chi), decay, forces);
+            self.cover_at_once(high, fading, decay, forces);
             return;
         }
-        let surplus = self.surplus_at(high, gain, forces.1);
+        let exact_surplus = self.surplus_at(high, gain);
+        let surplus = surplus_that_counts(exact_surplus, forces.1);
         let low = self.transition.reach.max(self.now.radius);
-        let increment = Stretch { contact, course, low, high, surplus }.increment();
+        let mut increment = Stretch { contact, course, low, high, surplus }.increment();
+        if surplus != exact_surplus && self.transition.reach <= self.now.radius {
+            let kept = (forces.1 - forces.0) + forces.0 * fading;
+            increment.carry(kept / contact.stiffness(), (low, high));
+        }
         self.transition.advance(decay, self.quarter_m(), increment, low);
         self.now = Moment { radius: high, surplus, ..self.now };
     }
 
     /// The surplus at a later radius, up to which the hereditary load gains `gain`.
-    fn surplus_at(&self, radius: T, gain: T, force: T) -> T {
+    fn surplus_at(&self, radius: T, gain: T) -> T {
         let contact = self.contact;
         let growth = contact.profile().load_integral_drop(radius, radius - self.now.radius);
-        surplus_that_counts(self.now.surplus + (gain - contact.stiffness() * growth), force)
+        self.now.surplus + (gain - contact.stiffness() * growth)
     }
 
     /// Adds or takes away what lies between the rounded radius and the exact one.

@@ -115,6 +115,22 @@ impl<T: Scalar> Increment<T> {
         Self { offset: self.offset + other.offset, slope: self.slope + other.slope }
     }
 
+    /// Scales what a thin layer adds to the pressure to the load that it carries, in units of π m/4.
+    ///
+    /// After a long history the rounding of radii is a share of the layer's thickness, but not of its load
+    /// (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds. With s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)² the last term is left out.
+    fn carry(&mut self, load: T, (low, high): (T, T)) {
+        let two = T::constant(2.0);
+        let square = low * low;
+        let carried = (self.slope * square + two * self.offset) * square;
+        let is_thin = high - low <= high * T::default_epsilon().sqrt();
+        if is_thin && carried > T::zero() {
+            let scale = two * load / carried;
+            self.offset *= scale;
+            self.slope *= scale;
+        }
+    }
+
     /// Adds the value of one node: `weight` is that of δ₀′ e^(−χ age) ds at the radius s.
     #[inline(always)]
     fn add(&mut self, weight: T, s: T, low: T) {

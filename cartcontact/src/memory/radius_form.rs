@@ -26,6 +26,7 @@ where
     let deepest = high - low;
     let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(high * T::constant(0.75)) };
     let negligible = T::default_epsilon() * T::constant(0.0625);
+    let uncertainty = T::default_epsilon() * T::constant(8.0);
     let most = Rule::FINEST.folds::<T>();
 
     // Whatever the rate, some thousand panels are the most there can be.
@@ -50,7 +51,9 @@ where
         if depth < deepest {
             age = stretch.age_at(depth);
             let top = high - depth;
-            let rest = (-(chi * age)).exp() * (profile.quick_approach(top) - profile.quick_approach(low));
+            let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
+            // Two powers near the zeroth may differ by less than their rounding, which then is what may be left.
+            let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
             let rest_offset = rest * ((top - low) * (top + low));
             if rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible {
                 return sum;

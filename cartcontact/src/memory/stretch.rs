@@ -180,8 +180,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
                 let chi = self.contact.medium().chi();
                 let deficit = (rate / load_rate) * (rate / chi) * half;
-                let singular = profile.quick_load_integral(self.high) - deficit / self.contact.stiffness();
-                let radius = top * (singular.abs() / load_integral).powf(degree.recip());
+                // In shares of J at `top`: the deficit is a force, and over π m/4 it may be out of range.
+                let share_of_deficit = deficit / (self.contact.stiffness() * load_integral);
+                let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
+                let radius = top * singular.abs().powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);
                 Some(if singular < T::zero() { off_axis(radius) } else { on_axis })
             }

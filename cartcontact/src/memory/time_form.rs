@@ -35,10 +35,11 @@ where
     let (rate, rise) = (rate / chi, -load_rate / chi);
     let final_integral = contact.profile().quick_load_integral(stretch.high) + stretch.surplus / stiffness;
     let longest = chi * stretch.age_at(stretch.high - low);
-    // Where R x + G x²/2 = Y.
+    // Where R x + G x²/2 = Y, in shares of Y: the squares of forces may be out of range.
     let singular = {
         let hereditary = stiffness * final_integral;
-        let zero = two * hereditary / (rate + (rate * rate + two * rise * hereditary).sqrt());
+        let (rate, rise) = (rate / hereditary, rise / hereditary);
+        let zero = two / (rate + (rate * rate + two * rise).sqrt());
         // Y > 0 throughout the stretch; rounding must not turn that round, or panels would shrink to nothing.
         zero.max(longest * (T::one() + T::default_epsilon().sqrt()))
     };

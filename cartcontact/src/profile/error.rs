@@ -148,7 +148,10 @@ impl fmt::Display for ProfileError {
                 f,
                 "{parameters}the coefficient of r^{exponent} is {}, but {}",
                 Shown(coefficient),
-                if !coefficient.is_finite() {
+                if coefficient == 0.0 {
+                    "only because the format rounds it to that; use a unit of length that brings it nearer to 1, or a \
+                     format with more exponents"
+                } else if !coefficient.is_finite() {
                     "it must be a finite number; check the geometry's parameters for zero, overflow and NaN"
                 } else if coefficient.abs() > 1.0 {
                     "twice its size must be a finite number; use a unit of length that brings it nearer to 1, or a \

@@ -99,7 +99,8 @@ impl<T: Precision> Examination<'_, T> {
         let contact = self.contact;
         let time = Wide::of(self.scene.time.value());
         let hereditary = self.exact.hereditary(time);
-        if !hereditary.is_positive() {
+        // What rounds to zero is no load.
+        if hereditary.value() < T::LEAST * T::EPSILON {
             self.unloaded();
             return;
         }
@@ -111,7 +112,7 @@ impl<T: Precision> Examination<'_, T> {
         match (now, radius) {
             (Ok(now), Some(a)) => self.solved(&now, a, depth),
             (Ok(_), None) => self.accepted(found, y),
-            (Err(error), radius) => self.refused(&error, y, radius),
+            (Err(error), _) => self.refused(&error, self.scene.time),
         }
     }
 
@@ -134,8 +135,12 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// An error is right beyond the admissible range, and where J or a J′ leave the format.
-    fn refused(&mut self, error: &ContactError, y: Wide, radius: Option<Wide>) {
+    /// An error at a time is right beyond the admissible range, and where J or a J′ leave the format.
+    fn refused(&mut self, error: &ContactError, time: T) {
+        let time = Wide::of(time.value());
+        let y = self.exact.hereditary(time) / self.exact.stiffness();
+        let estimate = || self.exact.profile.one_term_radius(y);
+        let radius = if y.is_positive() { self.exact.profile.radius(y, estimate()) } else { None };
         let is_right = match (error, radius) {
             (ContactError::BeyondRange { max_radius, .. }, Some(a)) => {
                 // Rounding of J may hide whether a radius next to the end is inside.
@@ -144,17 +149,7 @@ impl<T: Precision> Examination<'_, T> {
             }
             (ContactError::BeyondRange { .. }, None) => true,
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
-            (ContactError::OutOfRange { .. }, radius) => {
-                let force = self.exact.force(Wide::of(self.scene.time.value())).value();
-                let chi = self.scene.chi.value();
-                let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
-                let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
-                let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
-                let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
-                let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature];
-                numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
-                    || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
-            }
+            (ContactError::OutOfRange { .. }, radius) => self.is_out_of_range(time, y, radius),
             (_, radius) => {
                 let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
                 slope.value() > T::MOST
@@ -163,6 +158,19 @@ impl<T: Precision> Examination<'_, T> {
         if !is_right {
             self.findings.fault(Fault::Refused, error);
         }
+    }
+
+    /// Whether a number that has to have all its digits has not.
+    fn is_out_of_range(&self, time: Wide, y: Wide, radius: Option<Wide>) -> bool {
+        let force = self.exact.force(time).value();
+        let chi = self.scene.chi.value();
+        let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
+        let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
+        let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
+        let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };
+        let numbers = [y.value(), force, force * chi, impulse, fourth, slope, curvature];
+        numbers.into_iter().any(|x| x < T::LEAST * (1.0 + 4.0 * T::EPSILON))
+            || fourth > T::MOST * (1.0 - 8.0 * T::EPSILON)
     }
 
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
@@ -242,7 +250,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64, depth: Depth) {
-        self.course(now, a);
+        self.course(now, a, condition);
         let is_undrained = (self.scene.chi * self.scene.time).is_zero();
         let r = self.place(now.radius(), self.scene.inset);
         for (quantity, r) in [(Quantity::PeakPressure, T::zero()), (Quantity::Pressure, r)] {
@@ -265,24 +273,27 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     /// Pressures are finite, not negative, and fall from the axis to the edge.
-    fn course(&mut self, now: &Now<'_, '_, T>, a: Wide) {
+    ///
+    /// Either of two pressures may be off by a share of what it is. The exact ones rise for certain if the outer less its
+    /// share exceeds the inner and its share; next to the edge that share may be all there is.
+    fn course(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64) {
         let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
-        let mut inner = f64::INFINITY;
+        let (mut inner, mut most) = (f64::INFINITY, f64::INFINITY);
         for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-15, 0.0] {
             let r = self.place(now.radius(), inset);
             let pressure = now.pressure(r).value();
+            let edge = condition::edge(now.radius(), r);
+            let share = T::allowed(Quantity::Pressure.allowance()) * T::EPSILON * edge * condition;
             let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
             if pressure < 0.0 {
                 self.findings.fault(Fault::NegativePressure, &place);
             } else if pressure.is_nan() || is_representable && pressure.is_infinite() {
                 self.findings.fault(Fault::NotANumber, &place);
-            } else if pressure
-                > inner * (1.0 + 16.0 * T::EPSILON * condition::edge(now.radius(), r))
-                    + 16.0 * T::LEAST * T::EPSILON
-            {
+            } else if pressure / (1.0 + share) > most + 16.0 * T::LEAST * T::EPSILON {
                 self.findings.fault(Fault::RisingPressure, &place);
             }
             inner = pressure;
+            most = if share < 1.0 { pressure / (1.0 - share) } else { most };
         }
     }
 
@@ -293,7 +304,8 @@ impl<T: Precision> Examination<'_, T> {
         let radii = [T::zero(), self.place(now.radius(), 0.4), self.place(now.radius(), self.scene.inset)];
         let mut values = [T::zero(); 6];
         if let Err(error) = self.contact.pressure_field(&times, &radii, &mut values) {
-            self.findings.fault(Fault::Refused, &error);
+            // The snapshot at the second time was not refused.
+            self.refused(&error, third);
             return;
         }
         for (&r, value) in radii.iter().zip(&values[3..]) {

@@ -7,8 +7,8 @@ use super::finding::{Fault, Findings, Quantity};
 use super::precision::Precision;
 use super::scene::{Form, Scene};
 
-/// The share of the load by which a balance may be off.
-const BALANCE: f64 = 1e-10;
+/// The share of the load by which a balance may be off, in ε: 1e-10 in f64.
+const BALANCE: f64 = 4.5e5;
 
 /// A scene from a source of words, of which any sequence will do: most numbers are those of a joint, some are anything.
 pub fn scene(word: &mut dyn FnMut() -> u64) -> Scene<f64> {
@@ -37,10 +37,10 @@ fn number(word: u64) -> f64 {
     sign * digits * 10_f64.powf(power / 2.0)
 }
 
-/// Mostly a multiple of 1/4 up to 16, never below 1/4.
+/// Mostly a multiple of 1/4 up to 16, never below 0.
 fn exponent(word: u64) -> f64 {
     match word % 4 {
-        0 => number(word >> 2).max(0.25),
+        0 => number(word >> 2).abs(),
         1 => (1 + (word >> 2 & 0x3f)) as f64,
         _ => (1 + (word >> 2 & 0x3f)) as f64 / 4.0,
     }
@@ -52,27 +52,29 @@ fn exponent(word: u64) -> f64 {
 ///
 /// What is wrong with its results.
 pub fn check<T: Precision>(scene: &Scene<T>) -> Result<(), String> {
-    let mut worst = Unsound::default();
+    let mut worst = Unsound { allowed: T::allowed(Quantity::Balance.allowance()), found: None };
     examine(scene, Depth { memory: false, balance: true }, &mut worst);
-    worst.0.map_or(Ok(()), |text| Err(format!("{text}\n{scene:?}")))
+    worst.found.map_or(Ok(()), |text| Err(format!("{text}\n{scene:?}")))
 }
 
 /// The first finding that makes a result unsound.
-#[derive(Default)]
-struct Unsound(Option<String>);
+struct Unsound {
+    /// What the table allows for a balance, in ε.
+    allowed: f64,
+    found: Option<String>,
+}
 
 impl Findings for Unsound {
     fn error(&mut self, quantity: Quantity, share: f64) {
-        let error = share * f64::allowed(quantity.allowance()) * f64::EPSILON;
+        let error = share * self.allowed;
         if quantity == Quantity::Balance && error > BALANCE {
-            self.0
-                .get_or_insert_with(|| format!("the pressure carries another load, by a share of {error:e}"));
+            self.found.get_or_insert_with(|| format!("the pressure carries another load, by {error:e} ε"));
         }
     }
 
     fn fault(&mut self, fault: Fault, about: &dyn core::fmt::Display) {
         if matches!(fault, Fault::Panic | Fault::NotANumber | Fault::NegativePressure) {
-            self.0.get_or_insert_with(|| format!("{}: {about}", fault.name()));
+            self.found.get_or_insert_with(|| format!("{}: {about}", fault.name()));
         }
     }
 }

@@ -28,8 +28,11 @@ impl<T: Precision> Examination<'_, T> {
                 x.is_zero()
                     || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
             };
-            let mut inputs = self.scene.numbers().chain(scene.numbers());
-            if !expected.iter().chain(&intermediate).all(has_room) || !inputs.all(|x| has_room(&x)) {
+            // Nor may a number become zero in other units.
+            let mut inputs = self.scene.numbers().zip(scene.numbers());
+            if !expected.iter().chain(&intermediate).all(has_room)
+                || !inputs.all(|(x, y)| has_room(&x) && has_room(&y) && x.is_zero() == y.is_zero())
+            {
                 continue;
             }
             let found = match contact.at(scene.time) {
