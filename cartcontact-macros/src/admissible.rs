@@ -100,7 +100,7 @@ fn unlimited(end: &mut End) -> String {
 fn slope(gap: &Gap) -> Option<Vec<(Rational, Rational)>> {
     let terms = gap.terms.iter().map(|term| {
         let share = &term.exponent / (&term.exponent + number::integer(2));
-        Some((term.exponent.clone(), term.coefficient.as_constant()? * share))
+        Some((term.exponent.clone(), number::product(&term.coefficient.as_constant()?, &share)))
     });
     terms.collect()
 }

@@ -11,7 +11,7 @@
 //! | `evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
 //! | `gap` | powers of r | the same, checked to be a gap |
-//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `first_root`, `end`) |
+//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `search`, `first_root`, `end`) |
 //! | `geometry` | attribute and item | gap, range and proof together |
 //! | `seeds` | a gap with constant coefficients | a table from which one step leads to the contact radius |
 //! | `emit` | item and geometry | the solver |
@@ -30,6 +30,7 @@ mod equation;
 mod evaluate;
 mod expansion;
 mod first_root;
+mod fixed_point;
 mod gap;
 mod geometry;
 mod integer_polynomial;
@@ -38,8 +39,10 @@ mod literal;
 mod minimum;
 mod number;
 mod parse;
+mod part;
 mod polynomial;
 mod positive;
+mod search;
 mod seeds;
 mod shape;
 mod surface;

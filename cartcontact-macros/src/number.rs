@@ -21,6 +21,22 @@ pub(crate) fn integer(value: impl Into<BigInt>) -> Rational {
     Rational::from_integer(value.into())
 }
 
+/// The greatest common divisor; one division first, as that of numbers of very different size takes long otherwise.
+pub(crate) fn common_factor(left: &BigInt, right: &BigInt) -> BigInt {
+    if right.is_zero() { left.abs() } else { right.gcd(&(left % right)) }
+}
+
+/// The product of two numbers in lowest terms, of which the second is short: what they have in common is found by a
+/// division.
+pub(crate) fn product(number: &Rational, short: &Rational) -> Rational {
+    let (above, below) =
+        (common_factor(number.numer(), short.denom()), common_factor(number.denom(), short.numer()));
+    Rational::new_raw(
+        (number.numer() / &above) * (short.numer() / &below),
+        (number.denom() / below) * (short.denom() / above),
+    )
+}
+
 /// The nearest `f64`, unless that is zero or infinite.
 pub(crate) fn nearest(value: &Rational) -> Option<f64> {
     value.to_f64().filter(|nearest| nearest.is_finite() && *nearest != 0.0)
