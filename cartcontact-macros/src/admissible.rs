@@ -15,8 +15,6 @@
 
 use core::cmp::Ordering;
 
-use num_traits::Signed;
-
 use crate::coefficient::Sign;
 use crate::diagnostics::Extent;
 use crate::end::End;
@@ -100,7 +98,7 @@ fn unlimited(end: &mut End) -> String {
 fn slope(gap: &Gap) -> Option<Vec<(Rational, Rational)>> {
     let terms = gap.terms.iter().map(|term| {
         let share = &term.exponent / (&term.exponent + number::integer(2));
-        Some((term.exponent.clone(), number::product(&term.coefficient.as_constant()?, &share)))
+        Some((term.exponent.clone(), term.coefficient.as_constant()? * share))
     });
     terms.collect()
 }

@@ -2,8 +2,6 @@
 
 use core::cmp::Ordering;
 
-use num_traits::Signed;
-
 use crate::first_root::FirstRoot;
 use crate::number::{self, Rational};
 

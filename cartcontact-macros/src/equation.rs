@@ -4,7 +4,7 @@
 //! r^n_1 q(r^g), where q is a polynomial of the lowest degree possible.
 
 use num_integer::Integer;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 use crate::end::End;
 use crate::integer_polynomial::{IntegerPolynomial, from_terms};

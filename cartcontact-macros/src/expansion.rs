@@ -3,7 +3,7 @@
 //! `order = auto` takes the smallest order whose neglected terms are within the tolerance. An order without a surface
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, ToPrimitive};
 
 use crate::attribute::Attribute;
 use crate::diagnostics::Extent;

@@ -48,7 +48,7 @@ impl FirstRoot {
         numerator: u32,
         denominator: u32,
     ) -> Ordering {
-        let power = Pow::pow(number, numerator);
+        let power = number.pow(numerator as i32);
         let compare = |offset: &BigInt, exponent: i64| {
             let exponent = exponent * i64::from(denominator);
             let (up, down) = (exponent.max(0) as u64, exponent.min(0).unsigned_abs());

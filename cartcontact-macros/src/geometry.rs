@@ -1,7 +1,5 @@
 //! Attribute and item -> [`Geometry`]: the last stage before code is written.
 
-use num_traits::Signed;
-
 use crate::admissible::{self, Proof, Wanted};
 use crate::attribute::Attribute;
 use crate::coefficient::{Coefficient, Sign};

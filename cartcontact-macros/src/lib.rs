@@ -42,6 +42,7 @@ mod parse;
 mod part;
 mod polynomial;
 mod positive;
+mod rational;
 mod search;
 mod seeds;
 mod shape;

@@ -5,11 +5,10 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use proc_macro2::Literal;
 
-pub(crate) type Rational = BigRational;
+pub(crate) use crate::rational::{Rational, common_factor};
 
 /// The largest power of ten that a literal may be written with: beyond every `f64`, and short to write out.
 const MAXIMUM_DECIMAL_EXPONENT: i64 = 400;
@@ -19,22 +18,6 @@ const MAXIMUM_POWER_BITS: u64 = 1 << 14;
 
 pub(crate) fn integer(value: impl Into<BigInt>) -> Rational {
     Rational::from_integer(value.into())
-}
-
-/// The greatest common divisor; one division first, as that of numbers of very different size takes long otherwise.
-pub(crate) fn common_factor(left: &BigInt, right: &BigInt) -> BigInt {
-    if right.is_zero() { left.abs() } else { right.gcd(&(left % right)) }
-}
-
-/// The product of two numbers in lowest terms, of which the second is short: what they have in common is found by a
-/// division.
-pub(crate) fn product(number: &Rational, short: &Rational) -> Rational {
-    let (above, below) =
-        (common_factor(number.numer(), short.denom()), common_factor(number.denom(), short.numer()));
-    Rational::new_raw(
-        (number.numer() / &above) * (short.numer() / &below),
-        (number.denom() / below) * (short.denom() / above),
-    )
 }
 
 /// The nearest `f64`, unless that is zero or infinite.

@@ -75,7 +75,7 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
     };
     let coefficients: Option<Vec<f64>> =
         load_integral.summands.iter().map(|summand| summand.constant(gap)?.to_f64()).collect();
-    let load_integral = LoadIntegral { terms: coefficients?.into_iter().zip(exponents).collect() };
+    let load_integral = LoadIntegral::new(coefficients?.into_iter().zip(exponents).collect());
     let steepest = load_integral.at(length(gap)?.min(end)).value.log2().floor();
     let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
     load_integral.seeds(steepest as i32 + OCTAVES_ABOVE)
@@ -84,7 +84,7 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
 /// Two terms with any coefficients, in units of the radius at which they are equal and of their value there.
 fn of_two_terms(exponents: Vec<f64>) -> Option<Seeds> {
     let terms: Vec<(f64, f64)> = exponents.into_iter().map(|exponent| (1.0, exponent)).collect();
-    (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)
+    (terms.len() == 2).then(|| LoadIntegral::new(terms))?.seeds(OCTAVES_ABOVE_EQUALITY)
 }
 
 /// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
@@ -120,6 +120,9 @@ fn longest_run(first: i32, rows: impl Iterator<Item = Option<[f32; 4]>>) -> Opti
 /// J(a) = Σ j a^p as pairs (j, p).
 struct LoadIntegral {
     terms: Vec<(f64, f64)>,
+    /// The largest |log₂ j|.
+    largest_coefficient: f64,
+    highest: f64,
 }
 
 /// J with a J′, a² J″ and a³ J‴.
@@ -131,6 +134,13 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
+    fn new(terms: Vec<(f64, f64)>) -> Self {
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        let largest_coefficient = largest(&mut terms.iter().map(|(j, _)| j.abs().log2().abs()));
+        let highest = largest(&mut terms.iter().map(|&(_, p)| p));
+        Self { terms, largest_coefficient, highest }
+    }
+
     /// The table of the octaves up to y = 2^`top`.
     fn seeds(&self, top: i32) -> Option<Seeds> {
         let top = top * ROWS_PER_OCTAVE;
@@ -185,8 +195,7 @@ impl LoadIntegral {
 
     /// The largest of the logarithms of y, of the powers of its radius a and of their coefficients.
     fn largest_logarithm(&self, y: f64, a: f64) -> f64 {
-        let sizes = self.terms.iter().flat_map(|&(j, p)| [j.abs().log2(), p * a.log2()]);
-        sizes.fold(y.log2().abs(), |largest, size| largest.max(size.abs()))
+        self.largest_coefficient.max(self.highest * a.log2().abs()).max(y.log2().abs())
     }
 
     /// The cubic for the row between two radii, if it passes the check.
@@ -253,7 +262,7 @@ mod tests {
     /// At other points than the check's.
     #[test]
     fn seeds_have_six_digits() {
-        let two_terms = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)] };
+        let two_terms = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)]);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
@@ -268,7 +277,7 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)] };
+        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)]);
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());
