@@ -18,7 +18,7 @@
 use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 /// Numbers in digits of 64 bits; all of a number's digits are from 0 to 2^64 but the highest, which has its sign.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ impl Numbers {
     }
 
     pub(crate) fn value(&self, index: usize) -> BigInt {
-        let Some((highest, lower)) = self.ranks.split_last() else { return BigInt::ZERO };
+        let Some((highest, lower)) = self.ranks.split_last() else { return BigInt::zero() };
         let halves = lower.iter().flat_map(|rank| [rank[index] as u32, (rank[index] >> 32) as u32]);
         (BigInt::from(highest[index]) << (lower.len() * DIGIT as usize))
             + BigInt::new(Sign::Plus, halves.collect())
@@ -231,9 +231,9 @@ mod tests {
     #[test]
     fn signs_are_certain_or_none() {
         for (index, value) in numbers().iter().enumerate() {
-            assert_eq!(Numbers::new(&numbers()).sign(index, 0), Some(value.cmp(&BigInt::ZERO)));
+            assert_eq!(Numbers::new(&numbers()).sign(index, 0), Some(value.cmp(&BigInt::zero())));
             let certain = Numbers::new(&numbers()).sign(index, 2);
-            assert_eq!(certain, (value.bits() > 1).then(|| value.cmp(&BigInt::ZERO)));
+            assert_eq!(certain, (value.bits() > 1).then(|| value.cmp(&BigInt::zero())));
         }
     }
 }

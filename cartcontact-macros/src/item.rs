@@ -1,6 +1,6 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::{Data, DeriveInput, Fields, Generics, Type};
 
@@ -41,6 +41,26 @@ pub(crate) enum Meaning<'a> {
     Symbol(&'a Field),
     WrongType(&'a Type),
     Unknown { remedy: String },
+}
+
+/// The item without further gap profiles, which are reported: each would implement the same trait again.
+pub(crate) fn with_one_profile(input: TokenStream, diagnostics: &mut Diagnostics) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = input.into_iter().collect();
+    while let Some(position) = tokens.windows(2).position(is_gap_profile) {
+        let attribute: Vec<TokenTree> = tokens.drain(position..position + 2).collect();
+        let place = Extent::of(attribute.iter().map(TokenTree::span), proc_macro2::Span::call_site());
+        diagnostics
+            .report(place, "a struct has one gap profile; remove this one, or write another struct for it");
+    }
+    tokens.into_iter().collect()
+}
+
+/// Whether `#` and `[...]` are this attribute, under any path.
+fn is_gap_profile(pair: &[TokenTree]) -> bool {
+    let [TokenTree::Punct(hash), TokenTree::Group(attribute)] = pair else { return false };
+    let path = attribute.stream().into_iter().take_while(|token| !matches!(token, TokenTree::Group(_)));
+    let names = path.filter(|token| matches!(token, TokenTree::Ident(_)));
+    hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
 }
 
 /// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and

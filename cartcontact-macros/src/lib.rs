@@ -59,7 +59,9 @@ use crate::diagnostics::Diagnostics;
 
 /// Turns a struct into a gap profile: `#[gap_profile(0.025 * r^2, max_radius = 6.0)] struct Knee;`.
 ///
-/// The crate `cartcontact` describes the language and what is generated.
+/// The crate `cartcontact` describes the language and what is generated. Beside the solver these are constants of the
+/// type, `TERMS`, `MAX_RADIUS` and, for surfaces, `TRUNCATION_ERROR`, or the method `terms` where the gap depends on
+/// fields: the struct can have no constants and methods of its own by these names.
 #[proc_macro_attribute]
 pub fn gap_profile(
     attribute: proc_macro::TokenStream,
@@ -72,6 +74,7 @@ pub fn gap_profile(
 fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
     let attribute = attribute::parse(attribute, &mut diagnostics);
+    let input = item::with_one_profile(input, &mut diagnostics);
     let item = item::parse(input.clone(), &mut diagnostics);
     let crate_path = attribute.crate_path.clone().unwrap_or_else(|| quote!(::cartcontact));
     let output = item.map(|mut item| {

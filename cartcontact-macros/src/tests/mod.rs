@@ -173,6 +173,14 @@ fn likely_slips_are_understood() {
 }
 
 #[test]
+fn a_second_profile_is_one_fault() {
+    let item = "#[derive(Debug)] #[cartcontact::gap_profile(r^4)] struct Knee;".parse().unwrap();
+    let output = crate::expand(quote!(r ^ 2), item).to_string();
+    assert!(output.matches("compile_error").count() == 1 && output.contains("one gap profile"), "{output}");
+    assert!(!output.contains("gap_profile (r ^ 4)"));
+}
+
+#[test]
 fn each_fault_is_named() {
     for (text, rule) in [
         ("2r^2", "write `2 * r`"),
