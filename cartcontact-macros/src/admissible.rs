@@ -15,8 +15,6 @@
 
 use core::cmp::Ordering;
 
-use num_traits::Signed;
-
 use crate::coefficient::Sign;
 use crate::diagnostics::Extent;
 use crate::end::End;

@@ -23,6 +23,8 @@ pub(crate) struct Attribute {
     pub(crate) tolerance: Option<Expression>,
     pub(crate) positive: Option<Positive>,
     pub(crate) crate_path: Option<TokenStream>,
+    /// Whether an option could not be read: what is missing then is no further fault.
+    pub(crate) lacks_option: bool,
 }
 
 /// Reads the gap and the options behind it, which stand between commas.
@@ -30,7 +32,9 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut attribute = Attribute::default();
     let mut bodies: Vec<(Ident, Expression)> = Vec::new();
     let mut names: Vec<Ident> = Vec::new();
+    let mut digits_before_comma = None;
     for entry in entries(tokens, diagnostics) {
+        let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
         match entry.option() {
             Some((name, _, _)) if names.contains(&name) => {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
@@ -51,7 +55,11 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
             }
             None => match entry
                 .without_equals()
-                .or_else(|| entry.without_comma())
+                .inspect(|_| attribute.lacks_option = true)
+                .or_else(|| attribute.decimals(&entry, before))
+                .or_else(|| {
+                    entry.without_comma().or_else(|| entry.named()).inspect(|_| attribute.fail_at(&entry))
+                })
                 .or_else(|| attribute.no_room_for(&entry))
             {
                 Some(message) => diagnostics.report(entry.extent(), message),
@@ -115,12 +123,13 @@ impl Attribute {
                     .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`"),
             }
         } else {
-            if name == "gap" {
-                diagnostics
-                    .report(name.span(), "the gap is written first and without a name; remove `gap =`");
-                self.gap.get_or_insert(Expression { kind: Kind::Faulty, extent: name.span().into() });
-                return;
+            let of_r = value.into_iter().any(|token| matches!(token, TokenTree::Ident(r) if r == "r"));
+            if self.gap.is_none() && (of_r || name == "gap") {
+                self.gap = Some(Expression { kind: Kind::Faulty, extent: name.span().into() });
+                let message = format!("the gap is written first and without a name; remove `{name} =`");
+                return diagnostics.report(name.span(), message);
             }
+            self.lacks_option = true;
             let remedy = match closest(&name.to_string(), OPTIONS.map(str::to_owned).into_iter()) {
                 Some(option) => format!("did you mean `{option}`?"),
                 None => {
@@ -132,15 +141,25 @@ impl Attribute {
         }
     }
 
-    /// What to say about an entry that could only be a second gap.
-    fn no_room_for(&mut self, entry: &Entry) -> Option<String> {
-        let gap = self.gap.as_mut()?;
-        if let (Kind::Number(whole), Some(decimals)) = (&gap.kind, entry.decimals()) {
-            let message =
-                format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`");
+    /// What to say about the digits behind a comma that is meant as a decimal point. Where they belong to the gap, it
+    /// cannot be read.
+    fn decimals(&mut self, entry: &Entry, before: Option<Whole>) -> Option<String> {
+        let Whole { digits: whole, of_gap } = before?;
+        let decimals = entry.first_digits()?;
+        if let Some(gap) = self.gap.as_mut().filter(|_| of_gap) {
             gap.kind = Kind::Faulty;
-            return Some(message);
         }
+        Some(format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`"))
+    }
+
+    /// Notes that the gap is there, but cannot be read.
+    fn fail_at(&mut self, entry: &Entry) {
+        self.gap.get_or_insert(Expression { kind: Kind::Faulty, extent: entry.extent() });
+    }
+
+    /// What to say about an entry that could only be a second gap.
+    fn no_room_for(&self, entry: &Entry) -> Option<String> {
+        self.gap.as_ref()?;
         let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
         Some(match (fields, entry.tokens.as_slice()) {
             (Some(fields), [TokenTree::Ident(another)]) => {
@@ -154,6 +173,12 @@ impl Attribute {
 }
 
 const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
+
+/// Digits before a comma that may be meant as a decimal point.
+struct Whole {
+    digits: String,
+    of_gap: bool,
+}
 
 /// What stands between two commas.
 struct Entry {
@@ -182,6 +207,7 @@ impl Entry {
     fn without_equals(&self) -> Option<String> {
         let equals = self.tokens.iter().position(|token| is_punct(token, '='));
         let name = match (self.tokens.as_slice(), equals) {
+            ([TokenTree::Ident(name)], None) => name.to_string(),
             ([TokenTree::Ident(name), next, ..], None)
                 if is_punct(next, ':') || !matches!(next, TokenTree::Punct(_)) =>
             {
@@ -216,11 +242,31 @@ impl Entry {
         Some(format!("a comma is missing before `{option}`; options follow the gap after commas"))
     }
 
-    /// The digits behind a comma that is meant as a decimal point.
-    fn decimals(&self) -> Option<String> {
-        let [TokenTree::Literal(digits), ..] = self.tokens.as_slice() else { return None };
+    /// What to say about a gap with a name, `gap(r) = r^2`.
+    fn named(&self) -> Option<String> {
+        match self.tokens.as_slice() {
+            [TokenTree::Ident(name), TokenTree::Group(variable), equals, ..] if is_punct(equals, '=') => {
+                Some(format!("the gap is written first and without a name; remove `{name}{variable} =`"))
+            }
+            _ => None,
+        }
+    }
+
+    /// The digits in front of the comma behind this entry, unless they are an exponent.
+    fn last_digits(&self) -> Option<Whole> {
+        let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
+        if before.last().is_some_and(|token| is_punct(token, '^')) {
+            return None;
+        }
         let digits = digits.to_string();
-        digits.starts_with(|first: char| first.is_ascii_digit()).then_some(digits)
+        let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
+        is_whole.then(|| Whole { digits, of_gap: self.option().is_none() })
+    }
+
+    /// The number, with its suffix, that this entry begins with.
+    fn first_digits(&self) -> Option<String> {
+        let [TokenTree::Literal(digits), ..] = self.tokens.as_slice() else { return None };
+        Some(digits.to_string()).filter(|digits| digits.starts_with(|first: char| first.is_ascii_digit()))
     }
 
     fn stream(&self) -> TokenStream {

@@ -128,7 +128,8 @@ fn scaled(mut polynomial: Vec<u64>, factor: u64, prime: u64) -> Vec<u64> {
 }
 
 fn reduce(value: &BigInt, prime: u64) -> u64 {
-    value.mod_floor(&BigInt::from(prime)).to_u64().unwrap_or(0)
+    let residue = (value.magnitude() % prime).to_u64().unwrap_or(0);
+    if value.is_negative() && residue > 0 { prime - residue } else { residue }
 }
 
 fn power_modulo(base: u64, mut exponent: u64, prime: u64) -> u64 {

@@ -2,8 +2,6 @@
 
 use core::cmp::Ordering;
 
-use num_traits::Signed;
-
 use crate::first_root::FirstRoot;
 use crate::number::{self, Rational};
 
@@ -15,7 +13,7 @@ pub(crate) struct End {
 }
 
 /// Enough that seven digits hardly ever need the root more narrowly.
-const BITS: i64 = 48;
+const BITS: u64 = 48;
 /// Outside, numbers of seven digits have no `f64` next to them.
 const DECIMAL_EXPONENTS: core::ops::RangeInclusive<i64> = -300..=307;
 

@@ -4,12 +4,12 @@
 //! r^n_1 q(r^g), where q is a polynomial of the lowest degree possible.
 
 use num_integer::Integer;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 use crate::end::End;
-use crate::first_root::{TooIntricate, first_root};
 use crate::integer_polynomial::{IntegerPolynomial, from_terms};
 use crate::number::Rational;
+use crate::search::{TooIntricate, first_root};
 
 /// Bounds the time that a proof takes; enough for all integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;

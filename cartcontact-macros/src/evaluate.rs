@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use num_traits::One;
 use proc_macro2::Ident;
+use syn::ext::IdentExt;
 
 use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
@@ -39,7 +40,10 @@ impl<'a> Evaluator<'a> {
     pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
         let coefficient = self.shape(expression)?.as_coefficient();
         if coefficient.is_none() {
-            self.diagnostics.report(expression.extent, format!("{subject} must not depend on r"));
+            self.diagnostics.report(
+                expression.extent,
+                format!("{subject} must not depend on r; write a number, or an expression in the fields"),
+            );
         }
         coefficient
     }
@@ -63,7 +67,7 @@ impl<'a> Evaluator<'a> {
 
     fn name(&mut self, name: &Ident) -> Option<Shape> {
         let extent = name.span().into();
-        if name == "r" {
+        if name.unraw() == "r" {
             let one = Coefficient::constant(Rational::one());
             return Some(Polynomial::new(one, Rational::one(), extent).into());
         }
@@ -72,6 +76,7 @@ impl<'a> Evaluator<'a> {
                 Some(constant(Coefficient::positive_field(ident.clone()), extent))
             }
             Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
+            Meaning::Unknown { .. } if !self.item.is_struct => None,
             Meaning::Unknown { remedy } => self.fault(extent, format!("`{name}` is unknown; {remedy}")),
             Meaning::WrongType(ty) => {
                 if self.mistyped.insert(name.clone()) {

@@ -3,7 +3,7 @@
 //! `order = auto` takes the smallest order whose neglected terms are within the tolerance. An order without a surface
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, ToPrimitive};
 
 use crate::attribute::Attribute;
 use crate::diagnostics::Extent;
@@ -133,7 +133,9 @@ fn without_surfaces(
     let order = options.order.as_ref().map(|(_, extent)| ("order", extent));
     let tolerance = options.tolerance.as_ref().map(|(_, extent)| ("tolerance", extent));
     match order.or(tolerance) {
+        // A gap of which nothing is left is reported when it is checked.
         None => Ok((powers, None)),
+        Some(_) if powers.terms().next().is_none() => Ok((powers, None)),
         Some((name, extent)) => Err((
             *extent,
             format!("`{name}` is for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove it"),

@@ -1,6 +1,6 @@
 //! [`Polynomial`] -> [`Gap`]: checks that a sum of powers is a gap.
 
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
 use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};

@@ -1,7 +1,5 @@
 //! Attribute and item -> [`Geometry`]: the last stage before code is written.
 
-use num_traits::Signed;
-
 use crate::admissible::{self, Proof, Wanted};
 use crate::attribute::Attribute;
 use crate::coefficient::{Coefficient, Sign};
@@ -53,7 +51,8 @@ pub(crate) fn geometry(
     };
     let options = Options::read(attribute, &mut evaluator);
     let place = limit.map(|limit| limit.extent);
-    let Some((range, options)) = range.zip(options).filter(|_| complete) else {
+    let is_whole = complete && !attribute.lacks_option;
+    let Some((range, options)) = range.zip(options).filter(|_| is_whole) else {
         // What could be evaluated may have faults of its own.
         Gap::terms(shape.powers, diagnostics);
         return None;

@@ -1,12 +1,10 @@
 //! Dense polynomials with integer coefficients: the exact operations that isolating a root takes.
 
-use core::cmp::Ordering;
-
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use crate::number::Rational;
+use crate::number::{Rational, common_factor};
 
 /// Coefficients in ascending order of powers; the last is not zero. Zero itself has none.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,11 +41,6 @@ impl IntegerPolynomial {
         self.coefficients.first().cloned().unwrap_or_default()
     }
 
-    /// The slope at 0.
-    pub(crate) fn linear(&self) -> BigInt {
-        self.coefficients.get(1).cloned().unwrap_or_default()
-    }
-
     pub(crate) fn negated(&self) -> Self {
         IntegerPolynomial { coefficients: self.coefficients.iter().map(|coefficient| -coefficient).collect() }
     }
@@ -69,17 +62,6 @@ impl IntegerPolynomial {
         IntegerPolynomial::new(self.coefficients.iter().map(|coefficient| coefficient / &content).collect())
     }
 
-    /// The sign at a rational point, by Horner's scheme on numerator and denominator.
-    pub(crate) fn sign_at(&self, point: &Rational) -> Ordering {
-        let mut scale = BigInt::one();
-        let mut value = BigInt::zero();
-        for coefficient in self.coefficients.iter().rev() {
-            value = value * point.numer() + coefficient * &scale;
-            scale *= point.denom();
-        }
-        value.cmp(&BigInt::zero())
-    }
-
     /// The value at offset/2^bits, times 2^(bits n) for the degree n.
     pub(crate) fn value_at(&self, offset: &BigInt, bits: u64) -> BigInt {
         let coefficients = self.coefficients.iter().rev().zip(0_u64..);
@@ -98,37 +80,6 @@ impl IntegerPolynomial {
             .map(Signed::is_negative)
             .collect();
         signs.windows(2).filter(|pair| pair.first() != pair.last()).count()
-    }
-
-    /// Descartes' bound for the open interval (0, 1), which x = 1/(1 + y) maps to all y > 0.
-    pub(crate) fn sign_changes_between_zero_and_one(&self) -> usize {
-        let exact = || self.clone().reversed().shifted(&BigInt::one()).sign_changes();
-        self.leading_sign_changes_between_zero_and_one().unwrap_or_else(exact)
-    }
-
-    /// The same from the leading digits of the coefficients, where these decide all signs.
-    ///
-    /// What was cut off each is at least 0 and less than 1 unit, and the coefficients of the result are sums of
-    /// these with binomials as weights, which add up to less than 2^(n+1).
-    fn leading_sign_changes_between_zero_and_one(&self) -> Option<usize> {
-        let rounded = self.rounded_down()?.reversed().shifted(&BigInt::one());
-        let uncertain = -(BigInt::one() << (self.degree() + 1));
-        let certain = |value: &BigInt| value.is_positive() || *value <= uncertain;
-        rounded.coefficients.iter().all(certain).then(|| rounded.sign_changes())
-    }
-
-    /// Less than this polynomial for every x > 0, up to a power of two, but with shorter coefficients, if they can be
-    /// shortened.
-    pub(crate) fn rounded_down(&self) -> Option<Self> {
-        self.leading_digits(2 * self.coefficients.len() as u64 + 64)
-    }
-
-    /// The coefficients in units of a power of two that leaves so many digits of the longest, each rounded down, if
-    /// that shortens them.
-    pub(crate) fn leading_digits(&self, kept: u64) -> Option<Self> {
-        let excess = self.length().checked_sub(kept).filter(|excess| *excess > 0)?;
-        let coefficients = self.coefficients.iter().map(|coefficient| coefficient >> excess).collect();
-        Some(IntegerPolynomial { coefficients })
     }
 
     /// x^n p(1/x), for a p that is not zero at 0.
@@ -155,28 +106,6 @@ impl IntegerPolynomial {
             |step: i64| sizes(true).map(move |(size, power)| size + power * step + margin + 1).max();
         let (Some(start), Some(end)) = (weights(0), weights(1)) else { return true };
         sizes(false).any(|(size, power)| size >= start && size + power >= end)
-    }
-
-    /// p(x + offset), by repeated synthetic division.
-    pub(crate) fn shifted(mut self, offset: &BigInt) -> Self {
-        if offset.is_zero() {
-            return self;
-        }
-        let unit = offset.is_one();
-        for first in 0..self.degree() {
-            let Some(mut rest) = self.coefficients.get_mut(first..) else { break };
-            while let [lower @ .., upper] = rest {
-                if let Some(target) = lower.last_mut() {
-                    if unit {
-                        *target += &*upper;
-                    } else {
-                        *target += &*upper * offset;
-                    }
-                }
-                rest = lower;
-            }
-        }
-        self
     }
 
     /// p(2^exponent x), times the power of two that makes the coefficients integers without a common factor 2.
@@ -232,11 +161,6 @@ impl IntegerPolynomial {
     }
 }
 
-/// The greatest common divisor; one division first, as that of numbers of very different size takes long otherwise.
-fn common_factor(left: &BigInt, right: &BigInt) -> BigInt {
-    if right.is_zero() { left.abs() } else { right.gcd(&(left % right)) }
-}
-
 /// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.
 pub(crate) fn from_terms<'a>(
     terms: impl Iterator<Item = (usize, &'a Rational)> + Clone,
@@ -257,6 +181,8 @@ pub(crate) fn from_terms<'a>(
 
 #[cfg(test)]
 mod tests {
+    use core::cmp::Ordering;
+
     use super::*;
 
     fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
@@ -264,44 +190,20 @@ mod tests {
     }
 
     #[test]
-    fn shifts_and_stretches() {
-        let square = polynomial(&[0, 0, 1]);
-        assert_eq!(square.clone().shifted(&3.into()), polynomial(&[9, 6, 1]));
-        assert_eq!(square.shifted(&1.into()), polynomial(&[1, 2, 1]));
+    fn stretches() {
         assert_eq!(polynomial(&[1, 1, 1]).stretched(2), polynomial(&[1, 4, 16]));
         assert_eq!(polynomial(&[1, 1, 1]).stretched(-1), polynomial(&[4, 2, 1]));
-    }
-
-    #[test]
-    fn descartes_counts_the_roots_between_zero_and_one() {
-        let roots = polynomial(&[3, -8, 4]);
-        assert_eq!(roots.sign_changes(), 2);
-        assert_eq!(roots.sign_changes_between_zero_and_one(), 1);
-        assert_eq!(polynomial(&[-1, 1]).sign_changes_between_zero_and_one(), 0);
-    }
-
-    #[test]
-    fn leading_digits_give_the_same_count_or_none() {
-        let one = BigInt::one();
-        let long: BigInt = &one << 500;
-        let clear = IntegerPolynomial::new(vec![&long * 3 + 1, &long * -8 + 1, &long * 4 + 1]);
-        assert_eq!(clear.leading_sign_changes_between_zero_and_one(), Some(1));
-        let close = IntegerPolynomial::new(vec![long.clone(), &long * -2 + &one]);
-        assert_eq!(close.leading_sign_changes_between_zero_and_one(), Some(1));
-        let closer = IntegerPolynomial::new(vec![long.clone(), -&long + &one]);
-        assert_eq!(closer.leading_sign_changes_between_zero_and_one(), None);
-        assert_eq!(closer.sign_changes_between_zero_and_one(), 0);
     }
 
     #[test]
     fn the_bound_by_bits_is_sound() {
         let polynomial = polynomial(&[1000, -30, 0, 1]);
         for exponent in -4..12 {
-            let values = [1, 2].map(|end| {
-                polynomial.sign_at(
-                    &(Rational::from_integer(end.into()) * Rational::from_integer(2.into()).pow(exponent)),
-                )
-            });
+            let sign_at = |power: i32| {
+                let (up, down) = (power.max(0), power.min(0).unsigned_abs());
+                polynomial.value_at(&(BigInt::one() << up), down.into()).cmp(&BigInt::zero())
+            };
+            let values = [sign_at(exponent), sign_at(exponent + 1)];
             let positive = polynomial.stays_positive_between_powers(exponent.into());
             assert!(!positive || values == [Ordering::Greater; 2]);
         }

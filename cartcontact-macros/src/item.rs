@@ -1,9 +1,11 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use syn::ext::IdentExt;
 use syn::{Data, DeriveInput, Fields, Generics, Type};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::literal;
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {
@@ -13,6 +15,8 @@ pub(crate) struct Item {
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
     others: Vec<(Ident, Type)>,
+    /// Whether its fields have names, if it has any: otherwise a name in a profile cannot be judged.
+    pub(crate) is_struct: bool,
 }
 
 /// A field that can be a symbol.
@@ -39,6 +43,26 @@ pub(crate) enum Meaning<'a> {
     Unknown { remedy: String },
 }
 
+/// The item without further gap profiles, which are reported: each would implement the same trait again.
+pub(crate) fn with_one_profile(input: TokenStream, diagnostics: &mut Diagnostics) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = input.into_iter().collect();
+    while let Some(position) = tokens.windows(2).position(is_gap_profile) {
+        let attribute: Vec<TokenTree> = tokens.drain(position..position + 2).collect();
+        let place = Extent::of(attribute.iter().map(TokenTree::span), proc_macro2::Span::call_site());
+        diagnostics
+            .report(place, "a struct has one gap profile; remove this one, or write another struct for it");
+    }
+    tokens.into_iter().collect()
+}
+
+/// Whether `#` and `[...]` are this attribute, under any path.
+fn is_gap_profile(pair: &[TokenTree]) -> bool {
+    let [TokenTree::Punct(hash), TokenTree::Group(attribute)] = pair else { return false };
+    let path = attribute.stream().into_iter().take_while(|token| !matches!(token, TokenTree::Group(_)));
+    let names = path.filter(|token| matches!(token, TokenTree::Ident(_)));
+    hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
+}
+
 /// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and
 /// generics is returned nonetheless, for its stub.
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
@@ -49,7 +73,8 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         return None;
     };
     let DeriveInput { ident, generics, data, .. } = declaration;
-    let mut item = Item { ident, generics, fields: Vec::new(), others: Vec::new() };
+    let is_struct = matches!(&data, Data::Struct(data) if !matches!(data.fields, Fields::Unnamed(_)));
+    let mut item = Item { ident, generics, fields: Vec::new(), others: Vec::new(), is_struct };
     match data {
         Data::Struct(data) => match data.fields {
             Fields::Unit => {}
@@ -75,7 +100,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
 impl Item {
     fn declare(&mut self, field: syn::Field, diagnostics: &mut Diagnostics) {
         let Some(ident) = field.ident else { return };
-        if ident == "r" {
+        if ident.unraw() == "r" {
             diagnostics.report(
                 ident.span(),
                 "a field named `r` cannot be told from the distance r from the axis; give it another name",
@@ -99,11 +124,10 @@ impl Item {
 
     fn remedy(&self, name: &Ident) -> String {
         let known = self.fields.iter().map(|field| field.ident.to_string()).chain(["r".to_owned()]);
-        match closest(&name.to_string(), known) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None if is_pi(name) => {
-                "numbers are kept exact; write it as a decimal, as in `3.14159265358979`".to_owned()
-            }
+        let closest = closest(&name.to_string(), known).map(|known| format!("did you mean `{known}`?"));
+        match closest.or_else(|| known_number(name).map(str::to_owned)) {
+            Some(remedy) => remedy,
+            None if literal::is_unit(&name.to_string()) => format!("{}; remove it", literal::NO_UNITS),
             None if self.fields.is_empty() && self.others.is_empty() => {
                 format!(
                     "only `r` is known here; a field declares a symbol, as in `struct {} {{ {name}: f64 }}`",
@@ -154,8 +178,13 @@ fn kind(ty: &Type, generics: &Generics) -> Option<FieldKind> {
     }
 }
 
-fn is_pi(name: &Ident) -> bool {
-    ["pi", "PI", "Pi", "π"].iter().any(|pi| name == pi)
+/// What to write in place of a number that people know by name.
+pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
+    let is_one_of = |names: &[&str]| names.iter().any(|known| name == known);
+    if is_one_of(&["pi", "PI", "Pi", "π"]) {
+        return Some("numbers are kept exact; write it as a decimal, as in `3.14159265358979`");
+    }
+    is_one_of(&["inf", "infinity", "INFINITY"]).then_some("where nothing ends, leave it out")
 }
 
 /// The known name that differs from this one by a third of its letters at most, and by the fewest.

@@ -11,7 +11,7 @@
 //! | `evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
 //! | `gap` | powers of r | the same, checked to be a gap |
-//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `first_root`, `end`) |
+//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `search`, `first_root`, `end`) |
 //! | `geometry` | attribute and item | gap, range and proof together |
 //! | `seeds` | a gap with constant coefficients | a table from which one step leads to the contact radius |
 //! | `emit` | item and geometry | the solver |
@@ -30,6 +30,7 @@ mod equation;
 mod evaluate;
 mod expansion;
 mod first_root;
+mod fixed_point;
 mod gap;
 mod geometry;
 mod integer_polynomial;
@@ -38,8 +39,11 @@ mod literal;
 mod minimum;
 mod number;
 mod parse;
+mod part;
 mod polynomial;
 mod positive;
+mod rational;
+mod search;
 mod seeds;
 mod shape;
 mod surface;
@@ -55,7 +59,9 @@ use crate::diagnostics::Diagnostics;
 
 /// Turns a struct into a gap profile: `#[gap_profile(0.025 * r^2, max_radius = 6.0)] struct Knee;`.
 ///
-/// The crate `cartcontact` describes the language and what is generated.
+/// The crate `cartcontact` describes the language and what is generated. Beside the solver these are constants of the
+/// type, `TERMS`, `MAX_RADIUS` and, for surfaces, `TRUNCATION_ERROR`, or the method `terms` where the gap depends on
+/// fields: the struct can have no constants and methods of its own by these names.
 #[proc_macro_attribute]
 pub fn gap_profile(
     attribute: proc_macro::TokenStream,
@@ -68,6 +74,7 @@ pub fn gap_profile(
 fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
     let attribute = attribute::parse(attribute, &mut diagnostics);
+    let input = item::with_one_profile(input, &mut diagnostics);
     let item = item::parse(input.clone(), &mut diagnostics);
     let crate_path = attribute.crate_path.clone().unwrap_or_else(|| quote!(::cartcontact));
     let output = item.map(|mut item| {

@@ -9,12 +9,21 @@ const NUMERIC_SUFFIXES: [&str; 16] = [
     "u128", "usize",
 ];
 
-/// Of lengths and their inverses, as they are written behind a number.
-const UNITS: [&str; 6] = ["mm", "cm", "m", "um", "µm", "nm"];
+/// Of lengths, as they are written behind a number.
+const UNITS: [&str; 7] = ["mm", "cm", "m", "um", "µm", "nm", "in"];
+
+pub(crate) const NO_UNITS: &str = "numbers have no units: all lengths are in one unit, such as mm";
+
+pub(crate) fn is_unit(name: &str) -> bool {
+    UNITS.contains(&name)
+}
 
 /// The number that a literal stands for, or the rule that it breaks.
 pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (negative, text) = text.strip_prefix('-').map_or((false, text), |text| (true, text));
+    if text.starts_with('"') {
+        return Err(format!("{text} is text, not an expression; write it without quotes"));
+    }
     if !text.starts_with(|first: char| first.is_ascii_digit()) {
         return Err(format!("{text} is not a number; a gap is written with numbers, `r` and fields"));
     }
@@ -26,8 +35,8 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (exponent, suffix) = split_exponent(rest);
     if !suffix.is_empty() {
         let written = text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_');
-        return Err(if UNITS.contains(&suffix) {
-            format!("numbers have no units; all lengths are in one unit, such as mm: write `{written}`")
+        return Err(if is_unit(suffix) {
+            format!("{NO_UNITS}; write `{written}`")
         } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {

@@ -5,11 +5,10 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use proc_macro2::Literal;
 
-pub(crate) type Rational = BigRational;
+pub(crate) use crate::rational::{Rational, common_factor};
 
 /// The largest power of ten that a literal may be written with: beyond every `f64`, and short to write out.
 const MAXIMUM_DECIMAL_EXPONENT: i64 = 400;
@@ -49,14 +48,14 @@ pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Resu
 /// `base` to an integer power; `None` if the result is too large to be of use. The base of a negative power must
 /// not be zero.
 pub(crate) fn power(base: &Rational, exponent: &BigInt) -> Option<Rational> {
-    let exponent = exponent.to_i32()?;
     if base.is_zero() || base.abs().is_one() {
-        return Some(match exponent {
-            0 => Rational::one(),
-            even if even % 2 == 0 => base * base,
-            _ => base.clone(),
+        return Some(match exponent.is_even() {
+            true if exponent.is_zero() => Rational::one(),
+            true => base * base,
+            false => base.clone(),
         });
     }
+    let exponent = exponent.to_i32()?;
     let bits = base.numer().bits() + base.denom().bits();
     let fits = bits.saturating_mul(exponent.unsigned_abs().into()) <= MAXIMUM_POWER_BITS;
     fits.then(|| base.pow(exponent))

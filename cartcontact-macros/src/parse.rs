@@ -7,7 +7,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::closest;
+use crate::item::{closest, known_number};
 use crate::literal;
 use crate::syntax::{Expression, Factor, Kind, Summand, Surface};
 
@@ -59,8 +59,7 @@ impl<'a> Parser<'a> {
     }
 
     fn product(&mut self) -> Expression {
-        let first = self.factor();
-        let mut factors = vec![Factor { divides: false, expression: first }];
+        let mut factors = vec![Factor { divides: false, expression: self.factor() }];
         while let Some(divides) = self.next_product_operator() {
             let expression = self.factor();
             factors.push(Factor { divides, expression });
@@ -99,8 +98,15 @@ impl<'a> Parser<'a> {
             let place = self.previous;
             return self.fault(place, "something is missing here; a number, `r`, a field or `(` must follow");
         };
-        if let TokenTree::Punct(_) = token {
-            self.stray(token);
+        if let TokenTree::Punct(point) = token {
+            match rest.first() {
+                Some(TokenTree::Literal(digits)) if point.as_char() == '.' => {
+                    let place = Extent::between(point.span().into(), digits.span().into());
+                    let message = format!("a decimal begins with a digit; write `0.{digits}`");
+                    self.diagnostics.report(place, message);
+                }
+                _ => self.stray(token),
+            }
             self.skip_term();
             return Expression { kind: Kind::Faulty, extent: token.span().into() };
         }
@@ -127,7 +133,40 @@ impl<'a> Parser<'a> {
         {
             return self.surface(name, arguments);
         }
+        if is_case(name) {
+            return self.case(name);
+        }
+        if let Some(last) = self.end_of_path() {
+            let place = Extent::between(name.span().into(), last.span().into());
+            let remedy = known_number(&last).unwrap_or("write the number, or a field of the struct");
+            return self.fault(place, format!("constants of a program are not known here; {remedy}"));
+        }
         self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
+    }
+
+    /// The last name of a path such as `f64::INFINITY`, whose first has been read.
+    fn end_of_path(&mut self) -> Option<Ident> {
+        let mut last = None;
+        while let [TokenTree::Punct(first), TokenTree::Punct(second), TokenTree::Ident(name), rest @ ..] =
+            self.rest
+            && first.as_char() == ':'
+            && second.as_char() == ':'
+        {
+            last = Some(name.clone());
+            self.rest = rest;
+        }
+        last
+    }
+
+    fn case(&mut self, word: &Ident) -> Expression {
+        self.diagnostics.report(
+            word.span(),
+            format!(
+                "a gap is one expression for all radii, without cases such as `{word}`; use a sum of powers"
+            ),
+        );
+        self.rest = &[];
+        Expression { kind: Kind::Faulty, extent: word.span().into() }
     }
 
     fn group(&mut self, group: &Group) -> Expression {
@@ -167,6 +206,12 @@ impl<'a> Parser<'a> {
                 let place = Extent::between(self.previous, group.span().into());
                 return self.fault(place, wrong_arguments(known));
             }
+            ("pow" | "powi" | "powf", [base, exponent]) => {
+                let [base, exponent] = [base, exponent].map(|part| written(part));
+                let message = format!("a power is written with `^`; write `{base}^{exponent}`");
+                let place = Extent::between(self.previous, group.span().into());
+                return self.fault(place, message);
+            }
             (other, _) => return self.fault(name.span(), not_a_surface(other)),
         };
         self.take_token();
@@ -187,6 +232,12 @@ impl<'a> Parser<'a> {
         let message = match &receiver.kind {
             Kind::Name(name) if name == "self" => {
                 format!("fields are written by name alone; write `{member}`")
+            }
+            Kind::Number(_) if member.to_string().starts_with(['e', 'E']) => {
+                "a decimal point has digits behind it, as in `1.0e-3`".to_owned()
+            }
+            Kind::Number(_) => {
+                "a decimal point has digits behind it; for a product write `*`, as in `2 * r`".to_owned()
             }
             _ => format!(
                 "a gap has no methods such as `.{member}`; write powers with `^`, as in `r^2` or `r^0.5`"
@@ -210,7 +261,8 @@ impl<'a> Parser<'a> {
         self.take_punct('+').or_else(|| self.take_punct('-'))
     }
 
-    /// Whether the next factor divides. Two operands side by side, and `**`, are reported and read as intended.
+    /// Whether the next factor divides. Two operands side by side, `**`, and words that Rust or people put behind a
+    /// number are reported and read as intended.
     fn next_product_operator(&mut self) -> Option<bool> {
         if let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest
             && is_double_star(first, second)
@@ -231,6 +283,28 @@ impl<'a> Parser<'a> {
             return None;
         }
         let place = Extent::between(self.previous, next.span().into());
+        if let TokenTree::Ident(word) = next {
+            if literal::is_unit(&word.to_string()) {
+                let message = format!(
+                    "{}; remove `{word}`, or write `*` before it if it is a field",
+                    literal::NO_UNITS
+                );
+                self.diagnostics.report(place, message);
+                self.take_token();
+                return self.next_product_operator();
+            }
+            if word == "as" {
+                let message = "numbers here are exact and have no type; remove `as` and what follows it";
+                self.diagnostics.report(word.span(), message);
+                self.take_token();
+                self.take_token();
+                return self.next_product_operator();
+            }
+            if is_case(word) {
+                self.case(word);
+                return None;
+            }
+        }
         self.diagnostics.report(place, "an operator is missing here; for a product write `*`, as in `2 * r`");
         Some(false)
     }
@@ -303,6 +377,15 @@ fn not_a_surface(name: &str) -> String {
         "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a root \
          write `r^0.5`, for a product `*`"
     )
+}
+
+fn is_case(name: &Ident) -> bool {
+    ["if", "else", "match", "for", "while", "where"].iter().any(|word| name == word)
+}
+
+fn written(tokens: &[TokenTree]) -> String {
+    let text = tokens.iter().cloned().collect::<TokenStream>().to_string();
+    if tokens.len() == 1 { text } else { format!("({text})") }
 }
 
 fn is_double_star(first: &Punct, second: &Punct) -> bool {

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 use crate::coefficient::Coefficient;
 use crate::diagnostics::Extent;

@@ -90,7 +90,7 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
     };
     let coefficients: Option<Vec<f64>> =
         load_integral.summands.iter().map(|summand| summand.constant(gap)?.to_f64()).collect();
-    let load_integral = LoadIntegral { terms: coefficients?.into_iter().zip(exponents).collect() };
+    let load_integral = LoadIntegral::new(coefficients?.into_iter().zip(exponents).collect());
     let steepest = load_integral.at(length(gap)?.min(end)).value.log2().floor();
     let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
     load_integral.seeds(steepest as i32 + OCTAVES_ABOVE)
@@ -99,7 +99,7 @@ fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f6
 /// Two terms with any coefficients, in units of the radius at which they are equal and of their value there.
 fn of_two_terms(exponents: Vec<f64>) -> Option<Seeds> {
     let terms: Vec<(f64, f64)> = exponents.into_iter().map(|exponent| (1.0, exponent)).collect();
-    (terms.len() == 2).then_some(LoadIntegral { terms })?.seeds(OCTAVES_ABOVE_EQUALITY)
+    (terms.len() == 2).then(|| LoadIntegral::new(terms))?.seeds(OCTAVES_ABOVE_EQUALITY)
 }
 
 /// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
@@ -132,9 +132,15 @@ fn longest_run(first: i32, rows: impl Iterator<Item = Option<[f32; 4]>>) -> Opti
     runs.into_iter().max_by_key(|(_, run)| run.len())
 }
 
-/// J(a) = Σ j a^p as pairs (j, p).
+/// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
 struct LoadIntegral {
     terms: Vec<(f64, f64)>,
+    /// The largest |log₂ j|.
+    largest_coefficient: f64,
+    /// log₂ |j| of the highest power.
+    unit: f64,
+    lowest: f64,
+    highest: f64,
 }
 
 /// J with a J′, a² J″ and a³ J‴.
@@ -146,6 +152,15 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
+    fn new(terms: Vec<(f64, f64)>) -> Self {
+        let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
+        let largest_coefficient =
+            terms.iter().fold(0.0_f64, |largest, term| largest.max(logarithm(term).abs()));
+        let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
+        let lowest = terms.first().map_or(0.0, |&(_, p)| p);
+        Self { terms, largest_coefficient, unit, lowest, highest }
+    }
+
     /// The table of the octaves up to y = 2^`top`.
     fn seeds(&self, top: i32) -> Option<Seeds> {
         let top = top * ROWS_PER_OCTAVE;
@@ -200,12 +215,10 @@ impl LoadIntegral {
 
     /// The largest logarithm of y, its radius's powers, their coefficients, and J and J′ in units of the highest term.
     fn largest_logarithm(&self, y: f64, a: f64) -> f64 {
-        let size = |&(j, p): &(f64, f64)| [j.abs().log2(), p * a.log2()];
-        let ([_, lowest], [unit, _]) =
-            (self.terms.first().map_or([0.0; 2], size), self.terms.last().map_or([0.0; 2], size));
-        let (y, value) = (y.log2(), y.log2() - unit);
-        let sizes = self.terms.iter().flat_map(size).chain([y, value, value - lowest]);
-        sizes.fold(0.0, |largest, size| largest.max(size.abs()))
+        let (y, a) = (y.log2(), a.log2());
+        let value = y - self.unit;
+        let sizes = [self.largest_coefficient, self.highest * a, y, value, value - self.lowest * a];
+        sizes.into_iter().fold(0.0, |largest, size| largest.max(size.abs()))
     }
 
     /// The cubic for the row between two radii, if it passes the check.
@@ -272,7 +285,7 @@ mod tests {
     /// At other points than the check's.
     #[test]
     fn seeds_have_six_digits() {
-        let two_terms = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)] };
+        let two_terms = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)]);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
@@ -287,7 +300,7 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate = LoadIntegral { terms: vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)] };
+        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)]);
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());

@@ -90,7 +90,8 @@ mod tests {
 
     #[test]
     fn the_coefficients_are_those_of_the_formula() {
-        let factorial = |n: u32| (1..=n).map(integer).product::<Rational>();
+        let factorial =
+            |n: u32| (1..=n).map(integer).fold(Rational::one(), |product, factor| product * factor);
         let (radius, shape) = (integer(20), Rational::new(3.into(), 4.into()));
         for (j, value) in (1..).zip(coefficients(&surface("20", "-0.25"), 30)) {
             let power = |base: &Rational, exponent: u32| base.pow(i32::try_from(exponent).unwrap());

@@ -22,7 +22,7 @@
 use core::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 use crate::coefficient::Coefficient;
 use crate::equation::first_zero;

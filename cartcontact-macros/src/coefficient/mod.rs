@@ -13,7 +13,7 @@ mod write;
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 use proc_macro2::Ident;
 
 use crate::number::{self, Rational};
@@ -180,7 +180,8 @@ impl Coefficient {
         if self.products.len() <= 1 {
             return self.products.pop();
         }
-        let number = self.products.first()?.number.signum() * self.products.last()?.number.abs();
+        let size = self.products.last()?.number.abs();
+        let number = if self.products.first()?.number.is_negative() { -size } else { size };
         let atom = Atom::Whole(self.times_each(&number.recip()));
         Some(Product { powers: Powers::from([(atom, Rational::one())]), number })
     }

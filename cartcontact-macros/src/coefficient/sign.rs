@@ -4,7 +4,6 @@
 //! number at all, which is found when a value is there.
 
 use num_integer::Integer;
-use num_traits::Signed;
 
 use super::{Atom, Coefficient, Product};
 

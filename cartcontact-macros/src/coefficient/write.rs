@@ -2,7 +2,7 @@
 
 use core::fmt::{Display, Formatter, Result};
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 

@@ -8,7 +8,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::ext::IdentExt;
 
-use super::{Names, bounded_generics, local};
+use super::{Names, arguments, bounded_generics, local};
 use crate::closed_forms::Summand;
 use crate::coefficient::Coefficient;
 use crate::geometry::Geometry;
@@ -82,7 +82,7 @@ impl<'a> Coefficients<'a> {
             return TokenStream::new();
         }
         let (scalar, ident, count) = (&self.names.scalar, &self.item.ident, values.len());
-        let (_, type_generics, _) = self.item.generics.split_for_impl();
+        let type_generics = arguments(&self.item.generics);
         let generics = bounded_generics(self.item, self.names);
         let (impl_generics, _, where_clause) = generics.split_for_impl();
         let profile = local("profile");

@@ -1,6 +1,6 @@
 //! What was derived from a profile, as documentation of the annotated item.
 
-use num_traits::{One, Signed};
+use num_traits::One;
 
 use super::operations::Operations;
 use crate::admissible::Proof;

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::{Names, bounded_generics};
+use super::{Names, arguments, bounded_generics};
 use crate::geometry::{Geometry, Range};
 use crate::item::Item;
 use crate::number::literal;
@@ -27,7 +27,8 @@ pub(super) fn block(
         false if declares_scalar => (bounded_generics(item, names), terms(coefficients, names, None)),
         false => (item.generics.clone(), terms(coefficients, names, Some(own_parameter(names)))),
     };
-    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
+    let type_generics = arguments(&item.generics);
     quote! {
         #quiet
         impl #impl_generics #ident #type_generics #where_clause { #content }
@@ -37,7 +38,8 @@ pub(super) fn block(
 /// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors.
 pub(super) fn stub(item: &Item) -> TokenStream {
     let (ident, number, quiet) = (&item.ident, quote!(::core::primitive::f64), quiet());
-    let (impl_generics, type_generics, where_clause) = item.generics.split_for_impl();
+    let (impl_generics, _, where_clause) = item.generics.split_for_impl();
+    let type_generics = arguments(&item.generics);
     quote! {
         #quiet
         impl #impl_generics #ident #type_generics #where_clause {

@@ -1,6 +1,6 @@
 //! The contact radius from the load integral, and what else the solver asks of J.
 
-use num_traits::{One, Signed};
+use num_traits::One;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -11,7 +11,8 @@ mod range;
 mod seeds;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
+use syn::GenericParam;
 
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
@@ -166,9 +167,9 @@ fn scalar_of(item: &Item) -> Ident {
         let taken = |name: &str| {
             item.ident == name
                 || item.generics.params.iter().any(|parameter| match parameter {
-                    syn::GenericParam::Type(parameter) => parameter.ident == name,
-                    syn::GenericParam::Const(parameter) => parameter.ident == name,
-                    syn::GenericParam::Lifetime(_) => false,
+                    GenericParam::Type(parameter) => parameter.ident == name,
+                    GenericParam::Const(parameter) => parameter.ident == name,
+                    GenericParam::Lifetime(_) => false,
                 })
         };
         let mut names = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
@@ -180,10 +181,25 @@ fn scalar_of(item: &Item) -> Ident {
 /// `impl<..> GapProfile<T> for Item<..> where ..`.
 fn implementation(item: &Item, names: &Names<'_>) -> TokenStream {
     let Names { krate, scalar } = names;
-    let (ident, (_, type_generics, _)) = (&item.ident, item.generics.split_for_impl());
+    let (ident, type_generics) = (&item.ident, arguments(&item.generics));
     let generics = bounded_generics(item, names);
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     quote!(impl #impl_generics #krate::GapProfile<#scalar> for #ident #type_generics #where_clause)
+}
+
+/// The item's parameters as arguments of its type. Constants stand in braces, as a name alone would mean the type of
+/// that name if there is one in scope.
+fn arguments(generics: &syn::Generics) -> TokenStream {
+    let argument = |parameter: &GenericParam| match parameter {
+        GenericParam::Lifetime(parameter) => parameter.lifetime.to_token_stream(),
+        GenericParam::Type(parameter) => parameter.ident.to_token_stream(),
+        GenericParam::Const(parameter) => {
+            let name = &parameter.ident;
+            quote!({ #name })
+        }
+    };
+    let arguments: Vec<TokenStream> = generics.params.iter().map(argument).collect();
+    if arguments.is_empty() { TokenStream::new() } else { quote!(<#(#arguments),*>) }
 }
 
 /// The item's generics with the scalar type among them, bounded.

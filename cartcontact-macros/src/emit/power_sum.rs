@@ -10,7 +10,7 @@
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
 //! multiplication, with the same effect.
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 

@@ -1,6 +1,6 @@
 //! `max_radius`, and `check` where the values of fields decide.
 
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;

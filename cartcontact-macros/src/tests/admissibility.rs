@@ -143,7 +143,11 @@ fn random_roots_are_found() {
     };
     for _ in 0..60 {
         let roots: Vec<u32> = (0..1 + random(8)).map(|_| 1 + random(30)).collect();
-        let gap = planted(&roots.iter().map(|at| root(&format!("{at}e-1"))).collect::<Vec<_>>());
+        let real = roots.iter().map(|at| root(&format!("{at}e-1")));
+        let pairs =
+            (0..random(4)).map(|_| pair(&format!("{}e-1", 1 + random(30)), &format!("1e-{}", random(40))));
+        let pairs = pairs.collect::<Vec<_>>();
+        let gap = planted(&real.chain(pairs).collect::<Vec<_>>());
         let first = Rational::new((*roots.iter().min().unwrap()).into(), 10.into());
         assert!(!holds_up_to(&gap, &first) && holds_up_to(&gap, &(first * exact("0.999999"))), "{roots:?}");
     }
@@ -161,6 +165,14 @@ fn nearly_touching() -> Gap {
 fn nearly_touching_from_above() -> Gap {
     let mut q = vec![Rational::zero(); 65];
     q[..3].clone_from_slice(&[exact("2"), exact("-4e20"), exact("2e40")]);
+    q[64] = exact("1");
+    with_slope(&q, "1")
+}
+
+/// delta0' = 2 a ((1e9 a - 1)^4 + a^64): two pairs of roots 1e-144 apart, all within 1e-140.
+fn cluster_of_four() -> Gap {
+    let mut q = product(&vec![vec![exact("1"), exact("-1e9")]; 4]);
+    q.resize(65, Rational::zero());
     q[64] = exact("1");
     with_slope(&q, "1")
 }
@@ -195,6 +207,8 @@ fn degree_64_is_decided_at_once() {
     let apart = (0..31).map(|index| pair(&(index - 10).to_string(), "0.5"));
     let pairs =
         (1..9).map(|at| pair(&at.to_string(), "1e-12")).chain((10..34).map(|at| pair("-1", &at.to_string())));
+    let cluster =
+        (0..8).map(|at| pair(&format!("1.{}{}", "0".repeat(30), 101 + at), &format!("1e-{}", 30 + at)));
     let near = (1..33).map(|at| pair(&format!("{at}e-1"), "1e-9"));
     let cases = [
         ("64 roots", planted(&integers(1)), Some("1")),
@@ -203,6 +217,8 @@ fn degree_64_is_decided_at_once() {
         ("two roots 1e-100 apart", planted(&close.into_iter().chain(apart).collect::<Vec<_>>()), Some("1")),
         ("8 pairs 1e-12 off the axis", planted(&pairs.collect::<Vec<_>>()), None),
         ("32 pairs 1e-9 off the axis", planted(&near.collect::<Vec<_>>()), None),
+        ("8 pairs within 1e-30", planted(&cluster.collect::<Vec<_>>()), None),
+        ("4 roots within 1e-140", cluster_of_four(), None),
         ("a minimum of 1e-1280", nearly_touching_from_above(), None),
         ("32 minima of 1e-40", chebyshev_from_above(), None),
         ("two roots 1e-33 apart", nearly_touching(), Some("0.1")),

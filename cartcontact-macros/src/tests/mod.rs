@@ -139,12 +139,45 @@ fn likely_slips_are_understood() {
         ("r^2, max-radius = 6", "write it as in `max_radius = 6.0`"),
         ("sphere(radius), order(4)", "write it as in `order = 4`"),
         ("r^2, maxradius = 6", "did you mean `max_radius`?"),
+        ("r^2 - r^4, maxradius = 0.1", "did you mean `max_radius`?"),
+        ("sphere(10), oder = 4", "did you mean `order`?"),
+        ("r^2, max_radius", "write it as in `max_radius = 6.0`"),
+        ("r^2, max_radius = 6,5", "write `6.5`"),
+        ("2*r^2 + 0,5*r^4", "write `0.5`"),
+        ("r^2; max_radius = 6", "a comma is missing before `max_radius`"),
+        ("r^2, max_radius = inf", "leave it out"),
+        ("r^2, max_radius = f64::INFINITY", "leave it out"),
+        ("std::f64::consts::PI * r^2", "`3.14159265358979`"),
+        ("knee::CURVATURE * r^2", "write the number"),
+        ("r^2, 5 * r^4", "one gap"),
+        ("phi = r^2", "remove `phi =`"),
+        ("gap(r) = r^2", "remove `gap(r) =`"),
+        ("0.025 mm * r^2", "numbers have no units"),
+        ("0.025 * r^2 mm", "numbers have no units"),
+        ("0.025/mm * r^2", "numbers have no units"),
+        ("0.025 * pow(r, 2)", "write `r^2`"),
+        ("powf(2 * r, -1.5)", "write `(2 * r)^(- 1.5)`"),
+        (".5 * r^2", "write `0.5`"),
+        ("1.e-3 * r^2", "digits behind it"),
+        ("radius as f64 * r^2", "remove `as`"),
+        ("r^2 if r > 3 else 0", "one expression for all radii"),
+        ("\"r^2\"", "without quotes"),
+        ("sphere(10) - sphere(10), order = 4", "its terms cancel"),
+        ("r^1000000000000000000000", "at most 1024"),
         ("radius * r^2, positive(radius)", "write it as in `positive = (c, d)`"),
-        ("radius * r^2, positive = name, radius", "write `positive = (name, radius)`"),
+        ("radius * r^2, positive = radius, depth", "write `positive = (radius, depth)`"),
     ] {
         let messages = on_ball(text).unwrap_err();
-        assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
     }
+}
+
+#[test]
+fn a_second_profile_is_one_fault() {
+    let item = "#[derive(Debug)] #[cartcontact::gap_profile(r^4)] struct Knee;".parse().unwrap();
+    let output = crate::expand(quote!(r ^ 2), item).to_string();
+    assert!(output.matches("compile_error").count() == 1 && output.contains("one gap profile"), "{output}");
+    assert!(!output.contains("gap_profile (r ^ 4)"));
 }
 
 #[test]
@@ -165,7 +198,7 @@ fn each_fault_is_named() {
         ("()", "parentheses are empty"),
         ("r +", "something is missing here"),
         ("* r", "something is missing before `*`"),
-        ("\"r\"", "is not a number"),
+        ("'r'", "is not a number"),
         ("true", "`true` is unknown"),
         ("1e999999999*r", "between -400 and 400"),
         ("2^999999999*r", "too large or too small"),

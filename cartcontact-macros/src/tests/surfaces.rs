@@ -1,6 +1,6 @@
 //! Surfaces in a gap: their expansion, its order, and the bound of what it neglects.
 
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use proc_macro2::Span;
 
 use super::{on_ball, on_unit, shown};

@@ -38,6 +38,10 @@ struct Labelled<'a, T: ?Sized, const N: usize> {
     tags: [u8; N],
 }
 
+/// A type with the name of that constant.
+#[derive(Debug)]
+struct N;
+
 /// Parameters that the geometry does not use.
 #[gap_profile(r^2 / 40)]
 #[derive(Default)]
@@ -54,6 +58,7 @@ fn parameters_of_all_kinds_are_kept() {
     assert_eq!(radius(&Any { radius: 20.0_f64 }), radius(&Where { radius: 20.0_f64 }));
     let labelled = Labelled { radius: 20.0, label: "patella", tags: [1, 2, 3] };
     assert_eq!(labelled.label.len() + labelled.tags.len(), 10);
+    assert_eq!(format!("{N:?}"), "N");
     let marked: Marked<u8> = Marked::default();
     assert_eq!(marked.marker, PhantomData);
     assert_eq!(radius::<f64>(&marked), radius::<f64>(&labelled));

@@ -1,0 +1,319 @@
+//! A polynomial over part of the interval from 1 to 2, with as many digits as a decision takes.
+//!
+//! Over a part of width 2^-d the exact coefficients of a polynomial of degree n have n d bits more than it had itself,
+//! nearly all of which no sign depends on. Rounded to units of a power of two they stay short, and a sign is taken
+//! from them only if the error cannot change it.
+//!
+//! **Way.** With coefficients a_j = c_j/C(n, j), those of p(f + w x) are those of p(f x) behind the right edge of their
+//! triangle of sums, times (w/f)^j; and its left edge is Bernstein's.
+//!
+//! **Error.** For f from 1 to 2, in units of a number with some digits more: rounding a_j and the power f^j < 2^j leaves
+//! 2^j + 1; the right edge less than 3^n; rounding the powers of w/f makes that at most (n + 1) 3^n, and the left edge
+//! (n + 1) 3^n (1 + w)^n. All of it is less than one unit of the result if there are [`guard`] digits more.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+
+use crate::fixed_point::{Numbers, binomials};
+use crate::integer_polynomial::IntegerPolynomial;
+use crate::minimum::Convex;
+
+/// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) offset: BigInt,
+    pub(crate) bits: u64,
+    pub(crate) width: u64,
+}
+
+impl Part {
+    pub(crate) fn whole() -> Self {
+        Part { offset: BigInt::zero(), bits: 0, width: 0 }
+    }
+
+    /// The part of this one from offset/2^bits on that is 2^-width long, as fractions of this one.
+    pub(crate) fn within(&self, offset: &BigInt, bits: u64, width: u64) -> Part {
+        let finest = self.bits.max(self.width + bits);
+        let own = &self.offset << (finest - self.bits);
+        let offset = own + (offset << (finest - self.width - bits));
+        Part { offset, bits: finest, width: self.width + width }
+    }
+
+    /// The lower end or the upper one, in units of 2^-bits.
+    pub(crate) fn end(&self, end: u32) -> BigInt {
+        (BigInt::one() << self.bits) + &self.offset + (BigInt::from(end) << (self.bits - self.width))
+    }
+}
+
+/// A polynomial over the interval from 1 to 2.
+pub(crate) struct Whole {
+    pub(crate) polynomial: IntegerPolynomial,
+    binomials: Vec<BigInt>,
+}
+
+/// Digits that are lost on the way to Bernstein's basis over a part of width 2^-width: more than
+/// log2 (8 (n + 1) 3^n (1 + 2^-width)^n), as log2 3 < 1.59 and log2 (1 + w) < w + 0.09.
+fn guard(degree: u64, width: u64) -> u64 {
+    2 * degree + (degree >> width.min(63)) + 16
+}
+
+impl Whole {
+    pub(crate) fn new(polynomial: IntegerPolynomial) -> Self {
+        let binomials = binomials(polynomial.degree());
+        Whole { polynomial, binomials }
+    }
+
+    pub(crate) fn degree(&self) -> u64 {
+        self.polynomial.degree() as u64
+    }
+
+    /// The sign at the lower end of a part, or at its upper one.
+    pub(crate) fn sign_at(&self, part: &Part, end: u32) -> Ordering {
+        self.polynomial.value_at(&part.end(end), part.bits).cmp(&BigInt::zero())
+    }
+
+    /// In Bernstein's basis, in units of which the longest coefficient of the whole has `digits` binary digits.
+    pub(crate) fn over(&self, part: &Part, digits: u64) -> Bernstein {
+        let guard = guard(self.degree(), part.width);
+        let [left, _] = Numbers::new(&self.scaled_powers(part, digits + guard)).edges();
+        // Undecided numbers are zero where the unit is finer than what all of them are multiples of: lcm C(n, j) <
+        // 4^n at most divides them.
+        let finest = self.polynomial.length() + self.degree() * (part.bits + 2);
+        let is_exact = digits > finest + u64::from(u64::BITS);
+        Bernstein { numbers: left.shifted_down(|_| guard as usize), error: 2, is_exact }
+    }
+
+    /// In powers, for a part where it is convex; the error is less than a unit.
+    pub(crate) fn convex_over(&self, part: &Part, digits: u64) -> Convex {
+        // The products with C(n, j) < 2^n lose as many digits.
+        let guard = guard(self.degree(), part.width) + self.degree();
+        let scaled = self.scaled_powers(part, digits + guard);
+        let unit = BigInt::one() << guard;
+        let coefficients =
+            scaled.iter().zip(&self.binomials).map(|(value, binomial)| value * binomial / &unit);
+        Convex::new(IntegerPolynomial::new(coefficients.collect()))
+    }
+
+    /// The coefficients in powers, divided by C(n, j).
+    fn scaled_powers(&self, part: &Part, digits: u64) -> Vec<BigInt> {
+        let length = self.polynomial.length();
+        let coefficients = self.polynomial.coefficients().iter().zip(&self.binomials);
+        let mut scaled: Vec<BigInt> = coefficients
+            .map(|(coefficient, binomial)| match digits.checked_sub(length) {
+                Some(missing) => (coefficient << missing) / binomial,
+                None => (coefficient >> (length - digits)) / binomial,
+            })
+            .collect();
+        let start = part.end(0);
+        let (short, bits) = shortened(&start, part.bits, digits);
+        multiply_by_powers(&mut scaled, &short, bits, digits);
+        let [_, right] = Numbers::new(&scaled).edges();
+        let mut shifted = right.values();
+        let ratio = (BigInt::one() << (part.bits - part.width + digits)) / start;
+        multiply_by_powers(&mut shifted, &ratio, digits, digits);
+        shifted
+    }
+}
+
+/// offset/2^bits with so many bits at most.
+fn shortened(offset: &BigInt, bits: u64, most: u64) -> (BigInt, u64) {
+    let excess = bits.saturating_sub(most);
+    (offset >> excess, bits - excess)
+}
+
+/// Multiplies number j by fraction/2^bits to the power j, in units of 2^-precision.
+fn multiply_by_powers(numbers: &mut [BigInt], fraction: &BigInt, bits: u64, precision: u64) {
+    if *fraction == BigInt::one() << bits {
+        return;
+    }
+    let mut power = BigInt::one() << precision;
+    for number in numbers {
+        if !number.is_zero() {
+            *number = (&*number * &power) >> precision;
+        }
+        power = (power * fraction) >> bits;
+    }
+}
+
+/// A polynomial over a part in Bernstein's basis: p = Σ b_j C(n, j) x^j (1 − x)^(n−j) for x from 0 to 1.
+///
+/// The signs of b_0, …, b_n change as often as there are roots inside, or more often by an even number; if none
+/// changes, there is no root. b_0 and b_n are the values at the ends (R. T. Farouki, Comput. Aided Geom. Des. 29 (2012)
+/// 379-419, doi 10.1016/j.cagd.2012.03.001).
+#[derive(Debug)]
+pub(crate) struct Bernstein {
+    numbers: Numbers,
+    /// In units.
+    error: i128,
+    /// Numbers whose sign is not certain are zero.
+    is_exact: bool,
+}
+
+/// How often the sign changes at least and at most.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct SignChanges {
+    pub(crate) least: usize,
+    pub(crate) most: usize,
+}
+
+impl Bernstein {
+    /// Over both halves of the part, by de Casteljau's algorithm: means of neighbours, whose errors do not grow. One
+    /// unit is what rounding them adds.
+    pub(crate) fn halves(self) -> [Bernstein; 2] {
+        let degree = self.numbers.len().saturating_sub(1);
+        let [left, right] = self.numbers.edges();
+        let lower = left.shifted_down(|index| index);
+        let upper = right.shifted_down(|index| degree - index);
+        // Halves have finer multiples, so that the exact ones must be computed anew.
+        [lower, upper].map(|numbers| Bernstein { numbers, error: self.error + 1, is_exact: false })
+    }
+
+    /// The sign at the lower end, if it is certain.
+    pub(crate) fn sign_at_start(&self) -> Option<Ordering> {
+        self.sign(0)
+    }
+
+    fn sign(&self, index: usize) -> Option<Ordering> {
+        self.numbers.sign(index, self.error).or(self.is_exact.then_some(Ordering::Equal))
+    }
+
+    /// Along the coefficients, of which the first and the last have these signs.
+    pub(crate) fn sign_changes(&self, start: Ordering, end: impl FnOnce() -> Ordering) -> SignChanges {
+        let mut signs: Vec<Option<Ordering>> =
+            (0..self.numbers.len()).map(|index| self.sign(index)).collect();
+        if let [first, .., last] = signs.as_mut_slice() {
+            *first = Some(start);
+            *last = Some(last.unwrap_or_else(end));
+        }
+        SignChanges::along(&signs)
+    }
+
+    /// Whether the polynomial is certainly convex: Bernstein's coefficients of its curvature are positive multiples of
+    /// the second differences.
+    pub(crate) fn is_convex(&self) -> bool {
+        let differences = self.numbers.second_differences();
+        let mut signs = (0..differences.len()).map(|index| differences.sign(index, 4 * self.error));
+        signs.all(|sign| sign == Some(Ordering::Greater))
+    }
+
+    /// Where Newton's method for a root of this multiplicity leads from the lower end, in units of 2^-bits of the
+    /// part, if that is inside.
+    pub(crate) fn newton(&self, multiplicity: usize, bits: u64) -> Option<BigInt> {
+        let (value, next) = (self.numbers.value(0), self.numbers.value(1));
+        let degree = self.numbers.len() - 1;
+        let (step, fall) = (&value * multiplicity, (&value - next) * degree);
+        let inside = !fall.is_zero() && (fall < BigInt::zero()) == (value < BigInt::zero());
+        let position = (step << bits) / if inside { fall } else { return None };
+        (position <= BigInt::one() << bits).then_some(position)
+    }
+}
+
+impl SignChanges {
+    /// Zeros aside; a sign that is not certain is taken as what makes the changes fewest, or most.
+    fn along(signs: &[Option<Ordering>]) -> Self {
+        // The fewest and the most changes up to here if the last sign was negative, or positive.
+        let mut ending: [Option<(usize, usize)>; 2] = [None, None];
+        for sign in signs {
+            let [negative, positive] = ending;
+            let changed = |other: Option<(usize, usize)>| other.map(|(least, most)| (least + 1, most + 1));
+            let to_negative = either(negative, changed(positive)).or(Some((0, 0)));
+            let to_positive = either(positive, changed(negative)).or(Some((0, 0)));
+            ending = match sign {
+                Some(Ordering::Less) => [to_negative, None],
+                Some(Ordering::Equal) => ending,
+                Some(Ordering::Greater) => [None, to_positive],
+                None => [to_negative, to_positive],
+            };
+        }
+        let [negative, positive] = ending;
+        let (least, most) = either(negative, positive).unwrap_or_default();
+        SignChanges { least, most }
+    }
+}
+
+fn either(left: Option<(usize, usize)>, right: Option<(usize, usize)>) -> Option<(usize, usize)> {
+    match (left, right) {
+        (Some(left), Some(right)) => Some((left.0.min(right.0), left.1.max(right.1))),
+        (left, right) => left.or(right),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+
+    /// Coefficients of very different lengths and mixed signs.
+    fn whole(degree: usize) -> Whole {
+        let coefficients = (0..=degree as u64).map(|power| {
+            let size = BigInt::from(power * 7919 + 1) << (power * 37 % 101);
+            if power % 3 == 1 { -size } else { size }
+        });
+        Whole::new(IntegerPolynomial::new(coefficients.collect()))
+    }
+
+    fn parts() -> Vec<Part> {
+        let whole = Part::whole();
+        let [half, deep] = [(1, 1, 1), (123_456_789, 40, 38)].map(|(o, b, w)| whole.within(&o.into(), b, w));
+        let deeper = deep.within(&5.into(), 3, 3);
+        vec![whole, half, deep, deeper]
+    }
+
+    /// Bernstein's coefficients by their definition over the whole, and by blossoming over a part: b_j is the mean of
+    /// all products of the ends, so that for the power m it is Σ_i C(j, i) C(n−j, m−i)/C(n, m) upper^i lower^(m−i).
+    fn coefficient(whole: &Whole, part: &Part, j: usize) -> (BigInt, BigInt) {
+        let n = whole.polynomial.degree();
+        let [lower, upper] = [0, 1].map(|end| part.end(end));
+        let all = binomials(n);
+        let common: BigInt = all.iter().product();
+        let terms = whole.polynomial.coefficients().iter().enumerate().map(|(m, c)| {
+            let products = (0..=m.min(j)).filter(|i| m - i <= n - j).map(|i| {
+                &binomials(j)[i] * &binomials(n - j)[m - i] * upper.pow(i as u32) * lower.pow((m - i) as u32)
+            });
+            (c * products.sum::<BigInt>() * (&common / &all[m])) << (part.bits * (n - m) as u64)
+        });
+        (terms.sum(), common << (part.bits * n as u64))
+    }
+
+    #[test]
+    fn numbers_are_as_near_as_they_say() {
+        for degree in [1, 5, 20] {
+            let whole = whole(degree);
+            let digits = whole.polynomial.length() + 10;
+            let close = |local: &Bernstein, part: &Part| {
+                for j in 0..=degree {
+                    let (value, unit) = coefficient(&whole, part, j);
+                    let difference: BigInt = local.numbers.value(j) * &unit - (value << 10_u32);
+                    assert!(
+                        difference.magnitude() < (unit * local.error).magnitude(),
+                        "{degree}: {part:?}, {j}"
+                    );
+                }
+            };
+            for part in parts() {
+                let local = whole.over(&part, digits);
+                close(&local, &part);
+                for (offset, half) in local.halves().into_iter().enumerate() {
+                    close(&half, &part.within(&offset.into(), 1, 1));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ends_of_parts_are_where_they_say() {
+        let deeper = parts().pop().unwrap();
+        let [lower, upper] = [0, 1].map(|end| deeper.end(end));
+        assert_eq!((upper - lower, deeper.bits, deeper.width), (BigInt::one(), 41, 41));
+    }
+
+    #[test]
+    fn uncertain_signs_make_a_range() {
+        let signs = [1, 0, 2, -1, 2, 1].map(|sign: i32| (sign != 2).then(|| sign.cmp(&0)));
+        assert_eq!(SignChanges::along(&signs), SignChanges { least: 2, most: 2 });
+        let signs = [1, 2, 1, 2, -1].map(|sign: i32| (sign != 2).then(|| sign.cmp(&0)));
+        assert_eq!(SignChanges::along(&signs), SignChanges { least: 1, most: 3 });
+    }
+}

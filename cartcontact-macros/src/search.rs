@@ -1,0 +1,243 @@
+//! Isolating the smallest positive root of a polynomial: Descartes' rule of signs on ever smaller intervals.
+//!
+//! The sign changes of Bernstein's coefficients bound the number of roots in an interval ([`part`](crate::part)): there
+//! is none if there is no change, one if there is one, and they never grow when the interval is divided. So the
+//! interval in front is divided until there is 0 or 1.
+//!
+//! The search goes from one power of two to the next, as roots may be of any magnitude; most of these intervals a
+//! bound that costs nothing skips.
+//!
+//! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c gives
+//! p'/p = k/(x - c) nearby, so c is close to a - k p(a)/p'(a): if a small interval there keeps all k sign changes,
+//! nothing else is left to look at, and the next leap may be twice as long in bits. This is tried where halving has
+//! not parted the roots a few times. Two sign changes that are left where the polynomial is convex are decided by its
+//! minimum (`minimum`).
+//!
+//! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
+//! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
+//! between two complex roots. Every step shortens the interval at least by half, or doubles the digits of an interval
+//! until all signs are certain.
+//!
+//! G. E. Collins, A. G. Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976,
+//! 272-275, doi 10.1145/800205.806346; A. Eigenwillig, L. Kettner, W. Krandick, K. Mehlhorn, S. Schmitt, N. Wolpert,
+//! A Descartes algorithm for polynomials with bit-stream coefficients, CASC 2005, 138-149, doi 10.1007/11555964_12;
+//! M. Sagraloff, When Newton meets Descartes, ISSAC 2012, doi 10.1145/2442829.2442872.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::Zero;
+
+use crate::common_divisor::square_free;
+use crate::first_root::{FirstRoot, Place};
+use crate::integer_polynomial::IntegerPolynomial;
+use crate::minimum::{Exact, First, Undecided};
+use crate::part::{Bernstein, Part, SignChanges, Whole};
+
+/// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
+const MAXIMUM_LENGTH: u64 = 1 << 19;
+/// So do decisions with more digits; it bounds the time of a proof.
+const MAXIMUM_DIGITS: u64 = 1 << 16;
+
+/// A proof takes longer numbers than [`MAXIMUM_LENGTH`] and [`MAXIMUM_DIGITS`] allow.
+#[derive(Debug)]
+pub(crate) struct TooIntricate;
+
+/// The smallest positive root of a polynomial that is positive at 0.
+pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstRoot>, TooIntricate> {
+    if polynomial.sign_changes() == 0 {
+        return Ok(None);
+    }
+    let polynomial = square_free(polynomial);
+    let lowest = -polynomial.clone().reversed().root_bound();
+    for exponent in lowest..polynomial.root_bound() {
+        if polynomial.stays_positive_between_powers(exponent) {
+            continue;
+        }
+        if exponent.unsigned_abs().saturating_mul(polynomial.degree() as u64) > MAXIMUM_LENGTH {
+            return Err(TooIntricate);
+        }
+        let whole = Whole::new(polynomial.clone().stretched(exponent));
+        if let Some(place) = (Search { whole, exponent }).first_place()? {
+            return Ok(Some(FirstRoot::new(polynomial, place)));
+        }
+    }
+    Ok(None)
+}
+
+/// The search for the first root from 2^exponent to 2^(exponent + 1).
+struct Search {
+    whole: Whole,
+    exponent: i64,
+}
+
+/// A part of the interval, and what was learnt on the way to it.
+struct Candidate {
+    part: Part,
+    local: Bernstein,
+    digits: u64,
+    /// The sign changes of the part that this one was made of.
+    count: usize,
+    /// How often there were as many in a half.
+    kept: u32,
+    /// A leap of b bits tries an interval 2^(b-1) times shorter.
+    leap: u64,
+}
+
+const SHORTEST_LEAP: u64 = 4;
+/// Halvings that part no roots, before a leap is tried.
+const PATIENCE: u32 = 3;
+
+impl Search {
+    fn first_place(&self) -> Result<Option<Place>, TooIntricate> {
+        let (part, digits) = (Part::whole(), self.few_digits());
+        let local = self.whole.over(&part, digits);
+        let mut ahead = vec![Candidate { part, local, digits, count: 0, kept: 0, leap: SHORTEST_LEAP }];
+        while let Some(mut front) = ahead.pop() {
+            let start = front.local.sign_at_start().unwrap_or_else(|| self.whole.sign_at(&front.part, 0));
+            if start.is_eq() {
+                return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
+            }
+            let changes = front.local.sign_changes(start, || self.whole.sign_at(&front.part, 1));
+            match changes {
+                SignChanges { most: 0, .. } => {}
+                SignChanges { least: 1, most: 1 } => {
+                    return Ok(Some(self.between(&front.part, &front.part.end(1), front.part.bits)));
+                }
+                SignChanges { least, most } if least != most => ahead.push(self.with_more_digits(front)?),
+                SignChanges { most: 2, .. } if front.local.is_convex() => {
+                    if let Some(place) = self.beside_minimum(&front.part, front.digits)? {
+                        return Ok(Some(place));
+                    }
+                }
+                SignChanges { most: count, .. } => {
+                    front.kept = if front.count == count { front.kept + 1 } else { 0 };
+                    front.count = count;
+                    match self.around_cluster(&front)? {
+                        Some(closer) => ahead.push(closer),
+                        None => ahead.extend(front.halves()),
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// For an interval without clusters: the longest coefficient, and what is lost where the terms cancel.
+    fn few_digits(&self) -> u64 {
+        self.whole.degree() + 64
+    }
+
+    fn with_more_digits(&self, candidate: Candidate) -> Result<Candidate, TooIntricate> {
+        let digits = self.more(candidate.digits)?;
+        Ok(Candidate { local: self.whole.over(&candidate.part, digits), digits, ..candidate })
+    }
+
+    fn more(&self, digits: u64) -> Result<u64, TooIntricate> {
+        let more = digits + self.few_digits().max(digits / 2);
+        if more > MAXIMUM_DIGITS { Err(TooIntricate) } else { Ok(more) }
+    }
+
+    /// Where Newton's method for a root of this multiplicity points, if no sign change is lost.
+    ///
+    /// A cluster of k roots makes values of the size of the width to the power k.
+    fn around_cluster(&self, front: &Candidate) -> Result<Option<Candidate>, TooIntricate> {
+        let Some(centre) = front.local.newton(front.count, front.leap).filter(|_| front.kept >= PATIENCE)
+        else {
+            return Ok(None);
+        };
+        let last: BigInt = (BigInt::from(1) << (front.leap + 1)) - 4;
+        let offset: BigInt = centre * 2 - 1;
+        let offset = offset.clamp(BigInt::zero(), last);
+        let part = front.part.within(&offset, front.leap + 1, front.leap - 1);
+        let [start, end] = [0, 1].map(|end| self.whole.sign_at(&part, end));
+        let mut digits = front.digits.max(self.few_digits() + front.count as u64 * part.width);
+        loop {
+            let local = self.whole.over(&part, digits);
+            let SignChanges { least, most } = local.sign_changes(start, || end);
+            if start.is_eq() || most < front.count {
+                return Ok(None);
+            }
+            if least == front.count {
+                return Ok(Some(Candidate { part, local, digits, leap: front.leap * 2, ..*front }));
+            }
+            digits = self.more(digits)?;
+        }
+    }
+
+    /// The first root of a polynomial that is convex over a part and positive at both ends.
+    fn beside_minimum(&self, part: &Part, digits: u64) -> Result<Option<Place>, TooIntricate> {
+        let mut more = self.few_digits();
+        let first = loop {
+            match self.whole.convex_over(part, digits + more).first_root(&Within { whole: &self.whole, part })
+            {
+                Ok(first) => break first,
+                Err(Undecided) if digits + more > MAXIMUM_DIGITS => return Err(TooIntricate),
+                Err(Undecided) => more *= 2,
+            }
+        };
+        let point = |offset: &BigInt, bits| part.within(offset, bits, bits);
+        Ok(match first {
+            First::None => None,
+            First::At(offset, bits) => {
+                let point = point(&offset, bits);
+                Some(self.at(&point.end(0), point.bits))
+            }
+            First::Before(offset, bits) => {
+                let point = point(&offset, bits);
+                Some(self.between(part, &point.end(0), point.bits))
+            }
+        })
+    }
+
+    /// At offset/2^bits of the interval.
+    fn at(&self, offset: &BigInt, bits: u64) -> Place {
+        Place::At { offset: offset.clone(), exponent: self.exponent - bits as i64 }
+    }
+
+    /// From the beginning of a part to upper/2^bits.
+    fn between(&self, part: &Part, upper: &BigInt, bits: u64) -> Place {
+        let lower = part.end(0) << (bits - part.bits);
+        Place::Between { lower, upper: upper.clone(), exponent: self.exponent - bits as i64 }
+    }
+}
+
+impl Candidate {
+    /// The upper half and, to be looked at first, the lower one.
+    fn halves(self) -> [Candidate; 2] {
+        let leap = (self.leap / 2).max(SHORTEST_LEAP);
+        let Candidate { part, digits, count, kept, .. } = self;
+        let [lower, upper] = self.local.halves();
+        [(1, upper), (0, lower)].map(|(offset, local)| Candidate {
+            part: part.within(&offset.into(), 1, 1),
+            local,
+            digits,
+            count,
+            kept,
+            leap,
+        })
+    }
+}
+
+/// Exact signs inside a part.
+struct Within<'a> {
+    whole: &'a Whole,
+    part: &'a Part,
+}
+
+impl Within<'_> {
+    fn sign(&self, polynomial: &IntegerPolynomial, offset: &BigInt, bits: u64) -> Ordering {
+        let point = self.part.within(offset, bits, bits);
+        polynomial.value_at(&point.end(0), point.bits).cmp(&BigInt::zero())
+    }
+}
+
+impl Exact for Within<'_> {
+    fn value(&self, offset: &BigInt, bits: u64) -> Ordering {
+        self.sign(&self.whole.polynomial, offset, bits)
+    }
+
+    fn slope(&self, offset: &BigInt, bits: u64) -> Ordering {
+        self.sign(&self.whole.polynomial.derivative(), offset, bits)
+    }
+}
