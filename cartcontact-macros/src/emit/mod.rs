@@ -77,7 +77,8 @@ pub(crate) fn solver(
         let (name, variable) = (format_ident!("{name}"), local(variable));
         let preamble = coefficients.preamble();
         let body = form(sum, &variable, &coefficients, &names);
-        operations.push(Operations::of(&body));
+        operations.push(body.operations);
+        let body = body.code;
         quote! {
             #[inline]
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
@@ -86,7 +87,7 @@ pub(crate) fn solver(
     // The quick forms, which are the last, are not part of the interface.
     operations.truncate(5);
     let pressure_kernels = pressure_kernel::methods(&geometry.gap, &coefficients, &names);
-    operations.push(Operations::of_function(&pressure_kernels[0]));
+    operations.push(pressure_kernel::operations(&geometry.gap));
     let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
     let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
     let table = seeds.as_ref().map(|seeds| seeds::items(seeds, &forms.load_integral, &coefficients, &names));

@@ -1,4 +1,5 @@
-//! How many operations an evaluator takes: counted in the code that was written, not in the formula.
+//! How many operations an evaluator takes: counted in the code that was written, not in the formula; those of a routine
+//! of the run-time crate that are known beforehand as operations of its double words.
 
 use core::fmt::{Display, Formatter, Result};
 
@@ -12,9 +13,32 @@ pub(super) struct Operations {
     /// Subtractions among them.
     additions: u32,
     pub(super) calls_library: bool,
+    /// Whether the operands are double words.
+    pub(super) is_double: bool,
+}
+
+/// Code with the operations that it takes.
+pub(super) struct Counted {
+    pub(super) code: TokenStream,
+    pub(super) operations: Operations,
+}
+
+impl From<TokenStream> for Counted {
+    fn from(code: TokenStream) -> Self {
+        Self { operations: Operations::of(&code), code }
+    }
 }
 
 impl Operations {
+    /// Those of a routine that are not counted.
+    pub(super) fn in_library() -> Self {
+        Self { calls_library: true, ..Self::default() }
+    }
+
+    pub(super) fn in_double_words(multiplications: u32, additions: u32) -> Self {
+        Self { multiplications, additions, calls_library: false, is_double: true }
+    }
+
     pub(super) fn of(code: &TokenStream) -> Self {
         let mut count = Operations::default();
         count.add(code.clone());
@@ -55,7 +79,11 @@ impl Display for Operations {
         if self.calls_library {
             return formatter.write_str("a routine of the run-time crate");
         }
-        write!(formatter, "{} × or ÷, {} + or −", self.multiplications, self.additions)
+        let (multiplications, additions) = (self.multiplications, self.additions);
+        if self.is_double {
+            return write!(formatter, "{multiplications} ×, {additions} + of double words");
+        }
+        write!(formatter, "{multiplications} × or ÷, {additions} + or −")
     }
 }
 

@@ -15,11 +15,12 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
+use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::PowerSum;
 
 /// How a sum is written.
-pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> TokenStream;
+pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> Counted;
 
 /// The whole exponents of a sum of powers.
 pub(super) struct Whole {
@@ -100,15 +101,21 @@ pub(super) fn value(
     x: &Ident,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-) -> TokenStream {
+) -> Counted {
     let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
-        return by_powers("power_sum", sum, x, coefficients, names);
+        return by_powers("power_sum", sum, x, coefficients, names).into();
     };
-    let lowest = whole.lowest();
+    let (lowest, stride) = (whole.lowest(), whole.stride());
     let dense = whole.dense(lowest, sum, coefficients, names);
-    let function = if whole.stride() == 2 { "precise_even_sum" } else { "precise_sum" };
+    let steps = (whole.highest() - lowest) / stride;
+    // r² and an odd factor, besides the steps and the lowest power.
+    let (function, beside) =
+        if stride == 2 { ("precise_even_sum", 1 + lowest % 2) } else { ("precise_sum", 0) };
     let function = names.generated(function);
-    quote!(#function(#x, #lowest, [#(#dense),*]))
+    Counted {
+        code: quote!(#function(#x, #lowest, [#(#dense),*])),
+        operations: Operations::in_double_words(steps + lowest / stride + beside, steps),
+    }
 }
 
 /// The value of the sum at `x` in the cheapest form with an error below 4 ε.
@@ -117,8 +124,8 @@ pub(super) fn quick_value(
     x: &Ident,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-) -> TokenStream {
-    match Whole::of(sum) {
+) -> Counted {
+    let code = match Whole::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
         Some(whole) if whole.is_low_in_square() => {
             let odd = whole.lowest() % 2;
@@ -127,7 +134,8 @@ pub(super) fn quick_value(
             if odd == 1 { quote!(#even * #x) } else { even }
         }
         _ => by_powers("quick_power_sum", sum, x, coefficients, names),
-    }
+    };
+    code.into()
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.

@@ -9,6 +9,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
+use super::operations::Operations;
 use super::{Names, local};
 use crate::gap::Gap;
 use crate::number::integer;
@@ -38,6 +39,18 @@ pub(super) fn methods(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<
             }
         },
     )
+}
+
+/// Those of the kernel as it is asked for.
+pub(super) fn operations(gap: &Gap) -> Operations {
+    let Some(halves) = half_exponents(gap) else {
+        return Operations::in_library();
+    };
+    // a², r² and (a² − r²)²; the second weight and its sum; the powers and sums of every further one.
+    match halves.last().copied().unwrap_or(1) {
+        1 => Operations::in_double_words(5, 2),
+        highest => Operations::in_double_words(6 + 4 * (highest - 2), 5 + 3 * (highest - 2)),
+    }
 }
 
 /// n/2 for every term, if all n are even and low.

@@ -46,9 +46,9 @@ pub fn precise_sum<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [
 /// r^lowest Σ c\[k\] r^(2k), rounded once, see [`precise_sum`].
 #[inline]
 pub fn precise_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
-    let sum = precise_horner(DoubleWord::product(r, r), lowest / 2, &coefficients);
-    let odd = if lowest & 1 == 1 { r } else { T::one() };
-    sum.times_word(odd).rounded_or(|| plain_horner(r * r, lowest / 2, coefficients) * odd)
+    let even = precise_horner(DoubleWord::product(r, r), lowest / 2, &coefficients);
+    let plain = || plain_horner(r * r, lowest / 2, coefficients);
+    if lowest % 2 == 1 { even.times_word(r).rounded_or(|| plain() * r) } else { even.rounded_or(plain) }
 }
 
 /// x^lowest Σ c\[k\] x^k with every operation rounded.
