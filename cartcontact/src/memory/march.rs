@@ -4,6 +4,9 @@
 //! two moments computed on their own would not agree on what lies between them. So only differences are used: a
 //! surplus follows from the one before it by what Y and J gained since, both without cancellation.
 //!
+//! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
+//! [`run`](super::run), the others one by one.
+//!
 //! **Loads that are not straight.** Between knots such a load is followed in steps. A step is taken in one piece and
 //! in two halves; if the two do not agree, it is shortened to its first half, otherwise the next is twice as
 //! long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
@@ -105,11 +108,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_in_pieces(&mut self) {
         let mut pieces = [Piece::none(); PIECES];
         while self.now.time < self.time {
-            let count = self.contact.load().straight_pieces((self.now.time, self.time), &mut pieces);
+            let start = self.now.time;
+            let count = self.contact.load().straight_pieces((start, self.time), &mut pieces);
             let mut ahead = &pieces[..count.min(PIECES)];
-            if ahead.is_empty() {
-                break;
-            }
             while let Some(first) = ahead.first() {
                 let (done, rest) = ahead.split_at(self.advance_run(ahead).max(1));
                 if self.now.time < first.end.0 {
@@ -119,6 +120,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 let next = rest.first().map_or_else(|| self.force_now(), |piece| piece.start.1);
                 self.jump(last, next);
                 ahead = rest;
+            }
+            // A load of a user's own may know no more pieces.
+            if self.now.time <= start {
+                break;
             }
         }
     }
@@ -145,8 +150,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    /// Lays down as many of the pieces ahead as are short, and returns how many these are; none of them is laid down
-    /// if one is not as simple as it seemed.
+    /// Continues along the pieces ahead that are short, and returns how many they are; not along any of them if one turns
+    /// out not to be.
     fn advance_run(&mut self, pieces: &[Piece<T>]) -> usize {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // One piece alone costs less over the radius.

@@ -55,16 +55,12 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
     }
 
     /// How long before the end Y was smaller than at the end by `deficit`.
+    #[inline(always)]
     pub(super) fn age(&self, chi: T, deficit: T) -> T {
         match *self {
             Self::Step => T::zero(),
             Self::Linear { rate, load_rate, .. } => age_along_line(rate, (chi, load_rate), deficit),
-            Self::Smooth { load, start, duration } => {
-                let end = start + duration;
-                let hereditary = |time: T| load.force(time) + chi * load.impulse(time);
-                let final_value = load.force_before(end) + chi * load.impulse(end);
-                first_crossing(duration, deficit, |z| final_value - hereditary(end - z))
-            }
+            Self::Smooth { load, start, duration } => age_along_curve(load, chi, (start, duration), deficit),
         }
     }
 }
@@ -102,6 +98,15 @@ fn age_in_units<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
     let [rate, load_rate, deficit] = [rate, load_rate, deficit].map(|x| scale(x, -exponent));
     let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
     two * deficit / (rate + then)
+}
+
+/// How long before the end of a stretch of any load, from its start on, Y was smaller than at the end by `deficit`.
+#[inline(never)]
+fn age_along_curve<T: Scalar, L: Load<T>>(load: &L, chi: T, (start, duration): (T, T), deficit: T) -> T {
+    let end = start + duration;
+    let hereditary = |time: T| load.force(time) + chi * load.impulse(time);
+    let final_value = load.force_before(end) + chi * load.impulse(end);
+    first_crossing(duration, deficit, |z| final_value - hereditary(end - z))
 }
 
 /// The z in [0, `longest`] at which the increasing `deficit_of` reaches `deficit`.
@@ -150,6 +155,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     }
 
     /// How long before the end the edge passed the radius `high` − `depth`.
+    #[inline]
     pub(super) fn age_at(&self, depth: T) -> T {
         let deficit = self.contact.profile().load_integral_drop(self.high, depth);
         self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit + self.surplus)
@@ -157,6 +163,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
 
     /// δ₀′ e^(−χ age) at the radius s = `high` − `depth`, of which one is rounded: near the edge s, near the centre the
     /// depth.
+    #[inline(always)]
     pub(super) fn density(&self, s: T, depth: T) -> T {
         let fading = (-(self.contact.medium().chi() * self.age_at(depth))).exp();
         self.contact.profile().approach_slope(s) * fading

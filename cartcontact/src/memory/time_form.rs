@@ -9,10 +9,12 @@
 //!
 //! with s from the inverse of J. The integrand stays smooth where the load falls as fast as e^(−χ t), Y′ = 0;
 //! over the radius it would have the square root of a zero. Panels keep their distance from where Y, continued
-//! backwards, reaches zero. The other singularities are where δ₀′ vanishes in the plane of complex radii; where one is
-//! near, s changes so fast that its values at the nodes show it; the finest rule and shorter panels follow. Next to it, panels of √ε/16 of
-//! the stretch are short enough: over one of them s changes like a cube root at worst, by 1e-3 in f64, of which 24
-//! nodes miss 2e-4, and all that times the length is ε. Nothing shorter can be told from the rounding of s.
+//! backwards, reaches zero.
+//!
+//! The other singularities are where δ₀′ vanishes in the plane of complex radii. Where one is near, s changes so fast
+//! that its values at the nodes show it; the finest rule and shorter panels follow. Next to it, panels of √ε/16 of the
+//! stretch are short enough: over one of them s changes like a cube root at worst, by 1e-3 in f64, of which 24 nodes
+//! miss 2e-4, and all that times the length is ε. Nothing shorter can be told from the rounding of s.
 
 use super::Increment;
 use super::quadrature::Rule;
