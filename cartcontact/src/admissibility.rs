@@ -102,7 +102,7 @@ fn invalid<T: Scalar>(c: T, n: T) -> ProfileError {
     ProfileError::InvalidCoefficient { coefficient: c.value(), exponent: n.value(), parameters }
 }
 
-/// Whether C is a number and keeps its digits; twice the coefficient is the largest multiple of it in the closed forms.
+/// Whether C is a number and keeps its digits; twice C is the largest multiple of it in the closed forms.
 fn fits<T: Scalar>(c: T, n: T) -> bool {
     (T::constant(2.0) * c).is_finite() && has_digits(c.abs(), n)
 }

@@ -236,8 +236,8 @@ impl fmt::Display for LoadError {
             ),
             Self::TooSteep { knot, from, to } => write!(
                 f,
-                "knot {knot} is at time {}, so soon after the one at {} that the slope of the load between them is out \
-                 of range; give both the same time, which is a step",
+                "knot {knot} is at time {}, so soon after the one at {} that the slope of the load between them \
+                 is out of range; give both the same time, which is a step",
                 Shown(to),
                 Shown(from)
             ),

@@ -272,20 +272,21 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // Integrals over the radius begin and end at rounded ones.
         self.set_strip(false);
-        let (decay, fading) = (course.decay(chi), course.fading(chi));
+        let decay = course.decay(chi);
         let depth = high - self.now.radius;
         if depth <= high * T::default_epsilon() * T::constant(16.0)
             && self.transition.reach <= self.now.radius
         {
-            self.cover_at_once(high, fading, decay, forces);
+            self.cover_at_once(high, course.fading(chi), decay, forces);
             return;
         }
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
         let low = self.transition.reach.max(self.now.radius);
+        let is_left_out = surplus != exact_surplus && self.transition.reach <= self.now.radius;
+        let kept = is_left_out.then(|| (forces.1 - forces.0) + forces.0 * course.fading(chi));
         let mut increment = Stretch { contact, course, low, high, surplus }.increment();
-        if surplus != exact_surplus && self.transition.reach <= self.now.radius {
-            let kept = (forces.1 - forces.0) + forces.0 * fading;
+        if let Some(kept) = kept {
             increment.carry(kept / contact.stiffness(), (low, high));
         }
         self.transition.advance(decay, self.quarter_m(), increment, low);

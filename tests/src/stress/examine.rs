@@ -274,8 +274,8 @@ impl<T: Precision> Examination<'_, T> {
 
     /// Pressures are finite, not negative, and fall from the axis to the edge.
     ///
-    /// Either of two pressures may be off by a share of what it is. The exact ones rise for certain if the outer less its
-    /// share exceeds the inner and its share; next to the edge that share may be all there is.
+    /// Either of two pressures may be off by a share of what it is. The exact ones rise for certain if the outer less
+    /// its share exceeds the inner and its share; next to the edge that share may be all there is.
     fn course(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64) {
         let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
         let (mut inner, mut most) = (f64::INFINITY, f64::INFINITY);
