@@ -23,6 +23,7 @@ mod attribute;
 mod closed_forms;
 mod coefficient;
 mod common_divisor;
+mod common_factor;
 mod diagnostics;
 mod emit;
 mod end;

@@ -8,7 +8,7 @@ use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 use proc_macro2::Literal;
 
-pub(crate) use crate::rational::{Rational, common_factor};
+pub(crate) use crate::rational::Rational;
 
 /// The largest power of ten that a literal may be written with: beyond every `f64`, and short to write out.
 const MAXIMUM_DECIMAL_EXPONENT: i64 = 400;
