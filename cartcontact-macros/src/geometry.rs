@@ -1,14 +1,14 @@
 //! Attribute and item -> [`Geometry`]: the last stage before code is written.
 
-use crate::admissible::{self, Proof, Wanted};
-use crate::attribute::Attribute;
-use crate::coefficient::{Coefficient, Sign};
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::evaluate::Evaluator;
-use crate::expansion::{self, Options, Truncation};
 use crate::gap::Gap;
-use crate::item::Item;
+use crate::gap::coefficient::{Coefficient, Sign};
+use crate::gap::evaluate::Evaluator;
+use crate::gap::expansion::{self, Options, Truncation};
 use crate::number::{self, Rational};
+use crate::proof::{self, Proof, Wanted};
+use crate::reading::attribute::Attribute;
+use crate::reading::item::Item;
 
 /// A gap whose contact radius is determined in its range.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ pub(crate) fn geometry(
     if let Some(positive) = &attribute.positive {
         positive.check_used(item, diagnostics);
     }
-    match admissible::prove(&gap, &wanted(&range, place)) {
+    match proof::prove(&gap, &wanted(&range, place)) {
         Ok(proof) => Some(Geometry { gap, range, proof, truncation }),
         Err((extent, message)) => {
             diagnostics.report(extent, message);

@@ -5,58 +5,37 @@
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
-//! | `attribute` | the attribute's tokens | expressions and options, as written |
-//! | `item` | the struct's tokens | its name, generics, and fields that can be symbols (`positive`: of known sign) |
-//! | `parse`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers |
-//! | `evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
-//! | `expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
+//! | `reading::attribute` | the attribute's tokens | expressions and options, as written |
+//! | `reading::item` | the struct's tokens | its name, generics, and fields that can be symbols (`positive`: of known sign) |
+//! | `reading::parse`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers |
+//! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
+//! | `gap::expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
 //! | `gap` | powers of r | the same, checked to be a gap |
-//! | `admissible` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `search`, `first_root`, `end`) |
+//! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `search`, `first_root`, `end`) |
 //! | `geometry` | attribute and item | gap, range and proof together |
+//! | `closed_forms` | a gap | approach, load integral and log kernel as sums of powers |
 //! | `seeds` | a gap with constant coefficients | a table from which one step leads to the contact radius |
 //! | `emit` | item and geometry | the solver |
 //!
-//! Faults are collected on the way (`diagnostics`) and reported together.
+//! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported together.
 
-mod admissible;
-mod attribute;
 mod closed_forms;
-mod coefficient;
-mod common_divisor;
-mod common_factor;
 mod diagnostics;
 mod emit;
-mod end;
-mod equation;
-mod evaluate;
-mod expansion;
-mod first_root;
-mod fixed_point;
 mod gap;
 mod geometry;
-mod integer_polynomial;
-mod item;
-mod literal;
-mod minimum;
 mod number;
-mod parse;
-mod part;
-mod polynomial;
-mod positive;
-mod rational;
-mod search;
+mod proof;
+mod reading;
 mod seeds;
-mod shape;
-mod surface;
-mod syntax;
 #[cfg(test)]
 mod tests;
-mod truncation;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::diagnostics::Diagnostics;
+use crate::reading::{attribute, item};
 
 /// Turns a struct into a gap profile: `#[gap_profile(0.025 * r^2, max_radius = 6.0)] struct Knee;`.
 ///

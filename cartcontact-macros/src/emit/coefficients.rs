@@ -10,10 +10,10 @@ use syn::ext::IdentExt;
 
 use super::{Names, arguments, bounded_generics, local};
 use crate::closed_forms::Summand;
-use crate::coefficient::Coefficient;
+use crate::gap::coefficient::Coefficient;
 use crate::geometry::Geometry;
-use crate::item::{FieldKind, Item};
 use crate::number::{self, Rational};
+use crate::reading::item::{FieldKind, Item};
 
 pub(super) struct Coefficients<'a> {
     item: &'a Item,

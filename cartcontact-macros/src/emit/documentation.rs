@@ -3,13 +3,13 @@
 use num_traits::One;
 
 use super::operations::Operations;
-use crate::admissible::Proof;
 use crate::closed_forms::{ClosedForms, PowerSum};
-use crate::coefficient::Coefficient;
-use crate::expansion::Truncation;
 use crate::gap::Gap;
+use crate::gap::coefficient::Coefficient;
+use crate::gap::expansion::Truncation;
 use crate::geometry::{Geometry, Range};
 use crate::number::{Rational, decimal, integer};
+use crate::proof::Proof;
 use crate::seeds::Seeds;
 
 /// The lines of the documentation, to stand behind the item's own.

@@ -9,8 +9,8 @@ use quote::{ToTokens, quote};
 use super::coefficients::Coefficients;
 use super::{Names, arguments, bounded_generics};
 use crate::geometry::{Geometry, Range};
-use crate::item::Item;
 use crate::number::literal;
+use crate::reading::item::Item;
 
 pub(super) fn block(
     item: &Item,

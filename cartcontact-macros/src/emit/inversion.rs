@@ -8,7 +8,7 @@ use super::coefficients::Coefficients;
 use super::power_sum::{Whole, pairs};
 use super::{Names, local, seeds};
 use crate::closed_forms::ClosedForms;
-use crate::coefficient::Sign;
+use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{integer, literal};
 

@@ -16,7 +16,7 @@ use syn::GenericParam;
 
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
-use crate::item::{FieldKind, Item};
+use crate::reading::item::{FieldKind, Item};
 use coefficients::Coefficients;
 use operations::Operations;
 

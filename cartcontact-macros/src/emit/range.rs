@@ -7,12 +7,12 @@ use syn::ext::IdentExt;
 
 use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
-use crate::admissible::Proof;
-use crate::coefficient::Coefficient;
 use crate::gap::Gap;
+use crate::gap::coefficient::Coefficient;
 use crate::geometry::{Geometry, Range};
-use crate::item::{Field, Item};
 use crate::number::{integer, literal};
+use crate::proof::Proof;
+use crate::reading::item::{Field, Item};
 
 pub(super) fn methods(
     item: &Item,

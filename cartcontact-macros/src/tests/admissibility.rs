@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use num_traits::Zero;
 use proc_macro2::Span;
 
-use crate::admissible::{Proof, Wanted, prove};
-use crate::coefficient::Coefficient;
+use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
-use crate::literal;
 use crate::number::{Rational, integer};
+use crate::proof::{Proof, Wanted, prove};
+use crate::reading::literal;
 
 /// The coefficients of a factor of delta0', in ascending order.
 type Factor = Vec<Rational>;

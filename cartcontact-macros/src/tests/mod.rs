@@ -11,10 +11,10 @@ mod surfaces;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::admissible::Proof;
 use crate::diagnostics::Diagnostics;
 use crate::geometry::{Geometry, geometry};
-use crate::{attribute, item};
+use crate::proof::Proof;
+use crate::reading::{attribute, item};
 
 fn run(attribute: TokenStream, item: TokenStream) -> Result<Geometry, Vec<String>> {
     let mut diagnostics = Diagnostics::default();

@@ -4,12 +4,12 @@ use num_traits::Zero;
 use proc_macro2::Span;
 
 use super::{on_ball, on_unit, shown};
-use crate::coefficient::Coefficient;
+use crate::gap::coefficient::Coefficient;
+use crate::gap::surface::Surface;
 use crate::number::{Rational, integer};
-use crate::surface::Surface;
 
 fn exact(text: &str) -> Rational {
-    crate::literal::number(text).unwrap()
+    crate::reading::literal::number(text).unwrap()
 }
 
 fn order(text: &str) -> u32 {

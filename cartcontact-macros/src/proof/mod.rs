@@ -13,14 +13,24 @@
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29-33, doi 10.1016/j.mechrescom.2010.11.006, Eq. (10).
 
+mod common_divisor;
+pub(crate) mod end;
+pub(crate) mod equation;
+mod first_root;
+mod fixed_point;
+mod integer_polynomial;
+mod minimum;
+mod part;
+mod search;
+
 use core::cmp::Ordering;
 
-use crate::coefficient::Sign;
 use crate::diagnostics::Extent;
-use crate::end::End;
-use crate::equation::first_zero;
+use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{self, Rational};
+use end::End;
+use equation::first_zero;
 
 /// Where delta0'(a) is known to be positive.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -20,8 +20,8 @@
 
 use num_traits::One;
 
-use crate::coefficient::Coefficient;
 use crate::diagnostics::Extent;
+use crate::gap::coefficient::Coefficient;
 use crate::number::{Rational, integer};
 
 /// A surface times a weight.
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     fn number(text: &str) -> Coefficient {
-        Coefficient::constant(crate::literal::number(text).unwrap())
+        Coefficient::constant(crate::reading::literal::number(text).unwrap())
     }
 
     fn surface(radius: &str, conic_constant: &str) -> Surface {

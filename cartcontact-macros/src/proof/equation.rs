@@ -6,10 +6,10 @@
 use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::end::End;
-use crate::integer_polynomial::{IntegerPolynomial, from_terms};
 use crate::number::Rational;
-use crate::search::{TooIntricate, first_root};
+use crate::proof::end::End;
+use crate::proof::integer_polynomial::{IntegerPolynomial, from_terms};
+use crate::proof::search::{TooIntricate, first_root};
 
 /// Bounds the time that a proof takes; enough for all integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;

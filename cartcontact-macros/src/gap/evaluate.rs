@@ -6,14 +6,14 @@ use num_traits::One;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
-use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::{Field, Item, Meaning};
+use crate::gap::coefficient::Coefficient;
+use crate::gap::polynomial::Polynomial;
+use crate::gap::shape::Shape;
+use crate::gap::surface::Surface;
 use crate::number::Rational;
-use crate::polynomial::Polynomial;
-use crate::shape::Shape;
-use crate::surface::Surface;
-use crate::syntax::{self, Expression, Factor, Kind, Summand};
+use crate::reading::item::{Field, Item, Meaning};
+use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
 
 /// What it cannot evaluate it reports, and goes on beside it.
 pub(crate) struct Evaluator<'a> {

@@ -24,7 +24,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use crate::integer_polynomial::IntegerPolynomial;
+use crate::proof::integer_polynomial::IntegerPolynomial;
 
 /// Where the first root in the interval from 0 to 1 is.
 #[derive(Debug, PartialEq, Eq)]

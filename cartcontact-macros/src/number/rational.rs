@@ -13,7 +13,7 @@ use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::common_factor::common_factor;
+use crate::number::common_factor::common_factor;
 
 /// A fraction in lowest terms with a positive denominator; only what comes from [`new_raw`](Self::new_raw) may not be.
 #[derive(Clone, Debug, PartialEq, Eq)]

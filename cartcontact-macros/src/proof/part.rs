@@ -16,9 +16,9 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use crate::fixed_point::{Numbers, binomials};
-use crate::integer_polynomial::IntegerPolynomial;
-use crate::minimum::Convex;
+use crate::proof::fixed_point::{Numbers, binomials};
+use crate::proof::integer_polynomial::IntegerPolynomial;
+use crate::proof::minimum::Convex;
 
 /// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
 #[derive(Clone, Debug)]

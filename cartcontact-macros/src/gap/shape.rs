@@ -5,11 +5,11 @@
 
 use num_traits::One;
 
-use crate::coefficient::Coefficient;
 use crate::diagnostics::Extent;
+use crate::gap::coefficient::Coefficient;
+use crate::gap::polynomial::Polynomial;
+use crate::gap::surface::Surface;
 use crate::number::Rational;
-use crate::polynomial::Polynomial;
-use crate::surface::Surface;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Shape {

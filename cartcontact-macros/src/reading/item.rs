@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 use syn::{Data, DeriveInput, Fields, Generics, Type};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::literal;
+use crate::reading::literal;
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {

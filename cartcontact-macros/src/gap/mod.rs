@@ -1,11 +1,21 @@
-//! [`Polynomial`] -> [`Gap`]: checks that a sum of powers is a gap.
+//! Syntax -> [`Gap`], by way of a sum of powers and surfaces: what was written, with exact coefficients.
+//!
+//! Here the last step, [`Polynomial`] -> [`Gap`]: it checks that a sum of powers is a gap.
+
+pub(crate) mod coefficient;
+pub(crate) mod evaluate;
+pub(crate) mod expansion;
+pub(crate) mod polynomial;
+pub(crate) mod shape;
+pub(crate) mod surface;
+pub(crate) mod truncation;
 
 use num_traits::Zero;
 
-use crate::coefficient::Coefficient;
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::number::{self, Rational};
-use crate::polynomial::{Monomial, Polynomial};
+use coefficient::Coefficient;
+use polynomial::{Monomial, Polynomial};
 
 const MAXIMUM_EXPONENT: u32 = 1024;
 const MAXIMUM_TERMS: usize = 256;

@@ -1,7 +1,7 @@
 //! What a series cut off at r^N neglects, bounded relative to the gap.
 //!
 //! Let Φ be the gap with its surfaces exact, and E what is cut off. Surface by surface, the terms c_j r^(2j) of a
-//! series ([`crate::surface`]) shrink at least by
+//! series ([`crate::gap::surface`]) shrink at least by
 //!
 //! ```text
 //! |c_(j+1)| r² / |c_j| = |κ| r²/R² (2j−1)/(2j+2) < q,    q = |κ| ρ²/R² < 1,    r ≤ ρ
@@ -24,11 +24,11 @@ use std::collections::BTreeMap;
 
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::coefficient::Coefficient;
-use crate::equation::first_zero;
+use crate::gap::coefficient::Coefficient;
+use crate::gap::shape::Shape;
+use crate::gap::surface::Surface;
 use crate::number::{Rational, floor, integer};
-use crate::shape::Shape;
-use crate::surface::Surface;
+use crate::proof::equation::first_zero;
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;

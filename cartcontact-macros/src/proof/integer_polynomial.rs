@@ -4,8 +4,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use crate::common_factor::common_factor;
 use crate::number::Rational;
+use crate::number::common_factor::common_factor;
 
 /// Coefficients in ascending order of powers; the last is not zero. Zero itself has none.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -18,7 +18,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::integer_polynomial::IntegerPolynomial;
+use crate::proof::integer_polynomial::IntegerPolynomial;
 
 /// Below it every product of two residues fits into a `u64`.
 const FIRST_PRIME_ABOVE: u64 = 1 << 31;

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::{Item, Meaning, closest};
+use crate::reading::item::{Item, Meaning, closest};
 
 /// The option as it was written, at `place`.
 pub(crate) struct Positive {
@@ -129,7 +129,7 @@ mod tests {
                 name: String,
             }
         );
-        let mut item = crate::item::parse(input, &mut diagnostics).unwrap();
+        let mut item = crate::reading::item::parse(input, &mut diagnostics).unwrap();
         let positive =
             Positive { place: Span::call_site(), names: names.map(|names| names.parse().unwrap()) };
         positive.declare(&mut item, &mut diagnostics);

@@ -9,10 +9,10 @@ use syn::Path;
 use syn::parse::Parser;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::closest;
-use crate::parse;
-use crate::positive::Positive;
-use crate::syntax::{Expression, Kind, Summand};
+use crate::reading::item::closest;
+use crate::reading::parse;
+use crate::reading::positive::Positive;
+use crate::reading::syntax::{Expression, Kind, Summand};
 
 #[derive(Default)]
 pub(crate) struct Attribute {

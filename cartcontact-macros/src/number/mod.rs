@@ -3,12 +3,15 @@
 //! Every number of a profile is a rational from its first digit to the moment it becomes an `f64` literal in the
 //! generated code, so it is rounded once. Sizes are bounded wherever a short text could stand for a huge number.
 
+pub(crate) mod common_factor;
+mod rational;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 use proc_macro2::Literal;
 
-pub(crate) use crate::rational::Rational;
+pub(crate) use rational::Rational;
 
 /// The largest power of ten that a literal may be written with: beyond every `f64`, and short to write out.
 const MAXIMUM_DECIMAL_EXPONENT: i64 = 400;
@@ -94,7 +97,7 @@ pub(crate) fn decimal(value: &Rational) -> String {
 
 /// Whether the digits that stand for the `f64` are the number itself.
 fn is_written(value: &Rational, shortest: f64) -> bool {
-    crate::literal::number(&format!("{shortest:e}")).is_ok_and(|written| written == *value)
+    crate::reading::literal::number(&format!("{shortest:e}")).is_ok_and(|written| written == *value)
 }
 
 fn plain(value: f64) -> String {

@@ -1,6 +1,6 @@
 //! Isolating the smallest positive root of a polynomial: Descartes' rule of signs on ever smaller intervals.
 //!
-//! The sign changes of Bernstein's coefficients bound the number of roots in an interval ([`part`](crate::part)): there
+//! The sign changes of Bernstein's coefficients bound the number of roots in an interval ([`part`](crate::proof::part)): there
 //! is none if there is no change, one if there is one, and they never grow when the interval is divided. So the
 //! interval in front is divided until there is 0 or 1.
 //!
@@ -28,11 +28,11 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use crate::common_divisor::square_free;
-use crate::first_root::{FirstRoot, Place};
-use crate::integer_polynomial::IntegerPolynomial;
-use crate::minimum::{Exact, First, Undecided};
-use crate::part::{Bernstein, Part, SignChanges, Whole};
+use crate::proof::common_divisor::square_free;
+use crate::proof::first_root::{FirstRoot, Place};
+use crate::proof::integer_polynomial::IntegerPolynomial;
+use crate::proof::minimum::{Exact, First, Undecided};
+use crate::proof::part::{Bernstein, Part, SignChanges, Whole};
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
 const MAXIMUM_LENGTH: u64 = 1 << 19;

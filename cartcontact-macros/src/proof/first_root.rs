@@ -5,9 +5,9 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{Pow, Zero};
 
-use crate::common_divisor::common_divisor;
-use crate::integer_polynomial::IntegerPolynomial;
 use crate::number::Rational;
+use crate::proof::common_divisor::common_divisor;
+use crate::proof::integer_polynomial::IntegerPolynomial;
 
 /// A positive root that has no positive root below it.
 #[derive(Debug)]

@@ -5,16 +5,16 @@
 
 use num_traits::{One, ToPrimitive};
 
-use crate::attribute::Attribute;
 use crate::diagnostics::Extent;
-use crate::evaluate::Evaluator;
+use crate::gap::evaluate::Evaluator;
+use crate::gap::polynomial::{Monomial, Polynomial};
+use crate::gap::shape::Shape;
+use crate::gap::surface::Surface;
+use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
 use crate::geometry::Range;
 use crate::number::{Rational, decimal, integer};
-use crate::polynomial::{Monomial, Polynomial};
-use crate::shape::Shape;
-use crate::surface::Surface;
-use crate::syntax::{Expression, Kind};
-use crate::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
+use crate::reading::attribute::Attribute;
+use crate::reading::syntax::{Expression, Kind};
 
 /// A place and what is wrong there.
 type Fault = (Extent, String);
@@ -237,7 +237,7 @@ fn too_low(order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<St
 }
 
 fn three_digits(value: f64) -> String {
-    crate::literal::number(&format!("{value:.2e}"))
+    crate::reading::literal::number(&format!("{value:.2e}"))
         .map_or_else(|_| value.to_string(), |value| decimal(&value))
 }
 

@@ -1,4 +1,4 @@
-//! Tokens -> [`Expression`], by recursive descent along the grammar in [`crate::syntax`].
+//! Tokens -> [`Expression`], by recursive descent along the grammar in [`crate::reading::syntax`].
 //!
 //! A fault costs one term: it is reported, the rest of its term is skipped, and reading goes on behind the next `+`
 //! or `-`, so one compilation reports the faults of all terms. Every call consumes a token or ends its loop, and
@@ -7,9 +7,9 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::item::{closest, known_number};
-use crate::literal;
-use crate::syntax::{Expression, Factor, Kind, Summand, Surface};
+use crate::reading::item::{closest, known_number};
+use crate::reading::literal;
+use crate::reading::syntax::{Expression, Factor, Kind, Summand, Surface};
 
 const MAXIMUM_DEPTH: usize = 64;
 

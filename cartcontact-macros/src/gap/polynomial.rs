@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 
 use num_traits::{ToPrimitive, Zero};
 
-use crate::coefficient::Coefficient;
 use crate::diagnostics::Extent;
+use crate::gap::coefficient::Coefficient;
 use crate::number::Rational;
 
 /// Bounds the work of multiplying out, far above what a profile needs.

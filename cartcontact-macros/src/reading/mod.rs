@@ -1,0 +1,8 @@
+//! Tokens -> what is written in them, with its places; nothing is evaluated.
+
+pub(crate) mod attribute;
+pub(crate) mod item;
+pub(crate) mod literal;
+pub(crate) mod parse;
+pub(crate) mod positive;
+pub(crate) mod syntax;
