@@ -414,6 +414,10 @@ const _: () = {
         fn is_smooth_at_centre(&self) -> bool {
             false
         }
+        #[inline]
+        fn has_only_positive_terms(&self) -> bool {
+            false
+        }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl<'a, S: Copy, T> Any<'a, S, T>

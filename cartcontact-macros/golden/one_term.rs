@@ -200,6 +200,10 @@ const _: () = {
         fn is_smooth_at_centre(&self) -> bool {
             true
         }
+        #[inline]
+        fn has_only_positive_terms(&self) -> bool {
+            true
+        }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl Paraboloid {

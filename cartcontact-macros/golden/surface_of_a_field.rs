@@ -393,6 +393,10 @@ const _: () = {
         fn is_smooth_at_centre(&self) -> bool {
             true
         }
+        #[inline]
+        fn has_only_positive_terms(&self) -> bool {
+            false
+        }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl Ball {

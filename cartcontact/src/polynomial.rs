@@ -154,4 +154,8 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     fn is_smooth_at_centre(&self) -> bool {
         self.has_whole_exponents
     }
+
+    fn has_only_positive_terms(&self) -> bool {
+        !self.has_negative_terms
+    }
 }

@@ -15,6 +15,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::GenericParam;
 
 use crate::closed_forms::ClosedForms;
+use crate::gap::coefficient::Sign;
 use crate::geometry::Geometry;
 use crate::reading::item::{FieldKind, Item};
 use coefficients::Coefficients;
@@ -215,16 +216,20 @@ fn bounded_generics(item: &Item, names: &Names<'_>) -> syn::Generics {
     generics
 }
 
-/// What quadrature has to know of the exponents.
+/// What quadrature has to know of the terms.
 fn shape(geometry: &Geometry, names: &Names<'_>) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
     let is_smooth = terms.iter().all(|term| term.exponent.is_integer());
+    let is_positive = terms.iter().all(|term| term.coefficient.certain_sign() == Some(Sign::NotNegative));
     quote! {
         #[inline]
         fn highest_exponent(&self) -> #scalar { #constant(#highest) }
 
         #[inline]
         fn is_smooth_at_centre(&self) -> bool { #is_smooth }
+
+        #[inline]
+        fn has_only_positive_terms(&self) -> bool { #is_positive }
     }
 }

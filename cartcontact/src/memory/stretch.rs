@@ -161,12 +161,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit + self.surplus)
     }
 
-    /// δ₀′ e^(−χ age) at the radius s = `high` − `depth`, of which one is rounded: near the edge s, near the centre the
-    /// depth.
+    /// δ₀′ and e^(−χ age) at the radius s = `high` − `depth`, of which one is rounded: near the edge s, near the centre
+    /// the depth.
     #[inline(always)]
-    pub(super) fn density(&self, s: T, depth: T) -> T {
+    pub(super) fn slope_and_fading(&self, s: T, depth: T) -> (T, T) {
         let fading = (-(self.contact.medium().chi() * self.age_at(depth))).exp();
-        self.contact.profile().approach_slope(s) * fading
+        (self.contact.profile().approach_slope(s), fading)
     }
 
     /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.

@@ -198,6 +198,12 @@ pub trait GapProfile<T: Scalar> {
         false
     }
 
+    /// Whether no coefficient is negative. Where one may be, integrals look out for radii at which δ₀′ nearly
+    /// vanishes.
+    fn has_only_positive_terms(&self) -> bool {
+        false
+    }
+
     /// Checks the values of a geometry whose coefficients are known at run time only.
     ///
     /// # Errors
@@ -253,6 +259,9 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     }
     fn is_smooth_at_centre(&self) -> bool {
         (**self).is_smooth_at_centre()
+    }
+    fn has_only_positive_terms(&self) -> bool {
+        (**self).has_only_positive_terms()
     }
     fn check(&self) -> Result<(), ProfileError> {
         (**self).check()
