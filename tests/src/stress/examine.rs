@@ -1,6 +1,6 @@
 //! One scene through every public result, compared with the exact ones.
 
-use cartcontact::load::PiecewiseLinear;
+use cartcontact::load::{LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
 
 use super::condition;
@@ -149,6 +149,9 @@ impl<T: Precision> Examination<'_, T> {
             }
             (ContactError::BeyondRange { .. }, None) => true,
             (ContactError::InvalidTime { time }, _) => !time.is_finite(),
+            (ContactError::Load(LoadError::InvalidImpulse { .. }), _) => {
+                self.impulse(time, y) > T::MOST * (1.0 - 8.0 * T::EPSILON)
+            }
             (ContactError::OutOfRange { .. }, radius) => self.is_out_of_range(time, y, radius),
             (_, radius) => {
                 let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
@@ -160,11 +163,16 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
+    /// ∫F up to a time, from Y.
+    fn impulse(&self, time: Wide, y: Wide) -> f64 {
+        (y * self.exact.stiffness() - self.exact.force(time)).value() / self.scene.chi.value()
+    }
+
     /// Whether a number that has to have all its digits has not.
     fn is_out_of_range(&self, time: Wide, y: Wide, radius: Option<Wide>) -> bool {
         let force = self.exact.force(time).value();
         let chi = self.scene.chi.value();
-        let impulse = (y * self.exact.stiffness() - Wide::of(force)).value() / chi;
+        let impulse = self.impulse(time, y);
         let fourth = radius.map_or(0.0, |a| (a * a * a * a).value());
         let slope = radius.map_or(0.0, |a| (y / (a * a * a * a * a)).value());
         let curvature = if fourth > 0.0 { force / fourth } else { 0.0 };

@@ -23,7 +23,8 @@ impl<T: Precision> Examination<'_, T> {
             let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
             let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
             let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
-            let intermediate = [self.contact.profile().load_integral(now.radius()), least];
+            let load_integral = self.contact.profile().load_integral(now.radius());
+            let intermediate = [load_integral, load_integral * T::power_of_two(5 * length), least];
             let has_room = |x: &T| {
                 x.is_zero()
                     || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
