@@ -24,7 +24,14 @@ impl<T: Precision> Examination<'_, T> {
             let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
             let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
             let load_integral = self.contact.profile().load_integral(now.radius());
-            let intermediate = [load_integral, load_integral * T::power_of_two(5 * length), least];
+            let impulse = self.least_impulse();
+            let intermediate = [
+                least,
+                load_integral,
+                load_integral * T::power_of_two(5 * length),
+                impulse,
+                impulse * T::power_of_two(force + time),
+            ];
             let has_room = |x: &T| {
                 x.is_zero()
                     || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
@@ -52,5 +59,13 @@ impl<T: Precision> Examination<'_, T> {
                 );
             }
         }
+    }
+
+    /// The least impulse between two knots that is not zero, and zero if there is none.
+    fn least_impulse(&self) -> T {
+        let impulses =
+            self.scene.knots.windows(2).map(|pair| (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1));
+        let least = impulses.filter(|impulse| !impulse.is_zero()).fold(T::infinity(), T::min);
+        if least.is_finite() { least } else { T::zero() }
     }
 }
