@@ -36,7 +36,7 @@ impl<T: Scalar> Piece<T> {
 
     /// ∫F over the piece.
     pub(crate) fn impulse(&self) -> T {
-        self.duration() * (self.start.1 + self.end.1) * T::constant(0.5)
+        self.duration() * ((self.start.1 + self.end.1) * T::constant(0.5))
     }
 
     /// The part of it between two times, of which at least one is within the piece.

@@ -319,6 +319,13 @@ mod tests {
     }
 
     #[test]
+    fn an_impulse_may_be_as_large_as_any_number() -> Result<(), LoadError> {
+        let load = PiecewiseLinear::new([(0.0, 1.5e17_f32), (1.5e21, 1.5e17)])?;
+        assert_eq!(load.impulse(1.5e21), 1.5e21 * 1.5e17);
+        Ok(())
+    }
+
+    #[test]
     fn recession_is_where_the_hereditary_load_turns() -> Result<(), LoadError> {
         // F′ = −2, χ F = 2 at F = 20, that is at t = 40 of the fall from 100.
         let load = PiecewiseLinear::new([(0.0, 100.0), (50.0, 0.0)])?;
