@@ -112,11 +112,17 @@ impl Rule {
     /// The nodes on [low, high] with their weights.
     #[inline]
     pub(crate) fn nodes<T: Scalar>(self, low: T, high: T) -> impl Iterator<Item = (T, T)> {
+        self.pairs(low, high).flat_map(|(nodes, weight)| nodes.map(|node| (node, weight)))
+    }
+
+    /// The nodes on either side of the middle of [low, high], from there on outwards, with the weight of both.
+    #[inline]
+    pub(super) fn pairs<T: Scalar>(self, low: T, high: T) -> impl Iterator<Item = ([T; 2], T)> {
         let middle = (low + high) * T::constant(0.5);
         let radius = (high - low) * T::constant(0.5);
-        self.half.iter().flat_map(move |&(node, weight)| {
+        self.half.iter().map(move |&(node, weight)| {
             let (offset, weight) = (radius * T::constant(node), radius * T::constant(weight));
-            [(middle - offset, weight), (middle + offset, weight)]
+            ([middle - offset, middle + offset], weight)
         })
     }
 }

@@ -92,9 +92,8 @@ where
     let mut is_steady = true;
     // The outermost nodes so far, toward the edge and toward the centre.
     let mut steepness = [T::zero(), T::infinity()];
-    let mut nodes = rule.nodes(start, end);
-    while let (Some(outer), Some(inner)) = (nodes.next(), nodes.next()) {
-        let [of_outer, of_inner] = [outer, inner].map(|(depth, weight)| {
+    for (depths, weight) in rule.pairs(start, end) {
+        let [of_outer, of_inner] = depths.map(|depth| {
             let s = stretch.high - depth;
             let (slope, fading) = stretch.slope_and_fading(s, depth);
             sum.add(weight * slope * fading, s, stretch.low);

@@ -92,15 +92,15 @@ fn increment_of_panel<T: Scalar>(
 ) -> (Increment<T>, bool) {
     let mut sum = Increment::zero();
     let mut coefficients = (T::zero(), T::zero());
-    let mut nodes = rule.nodes(start, end);
     let mut size = T::zero();
-    for (first, highest) in rule.coefficients() {
-        let mut difference = T::zero();
-        for (x, weight) in nodes.by_ref().take(2) {
-            let (s, density) = at(x);
+    for ((ages, weight), (first, highest)) in rule.pairs(start, end).zip(rule.coefficients()) {
+        let [later, earlier] = ages.map(|age| {
+            let (s, density) = at(age);
             sum.add(weight * density, s, low);
-            (difference, size) = (s - difference, s);
-        }
+            s
+        });
+        let difference = earlier - later;
+        size = earlier;
         coefficients.0 += T::constant(first) * difference;
         coefficients.1 += T::constant(highest) * difference;
     }
