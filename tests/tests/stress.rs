@@ -140,6 +140,10 @@ fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error
     assert_eq!(at(1.0, 1e-290)?, None);
     assert!(Medium::from_constants(1e-310, 0.0).is_err() && Medium::from_constants(1.0, 1e-310).is_err());
     assert!(Polynomial::new([(1e-306, 64.0)]).is_err());
+    // J is in range, but a J′ = 710 J is not.
+    let medium = Medium::from_constants(6e-306, 5e-8)?;
+    let steep = Contact::new(Polynomial::new([(8.0, 706.0)])?, medium, Constant(0.135))?;
+    assert!(matches!(steep.at(3e10), Err(ContactError::OutOfRange { .. })));
     Ok(())
 }
 

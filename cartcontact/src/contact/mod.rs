@@ -267,11 +267,26 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
-        if keeps_digits(loading.force, radius, load_integral) {
+        if self.keeps_digits(loading.force, radius, load_integral) {
             Ok(radius)
         } else {
             Err(ContactError::OutOfRange { time: t.value(), force: loading.force.value() })
         }
+    }
+
+    /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
+    ///
+    /// J/a⁵ is δ₀′ but for a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
+    #[inline(always)]
+    fn keeps_digits(&self, force: T, radius: T, load_integral: T) -> bool {
+        let square = radius * radius;
+        let power = square * square;
+        let slope = self.profile.approach_slope(radius);
+        let has_power = (power >= smallest_normal()) & power.is_finite();
+        let has_slope = is_normal(load_integral / radius, power) & slope.is_finite();
+        let has_increments = (power * slope * radius).is_finite();
+        let has_pressure = force.is_zero() | is_normal(force, power);
+        radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)
     }
 
     /// What is known of the load at a time.
@@ -325,18 +340,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 /// The hereditary load of a radius over its load integral: π m/4.
 fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
     medium.m() * T::frac_pi_4()
-}
-
-/// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite.
-///
-/// J/a⁵ is δ₀′ but for a factor of 8 to 2056, and F/a⁴ is the curvature.
-#[inline(always)]
-fn keeps_digits<T: Scalar>(force: T, radius: T, load_integral: T) -> bool {
-    let square = radius * radius;
-    let power = square * square;
-    let has_power = (power >= smallest_normal()) & power.is_finite();
-    let has_pressure = force.is_zero() | is_normal(force, power);
-    radius.is_zero() | (has_power & is_normal(load_integral / radius, power) & has_pressure)
 }
 
 /// Whether a quotient is neither subnormal nor infinite.

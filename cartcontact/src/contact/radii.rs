@@ -5,7 +5,7 @@
 //! one, until the first without a radius names its fault.
 
 use super::common::CommonSizes;
-use super::{Contact, ContactError, is_time, keeps_digits};
+use super::{Contact, ContactError, is_time};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::load::{Load, is_force};
@@ -102,7 +102,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
             || {
                 let contacts = self.times.iter().zip(&*self.radii).zip(&*self.load_integrals);
                 contacts.fold(true, |all, ((&time, &radius), &load_integral)| {
-                    all & keeps_digits(self.contact.load.force(time), radius, load_integral)
+                    all & self.contact.keeps_digits(self.contact.load.force(time), radius, load_integral)
                 })
             },
         )
