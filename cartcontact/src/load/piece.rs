@@ -1,6 +1,7 @@
 //! A straight part of a load.
 
 use crate::Scalar;
+use crate::scalar::smallest_normal;
 
 /// A part of a load that is linear in time, from one time in s with its force in N to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +32,15 @@ impl<T: Scalar> Piece<T> {
         if self.duration().is_zero() {
             return self.end.1;
         }
-        self.start.1 + self.rise() * ((t - self.start.0) / self.duration())
+        let elapsed = t - self.start.0;
+        let share = elapsed / self.duration();
+        // A share so small has lost digits, which the slope has not.
+        let rise = if share < smallest_normal() {
+            self.rise() / self.duration() * elapsed
+        } else {
+            self.rise() * share
+        };
+        self.start.1 + rise
     }
 
     /// ∫F over the piece.

@@ -326,6 +326,13 @@ mod tests {
     }
 
     #[test]
+    fn a_force_right_after_the_start_has_all_its_digits() -> Result<(), LoadError> {
+        let load = PiecewiseLinear::new([(0.0, 0.0), (3e10, 3e300)])?;
+        assert!((load.force(1e-307) / 1e-17 - 1.0_f64).abs() <= 2.0 * f64::EPSILON);
+        Ok(())
+    }
+
+    #[test]
     fn recession_is_where_the_hereditary_load_turns() -> Result<(), LoadError> {
         // F′ = −2, χ F = 2 at F = 20, that is at t = 40 of the fall from 100.
         let load = PiecewiseLinear::new([(0.0, 100.0), (50.0, 0.0)])?;
