@@ -22,7 +22,7 @@ use num_traits::One;
 
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
-use crate::number::{Rational, integer};
+use crate::number::{Rational, fraction, integer};
 
 /// A surface times a weight.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ pub(crate) struct Surface {
 
 /// b_(j+1)/b_j.
 pub(crate) fn binomial_ratio(j: u32) -> Rational {
-    Rational::new((2 * j - 1).into(), (2 * j + 2).into())
+    fraction(2 * j - 1, 2 * j + 2)
 }
 
 impl Surface {
@@ -57,7 +57,7 @@ impl Surface {
     pub(crate) fn series(&self, count: u32) -> Result<Vec<Coefficient>, &'static str> {
         let inverse = self.radius.power(&-Rational::one())?;
         let step = self.shape.multiply(&inverse.power(&integer(2))?);
-        let mut next = self.weight.multiply(&inverse).scaled(&Rational::new(1.into(), 2.into()));
+        let mut next = self.weight.multiply(&inverse).scaled(&fraction(1, 2));
         let mut terms = Vec::new();
         for j in 1..=count {
             let after = next.multiply(&step).scaled(&binomial_ratio(j));
@@ -92,7 +92,7 @@ mod tests {
     fn the_coefficients_are_those_of_the_formula() {
         let factorial =
             |n: u32| (1..=n).map(integer).fold(Rational::one(), |product, factor| product * factor);
-        let (radius, shape) = (integer(20), Rational::new(3.into(), 4.into()));
+        let (radius, shape) = (integer(20), fraction(3, 4));
         for (j, value) in (1..).zip(coefficients(&surface("20", "-0.25"), 30)) {
             let power = |base: &Rational, exponent: u32| base.pow(i32::try_from(exponent).unwrap());
             let binomial =

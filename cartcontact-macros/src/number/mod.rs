@@ -23,6 +23,11 @@ pub(crate) fn integer(value: impl Into<BigInt>) -> Rational {
     Rational::from_integer(value.into())
 }
 
+/// The quotient of two integers, of which the second is not zero.
+pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigInt>) -> Rational {
+    Rational::new(numerator.into(), denominator.into())
+}
+
 /// The nearest `f64`, unless that is zero or infinite.
 pub(crate) fn nearest(value: &Rational) -> Option<f64> {
     value.to_f64().filter(|nearest| nearest.is_finite() && *nearest != 0.0)
@@ -109,10 +114,6 @@ fn plain(value: f64) -> String {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
-
-    fn fraction(numerator: i64, denominator: i64) -> Rational {
-        Rational::new(numerator.into(), denominator.into())
-    }
 
     #[test]
     fn literals_are_rounded_once_and_shortest() {

@@ -300,10 +300,7 @@ fn quotient(number: BigInt, divisor: &BigInt) -> BigInt {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
-
-    fn fraction(numerator: i64, denominator: i64) -> Rational {
-        Rational::new(numerator.into(), denominator.into())
-    }
+    use crate::number::fraction;
 
     #[test]
     fn fractions_are_in_lowest_terms() {

@@ -78,19 +78,16 @@ fn without_underscores(digits: &str) -> String {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
-
-    fn ratio(numerator: i64, denominator: i64) -> Rational {
-        Rational::new(numerator.into(), denominator.into())
-    }
+    use crate::number::fraction;
 
     #[test]
     fn decimals_mean_what_is_written() {
-        assert_eq!(number("0.025").unwrap(), ratio(1, 40));
-        assert_eq!(number("1.09375e-4").unwrap(), ratio(7, 64_000));
-        assert_eq!(number("1_000.5_0").unwrap(), ratio(2001, 2));
-        assert_eq!(number("1E+2").unwrap(), ratio(100, 1));
-        assert_eq!(number("2.").unwrap(), ratio(2, 1));
-        assert_eq!(number("1.0e400").unwrap() * number("1e-400").unwrap(), ratio(1, 1));
+        assert_eq!(number("0.025").unwrap(), fraction(1, 40));
+        assert_eq!(number("1.09375e-4").unwrap(), fraction(7, 64_000));
+        assert_eq!(number("1_000.5_0").unwrap(), fraction(2001, 2));
+        assert_eq!(number("1E+2").unwrap(), fraction(100, 1));
+        assert_eq!(number("2.").unwrap(), fraction(2, 1));
+        assert_eq!(number("1.0e400").unwrap() * number("1e-400").unwrap(), fraction(1, 1));
     }
 
     #[test]

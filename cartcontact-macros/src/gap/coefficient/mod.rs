@@ -258,6 +258,7 @@ mod tests {
     use quote::format_ident;
 
     use super::*;
+    use crate::number::fraction;
 
     fn number(value: i64) -> Coefficient {
         Coefficient::constant(number::integer(value))
@@ -265,10 +266,6 @@ mod tests {
 
     fn field(name: &str) -> Coefficient {
         Coefficient::field(format_ident!("{name}"))
-    }
-
-    fn fraction(numerator: i64, denominator: i64) -> Rational {
-        Rational::new(numerator.into(), denominator.into())
     }
 
     fn inverse(of: &Coefficient) -> Coefficient {

@@ -46,7 +46,7 @@ mod tests {
     use quote::format_ident;
 
     use super::*;
-    use crate::number::{Rational, integer};
+    use crate::number::{Rational, fraction, integer};
 
     #[test]
     fn even_powers_decide() {
@@ -60,10 +60,7 @@ mod tests {
         assert_eq!(power(&sum, -3).certain_sign(), Some(Sign::NotNegative));
         assert_eq!(sum.add(&a).certain_sign(), None);
         assert_eq!(power(&a, 2).add(&one.negated()).certain_sign(), None);
-        assert_eq!(
-            a.power(&Rational::new(1.into(), 2.into())).unwrap().certain_sign(),
-            Some(Sign::NotNegative)
-        );
+        assert_eq!(a.power(&fraction(1, 2)).unwrap().certain_sign(), Some(Sign::NotNegative));
     }
 
     #[test]

@@ -180,10 +180,7 @@ mod tests {
     use quote::format_ident;
 
     use super::*;
-
-    fn fraction(numerator: i64, denominator: i64) -> Rational {
-        Rational::new(numerator.into(), denominator.into())
-    }
+    use crate::number::fraction;
 
     fn power(of: &Coefficient, numerator: i64, denominator: i64) -> Coefficient {
         of.power(&fraction(numerator, denominator)).unwrap()
