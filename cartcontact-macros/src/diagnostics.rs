@@ -10,7 +10,7 @@ use quote::ToTokens;
 /// A stretch of source: the first and the last token of what a message points at.
 ///
 /// Stable Rust cannot join two spans into one, but a diagnostic may start at one and end at another.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Extent {
     first: Span,
     last: Span,
@@ -46,7 +46,7 @@ impl ToTokens for Extent {
 }
 
 /// The faults found so far.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Diagnostics {
     errors: Option<syn::Error>,
 }

@@ -11,7 +11,6 @@ use crate::reading::attribute::Attribute;
 use crate::reading::item::Item;
 
 /// A gap whose contact radius is determined in its range.
-#[derive(Clone, Debug)]
 pub(crate) struct Geometry {
     pub(crate) gap: Gap,
     pub(crate) range: Range,
@@ -21,7 +20,7 @@ pub(crate) struct Geometry {
 }
 
 /// The radii that the geometry is declared for.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
 pub(crate) enum Range {
     Unbounded,
     /// Up to the exact value of an `f64`.
@@ -62,7 +61,7 @@ pub(crate) fn geometry(
         expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     let gap = Gap::new(powers, written.extent, diagnostics)?;
     item.mark_used(
-        |field| uses(&gap, &range, truncation.as_ref()).any(|value| value.fields().contains(field)),
+        |field| uses(&gap, &range, truncation.as_ref()).any(|value| value.depends_on(field)),
         diagnostics,
     );
     if let Some(positive) = &attribute.positive {

@@ -19,6 +19,8 @@
 //!
 //! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported together.
 
+// Who uses the crate compiles this one: `Debug` costs time, so only what a test prints has it, and only there.
+
 mod closed_forms;
 mod diagnostics;
 mod emit;

@@ -42,7 +42,6 @@ const ALLOWED_ERROR: f64 = f64::EPSILON / 8.0;
 const MARGIN: f64 = 1.25;
 
 /// The contact radius a(y) ≈ Σ rows\[k\]\[i\] uⁱ with y = u · 2^e, 1 ≤ u < 2, and k = 4 e + ⌊4 (u − 1)⌋ − first.
-#[derive(Clone, Debug)]
 pub(crate) struct Seeds {
     pub(crate) first: i32,
     /// Whether single precision holds everything that the step computes.

@@ -1,8 +1,6 @@
 //! The coefficients of the gap in generated code: literals where they are constants, otherwise computed once per
 //! call from the fields.
 
-use std::collections::BTreeSet;
-
 use num_traits::One;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -13,7 +11,7 @@ use crate::closed_forms::Summand;
 use crate::gap::coefficient::Coefficient;
 use crate::geometry::Geometry;
 use crate::number::{self, Rational};
-use crate::reading::item::{FieldKind, Item};
+use crate::reading::item::{Field, FieldKind, Item};
 
 pub(super) struct Coefficients<'a> {
     item: &'a Item,
@@ -77,7 +75,6 @@ impl<'a> Coefficients<'a> {
     pub(super) fn function(&self) -> TokenStream {
         let values: Vec<TokenStream> =
             self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect();
-        let needed = self.symbolic().flat_map(|(_, coefficient)| coefficient.fields()).collect();
         if values.is_empty() {
             return TokenStream::new();
         }
@@ -86,7 +83,9 @@ impl<'a> Coefficients<'a> {
         let generics = bounded_generics(self.item, self.names);
         let (impl_generics, _, where_clause) = generics.split_for_impl();
         let profile = local("profile");
-        let fields = self.fields(&quote!(#profile), &needed);
+        let fields = self.fields(&quote!(#profile), &|field| {
+            self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
+        });
         quote! {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
             #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
@@ -104,9 +103,9 @@ impl<'a> Coefficients<'a> {
     }
 
     /// Binds the needed fields of `profile`, an expression, as scalars ([`field_variable`]).
-    pub(super) fn fields(&self, profile: &TokenStream, needed: &BTreeSet<&Ident>) -> TokenStream {
+    pub(super) fn fields(&self, profile: &TokenStream, needed: &dyn Fn(&Field) -> bool) -> TokenStream {
         let constant = self.names.constant();
-        let bindings = self.item.fields.iter().filter(|field| needed.contains(&field.ident)).map(|field| {
+        let bindings = self.item.fields.iter().filter(|field| needed(field)).map(|field| {
             let (ident, variable) = (&field.ident, field_variable(&field.ident));
             match field.kind {
                 FieldKind::TypeParameter(_) => quote!(let #variable = #profile.#ident;),

@@ -74,8 +74,8 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>
 
 /// The value of an expression in the fields.
 fn in_fields(value: &Coefficient, coefficients: &Coefficients<'_>) -> TokenStream {
-    let (fields, value_of_fields) =
-        (coefficients.fields(&quote!(self), &value.fields()), coefficients.expression(value));
+    let fields = coefficients.fields(&quote!(self), &|field| value.depends_on(&field.ident));
+    let value_of_fields = coefficients.expression(value);
     if fields.is_empty() { value_of_fields } else { quote!({ #fields #value_of_fields }) }
 }
 
@@ -178,8 +178,9 @@ impl Checked<'_> {
 
     /// What binds the values of some fields, and the fields' names and variables.
     fn named(&self, fields: &[&Field]) -> (TokenStream, Vec<TokenStream>, Vec<Ident>) {
-        let bindings =
-            self.coefficients.fields(&quote!(self), &fields.iter().map(|field| &field.ident).collect());
+        let bindings = self
+            .coefficients
+            .fields(&quote!(self), &|field| fields.iter().any(|wanted| wanted.ident == field.ident));
         let names = fields.iter().map(|field| field.ident.unraw().to_string().into_token_stream());
         (bindings, names.collect(), fields.iter().map(|field| field_variable(&field.ident)).collect())
     }

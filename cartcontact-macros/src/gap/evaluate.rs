@@ -1,7 +1,5 @@
 //! Syntax -> [`Shape`]: gives names their meaning and numbers their values.
 
-use std::collections::BTreeSet;
-
 use num_traits::One;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -20,12 +18,12 @@ pub(crate) struct Evaluator<'a> {
     item: &'a Item,
     diagnostics: &'a mut Diagnostics,
     /// Fields whose type has been reported.
-    mistyped: BTreeSet<Ident>,
+    mistyped: Vec<Ident>,
 }
 
 impl<'a> Evaluator<'a> {
     pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, mistyped: BTreeSet::new() }
+        Evaluator { item, diagnostics, mistyped: Vec::new() }
     }
 
     /// What a gap is worth as far as it can be evaluated, and whether that is all.
@@ -79,7 +77,8 @@ impl<'a> Evaluator<'a> {
             Meaning::Unknown { .. } if !self.item.is_struct => None,
             Meaning::Unknown { remedy } => self.fault(extent, format!("`{name}` is unknown; {remedy}")),
             Meaning::WrongType(ty) => {
-                if self.mistyped.insert(name.clone()) {
+                if !self.mistyped.contains(name) {
+                    self.mistyped.push(name.clone());
                     self.diagnostics.add(syn::Error::new_spanned(
                         ty,
                         format!("the field `{name}` of a gap must be a number; give it the type `f64`, `f32` or a type parameter"),

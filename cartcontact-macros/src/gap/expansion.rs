@@ -20,7 +20,7 @@ use crate::reading::syntax::{Expression, Kind};
 type Fault = (Extent, String);
 
 /// How far surfaces were expanded.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Truncation {
     pub(crate) order: u32,
     /// What is neglected at most, relative to the gap, if that can be told when the program is compiled.
@@ -135,7 +135,7 @@ fn without_surfaces(
     match order.or(tolerance) {
         // A gap of which nothing is left is reported when it is checked.
         None => Ok((powers, None)),
-        Some(_) if powers.terms().next().is_none() => Ok((powers, None)),
+        Some(_) if powers.terms().is_empty() => Ok((powers, None)),
         Some((name, extent)) => Err((
             *extent,
             format!("`{name}` is for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove it"),
@@ -188,7 +188,7 @@ impl Wanted<'_> {
             (Range::Symbolic(_), _) => return Ok(Err(RANGE_OF_FIELDS)),
             _ => return Ok(Err(NO_RANGE)),
         };
-        if self.shape.powers.terms().any(|(exponent, _)| !is_of_a_gap(exponent)) {
+        if self.shape.powers.terms().iter().any(|(exponent, _)| !is_of_a_gap(exponent)) {
             return Ok(Err(NOT_A_GAP));
         }
         match Neglected::new(self.shape, radius, highest) {

@@ -2,43 +2,50 @@
 //!
 //! Between the syntax and the gap: nothing is required of the exponents yet, so `(r^3 + r^5)/r` passes through.
 
-use std::collections::BTreeMap;
-
 use num_traits::{ToPrimitive, Zero};
 
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
+use crate::gap::like_terms::{LikeTerms, Summable};
 use crate::number::Rational;
 
 /// Bounds the work of multiplying out, far above what a profile needs.
 const MAXIMUM_PRODUCTS: usize = 1 << 14;
 
 /// Terms by exponent; no coefficient is zero.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Polynomial {
-    terms: BTreeMap<Rational, Monomial>,
+    terms: LikeTerms<Rational, Monomial>,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Monomial {
     pub(crate) coefficient: Coefficient,
     /// Where the first contribution to it was written.
     pub(crate) extent: Extent,
 }
 
+impl Summable for Monomial {
+    fn add(&mut self, other: Self) {
+        self.coefficient = self.coefficient.add(&other.coefficient);
+    }
+
+    fn vanishes(&self) -> bool {
+        self.coefficient.is_zero()
+    }
+}
+
 impl Polynomial {
     pub(crate) fn new(coefficient: Coefficient, exponent: Rational, extent: Extent) -> Self {
-        let mut polynomial = Polynomial::default();
-        polynomial.accumulate(exponent, Monomial { coefficient, extent });
-        polynomial
+        Polynomial { terms: LikeTerms::of(exponent, Monomial { coefficient, extent }) }
     }
 
     pub(crate) fn constant(coefficient: Coefficient, extent: Extent) -> Self {
         Polynomial::new(coefficient, Rational::zero(), extent)
     }
 
-    pub(crate) fn terms(&self) -> impl Iterator<Item = (&Rational, &Monomial)> {
-        self.terms.iter()
+    pub(crate) fn terms(&self) -> &[(Rational, Monomial)] {
+        &self.terms
     }
 
     pub(crate) fn into_terms(self) -> impl Iterator<Item = (Rational, Monomial)> {
@@ -47,16 +54,17 @@ impl Polynomial {
 
     /// The coefficient, if there is no power of r.
     pub(crate) fn as_coefficient(&self) -> Option<Coefficient> {
-        match self.single_term() {
-            Some((exponent, monomial)) => exponent.is_zero().then(|| monomial.coefficient.clone()),
-            None => self.terms.is_empty().then(|| Coefficient::constant(Rational::zero())),
+        match self.terms() {
+            [] => Some(Coefficient::constant(Rational::zero())),
+            [(exponent, monomial)] if exponent.is_zero() => Some(monomial.coefficient.clone()),
+            _ => None,
         }
     }
 
     /// A single term is where the whole expression that makes it is written.
     pub(crate) fn located(mut self, extent: Extent) -> Self {
         if self.terms.len() == 1 {
-            self.terms.values_mut().for_each(|monomial| monomial.extent = extent);
+            self.terms.map(|monomial| monomial.extent = extent);
         }
         self
     }
@@ -68,9 +76,7 @@ impl Polynomial {
     }
 
     pub(crate) fn negated(mut self) -> Self {
-        for monomial in self.terms.values_mut() {
-            monomial.coefficient = monomial.coefficient.negated();
-        }
+        self.terms.map(|monomial| monomial.coefficient = monomial.coefficient.negated());
         self
     }
 
@@ -82,8 +88,8 @@ impl Polynomial {
             return Err("this multiplies out to too many terms; write a gap of at most 256 terms");
         }
         let mut product = Polynomial::default();
-        for (exponent, monomial) in &self.terms {
-            for (other_exponent, other_monomial) in &other.terms {
+        for (exponent, monomial) in self.terms() {
+            for (other_exponent, other_monomial) in other.terms() {
                 let coefficient = monomial.coefficient.multiply(&other_monomial.coefficient);
                 let monomial = Monomial { coefficient, extent: monomial.extent };
                 product.accumulate(exponent + other_exponent, monomial);
@@ -93,7 +99,7 @@ impl Polynomial {
     }
 
     pub(crate) fn power(&self, exponent: &Rational) -> Result<Polynomial, &'static str> {
-        if let Some((own, monomial)) = self.single_term() {
+        if let [(own, monomial)] = self.terms() {
             let coefficient = monomial.coefficient.power(exponent)?;
             return Ok(Polynomial::new(coefficient, own * exponent, monomial.extent));
         }
@@ -125,17 +131,7 @@ impl Polynomial {
         Ok(result)
     }
 
-    fn single_term(&self) -> Option<(&Rational, &Monomial)> {
-        self.terms.iter().next().filter(|_| self.terms.len() == 1)
-    }
-
     pub(crate) fn accumulate(&mut self, exponent: Rational, monomial: Monomial) {
-        let sum = match self.terms.remove(&exponent) {
-            Some(own) => Monomial { coefficient: own.coefficient.add(&monomial.coefficient), ..own },
-            None => monomial,
-        };
-        if !sum.coefficient.is_zero() {
-            self.terms.insert(exponent, sum);
-        }
+        self.terms.add(exponent, monomial);
     }
 }

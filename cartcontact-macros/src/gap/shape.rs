@@ -11,7 +11,7 @@ use crate::gap::polynomial::Polynomial;
 use crate::gap::surface::Surface;
 use crate::number::Rational;
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Shape {
     pub(crate) powers: Polynomial,
     /// None is like another, no weight is zero.

@@ -25,7 +25,7 @@ use crate::gap::coefficient::Coefficient;
 use crate::number::{Rational, fraction, integer};
 
 /// A surface times a weight.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Surface {
     pub(crate) weight: Coefficient,
     /// R, not zero.

@@ -20,11 +20,11 @@
 //! series itself while the e_j have one sign, as those of two spheres have.
 
 use core::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::gap::coefficient::Coefficient;
+use crate::gap::like_terms::LikeTerms;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, floor, integer};
@@ -44,7 +44,7 @@ fn count(order: u32) -> usize {
     (order / 2 + TERMS_AHEAD + 1) as usize
 }
 
-type Powers = BTreeMap<Rational, Rational>;
+type Powers = LikeTerms<Rational, Rational>;
 
 /// A gap with constant surfaces on a range that ends inside all of them.
 pub(crate) struct Neglected {
@@ -81,11 +81,10 @@ impl Neglected {
         radius: &Rational,
         highest_order: u32,
     ) -> Option<Result<Self, BeyondRim>> {
-        let powers = shape
-            .powers
-            .terms()
-            .map(|(exponent, monomial)| Some((exponent.clone(), monomial.coefficient.as_constant()?)));
-        let powers = powers.collect::<Option<Powers>>()?;
+        let mut powers = Powers::default();
+        for (exponent, monomial) in shape.powers.terms() {
+            powers.add(exponent.clone(), monomial.coefficient.as_constant()?);
+        }
         let surfaces = shape.surfaces.iter().map(|surface| Series::new(surface, radius, highest_order));
         let surfaces = surfaces.collect::<Option<Result<Vec<Series>, BeyondRim>>>()?;
         Some(surfaces.map(|surfaces| {
@@ -98,16 +97,14 @@ impl Neglected {
     pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, &'static str> {
         let (below, above) = self.bounds(order);
         let mut difference = above;
-        difference.values_mut().for_each(|value| *value = -&*value);
+        difference.map(|value| *value = -&*value);
         for (exponent, value) in below {
-            *difference.entry(exponent).or_insert_with(Rational::zero) += value * tolerance;
+            difference.add(exponent, value * tolerance);
         }
-        let terms: Vec<(Rational, Rational)> =
-            difference.into_iter().filter(|(_, value)| !value.is_zero()).collect();
-        if !terms.first().is_some_and(|(_, value)| value.is_positive()) {
+        if !difference.first().is_some_and(|(_, value)| value.is_positive()) {
             return Ok(false);
         }
-        let end = first_zero(&terms)?;
+        let end = first_zero(&difference)?;
         Ok(end.is_none_or(|mut end| end.compare(&self.radius) == Ordering::Greater))
     }
 
@@ -154,20 +151,17 @@ impl Neglected {
     /// D and B.
     fn bounds(&self, order: u32) -> (Powers, Powers) {
         let last = order / 2 + TERMS_AHEAD;
-        let (mut below, mut above) = (self.powers.clone(), Powers::new());
+        let (mut below, mut above) = (self.powers.clone(), Powers::default());
         for (j, sum) in (1..=last).zip(&self.sums) {
             let exponent = integer(2 * j);
-            *below.entry(exponent.clone()).or_insert_with(Rational::zero) += &sum.below;
-            if 2 * j > order && !sum.size.is_zero() {
-                above.insert(exponent, sum.size.clone());
+            below.add(exponent.clone(), sum.below.clone());
+            if 2 * j > order {
+                above.add(exponent, sum.size.clone());
             }
         }
-        let rest = rest(&self.surfaces, last as usize);
-        if !rest.is_zero() {
-            let exponent = integer(2 * last + 2);
-            *below.entry(exponent.clone()).or_insert_with(Rational::zero) -= &rest;
-            above.insert(exponent, rest);
-        }
+        let (rest, exponent) = (rest(&self.surfaces, last as usize), integer(2 * last + 2));
+        below.add(exponent.clone(), -&rest);
+        above.add(exponent, rest);
         (below, above)
     }
 

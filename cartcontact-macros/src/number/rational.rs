@@ -16,7 +16,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use crate::number::common_factor::common_factor;
 
 /// A fraction in lowest terms with a positive denominator; only what comes from [`new_raw`](Self::new_raw) may not be.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) struct Rational {
     numerator: BigInt,
     denominator: BigInt,

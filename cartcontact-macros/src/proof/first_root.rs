@@ -10,7 +10,6 @@ use crate::proof::common_divisor::common_divisor;
 use crate::proof::integer_polynomial::IntegerPolynomial;
 
 /// A positive root that has no positive root below it.
-#[derive(Debug)]
 pub(crate) struct FirstRoot {
     /// Has this root, and only simple ones.
     polynomial: IntegerPolynomial,
@@ -18,7 +17,6 @@ pub(crate) struct FirstRoot {
 }
 
 /// In units of 2^exponent.
-#[derive(Debug)]
 pub(crate) enum Place {
     At {
         offset: BigInt,

@@ -21,7 +21,7 @@ use num_bigint::{BigInt, Sign};
 use num_traits::{One, Signed, Zero};
 
 /// Numbers in digits of 64 bits; all of a number's digits are from 0 to 2^64 but the highest, which has its sign.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Numbers {
     /// The digits of all numbers by rank, the lowest first; there is one rank at least.
     ranks: Vec<Vec<i128>>,

@@ -8,7 +8,8 @@ use crate::number::Rational;
 use crate::number::common_factor::common_factor;
 
 /// Coefficients in ascending order of powers; the last is not zero. Zero itself has none.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) struct IntegerPolynomial {
     coefficients: Vec<BigInt>,
 }

@@ -33,7 +33,8 @@ use end::End;
 use equation::first_zero;
 
 /// Where delta0'(a) is known to be positive.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) enum Proof {
     /// For every a > 0, with the reason.
     AllRadii { by: &'static str },

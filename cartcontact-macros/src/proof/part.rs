@@ -4,24 +4,24 @@
 //! nearly all of which no sign depends on. Rounded to units of a power of two they stay short, and a sign is taken
 //! from them only if the error cannot change it.
 //!
-//! **Way.** With coefficients a_j = c_j/C(n, j), those of p(f + w x) are those of p(f x) behind the right edge of their
-//! triangle of sums, times (w/f)^j; and its left edge is Bernstein's.
+//! **Way.** With coefficients a_j = M c_j/C(n, j), where M makes all of them integers, those of p(f + w x) are those of
+//! p(f x) behind the right edge of their triangle of sums, times (w/f)^j; and its left edge is Bernstein's.
 //!
-//! **Error.** For f from 1 to 2, in units of a number with some digits more: rounding a_j and the power f^j < 2^j leaves
+//! **Error.** For f from 1 to 2, in units of a number with some digits more: cutting a_j and the power f^j < 2^j leaves
 //! 2^j + 1; the right edge less than 3^n; rounding the powers of w/f makes that at most (n + 1) 3^n, and the left edge
 //! (n + 1) 3^n (1 + w)^n. All of it is less than one unit of the result if there are [`guard`] digits more.
 
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive, Zero};
 
 use crate::proof::fixed_point::{Numbers, binomials};
 use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::minimum::Convex;
 
 /// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
-#[derive(Clone, Debug)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) struct Part {
     pub(crate) offset: BigInt,
     pub(crate) bits: u64,
@@ -50,7 +50,10 @@ impl Part {
 /// A polynomial over the interval from 1 to 2.
 pub(crate) struct Whole {
     pub(crate) polynomial: IntegerPolynomial,
-    binomials: Vec<BigInt>,
+    /// c_j/C(n, j), times the least number that makes all of them integers.
+    scaled: Vec<BigInt>,
+    /// That of the longest coefficient c_j times that number, in bits.
+    length: u64,
 }
 
 /// Digits that are lost on the way to Bernstein's basis over a part of width 2^-width: more than
@@ -61,8 +64,12 @@ fn guard(degree: u64, width: u64) -> u64 {
 
 impl Whole {
     pub(crate) fn new(polynomial: IntegerPolynomial) -> Self {
-        let binomials = binomials(polynomial.degree());
-        Whole { polynomial, binomials }
+        let multiple = common_multiple(polynomial.degree());
+        let coefficients = polynomial.coefficients().iter().zip(binomials(polynomial.degree()));
+        let scaled =
+            coefficients.map(|(coefficient, binomial)| coefficient * (&multiple / binomial)).collect();
+        let length = polynomial.length() + multiple.bits();
+        Whole { polynomial, scaled, length }
     }
 
     pub(crate) fn degree(&self) -> u64 {
@@ -78,34 +85,15 @@ impl Whole {
     pub(crate) fn over(&self, part: &Part, digits: u64) -> Bernstein {
         let guard = guard(self.degree(), part.width);
         let [left, _] = Numbers::new(&self.scaled_powers(part, digits + guard)).edges();
-        // Undecided numbers are zero where the unit is finer than what all of them are multiples of: lcm C(n, j) <
-        // 4^n at most divides them.
-        let finest = self.polynomial.length() + self.degree() * (part.bits + 2);
+        // Undecided numbers are zero where the unit is finer than what all of them are multiples of.
+        let finest = self.length + self.degree() * part.bits;
         let is_exact = digits > finest + u64::from(u64::BITS);
         Bernstein { numbers: left.shifted_down(|_| guard as usize), error: 2, is_exact }
     }
 
-    /// In powers, for a part where it is convex; the error is less than a unit.
-    pub(crate) fn convex_over(&self, part: &Part, digits: u64) -> Convex {
-        // The products with C(n, j) < 2^n lose as many digits.
-        let guard = guard(self.degree(), part.width) + self.degree();
-        let scaled = self.scaled_powers(part, digits + guard);
-        let unit = BigInt::one() << guard;
-        let coefficients =
-            scaled.iter().zip(&self.binomials).map(|(value, binomial)| value * binomial / &unit);
-        Convex::new(IntegerPolynomial::new(coefficients.collect()))
-    }
-
     /// The coefficients in powers, divided by C(n, j).
     fn scaled_powers(&self, part: &Part, digits: u64) -> Vec<BigInt> {
-        let length = self.polynomial.length();
-        let coefficients = self.polynomial.coefficients().iter().zip(&self.binomials);
-        let mut scaled: Vec<BigInt> = coefficients
-            .map(|(coefficient, binomial)| match digits.checked_sub(length) {
-                Some(missing) => (coefficient << missing) / binomial,
-                None => (coefficient >> (length - digits)) / binomial,
-            })
-            .collect();
+        let mut scaled = with_digits(&self.scaled, self.length, digits);
         let start = part.end(0);
         let (short, bits) = shortened(&start, part.bits, digits);
         multiply_by_powers(&mut scaled, &short, bits, digits);
@@ -115,6 +103,24 @@ impl Whole {
         multiply_by_powers(&mut shifted, &ratio, digits, digits);
         shifted
     }
+}
+
+/// Numbers of which the longest has `length` bits, cut to `digits`.
+pub(crate) fn with_digits(numbers: &[BigInt], length: u64, digits: u64) -> Vec<BigInt> {
+    match digits.checked_sub(length) {
+        Some(missing) => numbers.iter().map(|number| number << missing).collect(),
+        None => numbers.iter().map(|number| number >> (length - digits)).collect(),
+    }
+}
+
+/// The least common multiple of C(n, 0), …, C(n, n): that of 1, …, n + 1 divided by n + 1 (B. Farhi, Amer. Math.
+/// Monthly 116 (2009) 836-839).
+fn common_multiple(degree: usize) -> BigInt {
+    let multiple = (2..=degree + 1).fold(BigInt::one(), |multiple, next| {
+        let shared = (&multiple % next).to_usize().unwrap_or(0).gcd(&next);
+        multiple * (next / shared)
+    });
+    multiple / (degree + 1)
 }
 
 /// offset/2^bits with so many bits at most.
@@ -142,7 +148,6 @@ fn multiply_by_powers(numbers: &mut [BigInt], fraction: &BigInt, bits: u64, prec
 /// The signs of b_0, …, b_n change as often as there are roots inside, or more often by an even number; if none
 /// changes, there is no root. b_0 and b_n are the values at the ends (R. T. Farouki, Comput. Aided Geom. Des. 29 (2012)
 /// 379-419, doi 10.1016/j.cagd.2012.03.001).
-#[derive(Debug)]
 pub(crate) struct Bernstein {
     numbers: Numbers,
     /// In units.
@@ -152,7 +157,8 @@ pub(crate) struct Bernstein {
 }
 
 /// How often the sign changes at least and at most.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) struct SignChanges {
     pub(crate) least: usize,
     pub(crate) most: usize,
@@ -170,24 +176,22 @@ impl Bernstein {
         [lower, upper].map(|numbers| Bernstein { numbers, error: self.error + 1, is_exact: false })
     }
 
-    /// The sign at the lower end, if it is certain.
-    pub(crate) fn sign_at_start(&self) -> Option<Ordering> {
-        self.sign(0)
-    }
-
     fn sign(&self, index: usize) -> Option<Ordering> {
         self.numbers.sign(index, self.error).or(self.is_exact.then_some(Ordering::Equal))
     }
 
-    /// Along the coefficients, of which the first and the last have these signs.
-    pub(crate) fn sign_changes(&self, start: Ordering, end: impl FnOnce() -> Ordering) -> SignChanges {
+    /// The sign at the lower end, if it is certain, and the changes along the coefficients. The first and the last of
+    /// them are asked for if they alone are not certain.
+    pub(crate) fn sign_changes(&self, exactly: impl Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
         let mut signs: Vec<Option<Ordering>> =
             (0..self.numbers.len()).map(|index| self.sign(index)).collect();
-        if let [first, .., last] = signs.as_mut_slice() {
-            *first = Some(start);
-            *last = Some(last.unwrap_or_else(end));
+        if let [first, between @ .., last] = signs.as_mut_slice()
+            && between.iter().all(Option::is_some)
+        {
+            first.get_or_insert_with(|| exactly(0));
+            last.get_or_insert_with(|| exactly(1));
         }
-        SignChanges::along(&signs)
+        (signs.first().copied().flatten(), SignChanges::along(&signs))
     }
 
     /// Whether the polynomial is certainly convex: Bernstein's coefficients of its curvature are positive multiples of
@@ -198,17 +202,41 @@ impl Bernstein {
         signs.all(|sign| sign == Some(Ordering::Greater))
     }
 
-    /// Where Newton's method for a root of this multiplicity leads from the lower end, in units of 2^-bits of the
-    /// part, if that is inside.
-    pub(crate) fn newton(&self, multiplicity: usize, bits: u64) -> Option<BigInt> {
-        let (value, next) = (self.numbers.value(0), self.numbers.value(1));
+    /// Where all roots of the part may be, if that is a small piece of it: from offset/2^bits on, 2^(2-bits) long.
+    ///
+    /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster. Roots that are
+    /// s away from their mean move these by about s², as s itself cancels: so the points agree in twice as many bits as
+    /// the piece may be shorter.
+    pub(crate) fn cluster(&self, multiplicity: usize) -> Option<(BigInt, u64)> {
+        let last = self.numbers.len() - 1;
+        let lower = self.newton(multiplicity, 0, 1)?;
+        let upper = (BigInt::one() << FINEST) - self.newton(multiplicity, last, last - 1)?;
+        let agreement = FINEST.checked_sub((&upper - &lower).bits())?;
+        let bits = (agreement / 2).checked_sub(MARGIN).filter(|bits| *bits >= SHORTEST)?;
+        let centre: BigInt = (lower + upper) >> (FINEST + 1 - bits);
+        let last: BigInt = (BigInt::one() << bits) - 4;
+        let offset: BigInt = centre - 2;
+        Some((offset.clamp(BigInt::zero(), last), bits))
+    }
+
+    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-FINEST of the part, if that
+    /// is inside.
+    fn newton(&self, multiplicity: usize, end: usize, neighbour: usize) -> Option<BigInt> {
+        let (value, next) = (self.numbers.value(end), self.numbers.value(neighbour));
         let degree = self.numbers.len() - 1;
         let (step, fall) = (&value * multiplicity, (&value - next) * degree);
         let inside = !fall.is_zero() && (fall < BigInt::zero()) == (value < BigInt::zero());
-        let position = (step << bits) / if inside { fall } else { return None };
-        (position <= BigInt::one() << bits).then_some(position)
+        let position = (step << FINEST) / if inside { fall } else { return None };
+        (position <= BigInt::one() << FINEST).then_some(position)
     }
 }
+
+/// Newton's method is followed to units of 2^-FINEST of the part.
+const FINEST: u64 = 1024;
+/// By so many bits the piece around a cluster is longer than its roots seem to be apart.
+const MARGIN: u64 = 1;
+/// A piece that is not shorter by so many bits comes about by halving as well.
+const SHORTEST: u64 = 5;
 
 impl SignChanges {
     /// Zeros aside; a sign that is not certain is taken as what makes the changes fewest, or most.
@@ -281,11 +309,11 @@ mod tests {
     fn numbers_are_as_near_as_they_say() {
         for degree in [1, 5, 20] {
             let whole = whole(degree);
-            let digits = whole.polynomial.length() + 10;
+            let (digits, multiple) = (whole.length + 10, common_multiple(degree));
             let close = |local: &Bernstein, part: &Part| {
                 for j in 0..=degree {
                     let (value, unit) = coefficient(&whole, part, j);
-                    let difference: BigInt = local.numbers.value(j) * &unit - (value << 10_u32);
+                    let difference: BigInt = local.numbers.value(j) * &unit - ((value * &multiple) << 10_u32);
                     assert!(
                         difference.magnitude() < (unit * local.error).magnitude(),
                         "{degree}: {part:?}, {j}"
@@ -307,6 +335,32 @@ mod tests {
         let deeper = parts().pop().unwrap();
         let [lower, upper] = [0, 1].map(|end| deeper.end(end));
         assert_eq!((upper - lower, deeper.bits, deeper.width), (BigInt::one(), 41, 41));
+    }
+
+    #[test]
+    fn common_multiples_are_the_least() {
+        for degree in [1, 2, 5, 20, 64] {
+            let multiple = binomials(degree).iter().fold(BigInt::one(), |multiple, next| multiple.lcm(next));
+            assert_eq!(common_multiple(degree), multiple);
+        }
+    }
+
+    /// Three roots near 5/3 of the interval from 1 to 2, and a fourth far away.
+    #[test]
+    fn clusters_are_met() {
+        let factor = |polynomial: Vec<BigInt>, [constant, slope]: [i64; 2]| -> Vec<BigInt> {
+            let shifted = core::iter::once(BigInt::zero()).chain(polynomial.iter().map(|c| c * slope));
+            let constants = polynomial.iter().map(|c| c * constant).chain([BigInt::zero()]);
+            shifted.zip(constants).map(|(high, low)| high + low).collect()
+        };
+        let roots =
+            [[5_000_001, -3_000_000], [5_000_000, -3_000_000], [4_999_998, -3_000_000], [1 << 40, -1]];
+        let whole = Whole::new(IntegerPolynomial::new(roots.into_iter().fold(vec![BigInt::one()], factor)));
+        let Some((offset, bits)) = whole.over(&Part::whole(), 300).cluster(3) else { unreachable!() };
+        let piece = Part::whole().within(&offset, bits, bits - 2);
+        let changes = whole.over(&piece, 300).sign_changes(|end| whole.sign_at(&piece, end)).1;
+        assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
+        assert_eq!(whole.over(&Part::whole(), 300).cluster(2), None);
     }
 
     #[test]

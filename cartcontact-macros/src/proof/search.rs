@@ -1,17 +1,16 @@
 //! Isolating the smallest positive root of a polynomial: Descartes' rule of signs on ever smaller intervals.
 //!
-//! The sign changes of Bernstein's coefficients bound the number of roots in an interval ([`part`](crate::proof::part)): there
-//! is none if there is no change, one if there is one, and they never grow when the interval is divided. So the
-//! interval in front is divided until there is 0 or 1.
+//! The sign changes of Bernstein's coefficients bound the number of roots in an interval
+//! ([`part`](crate::proof::part)): there is none if there is no change, one if there is one, and they never grow when
+//! the interval is divided. So the interval in front is divided until there is 0 or 1.
 //!
 //! The search goes from one power of two to the next, as roots may be of any magnitude; most of these intervals a
 //! bound that costs nothing skips.
 //!
 //! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c gives
-//! p'/p = k/(x - c) nearby, so c is close to a - k p(a)/p'(a): if a small interval there keeps all k sign changes,
-//! nothing else is left to look at, and the next leap may be twice as long in bits. This is tried where halving has
-//! not parted the roots a few times. Two sign changes that are left where the polynomial is convex are decided by its
-//! minimum (`minimum`).
+//! p'/p = k/(x - c) nearby, so c is close to a - k p(a)/p'(a). Where both ends a of an interval lead to nearly the same
+//! point, a small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at. Two sign
+//! changes that are left where the polynomial is convex are decided by its minimum (`minimum`).
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
@@ -26,12 +25,11 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::Zero;
 
 use crate::proof::common_divisor::square_free;
 use crate::proof::first_root::{FirstRoot, Place};
 use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::minimum::{Exact, First, Undecided};
+use crate::proof::minimum::{Convex, First, Undecided};
 use crate::proof::part::{Bernstein, Part, SignChanges, Whole};
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
@@ -40,7 +38,6 @@ const MAXIMUM_LENGTH: u64 = 1 << 19;
 const MAXIMUM_DIGITS: u64 = 1 << 16;
 
 /// A proof takes longer numbers than [`MAXIMUM_LENGTH`] and [`MAXIMUM_DIGITS`] allow.
-#[derive(Debug)]
 pub(crate) struct TooIntricate;
 
 /// The smallest positive root of a polynomial that is positive at 0.
@@ -71,35 +68,24 @@ struct Search {
     exponent: i64,
 }
 
-/// A part of the interval, and what was learnt on the way to it.
+/// A part of the interval with the polynomial over it.
 struct Candidate {
     part: Part,
     local: Bernstein,
     digits: u64,
-    /// The sign changes of the part that this one was made of.
-    count: usize,
-    /// How often there were as many in a half.
-    kept: u32,
-    /// A leap of b bits tries an interval 2^(b-1) times shorter.
-    leap: u64,
 }
-
-const SHORTEST_LEAP: u64 = 4;
-/// Halvings that part no roots, before a leap is tried.
-const PATIENCE: u32 = 3;
 
 impl Search {
     fn first_place(&self) -> Result<Option<Place>, TooIntricate> {
         let (part, digits) = (Part::whole(), self.few_digits());
         let local = self.whole.over(&part, digits);
-        let mut ahead = vec![Candidate { part, local, digits, count: 0, kept: 0, leap: SHORTEST_LEAP }];
-        while let Some(mut front) = ahead.pop() {
-            let start = front.local.sign_at_start().unwrap_or_else(|| self.whole.sign_at(&front.part, 0));
-            if start.is_eq() {
-                return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
-            }
-            let changes = front.local.sign_changes(start, || self.whole.sign_at(&front.part, 1));
+        let mut ahead = vec![Candidate { part, local, digits }];
+        while let Some(front) = ahead.pop() {
+            let (start, changes) = front.local.sign_changes(|end| self.whole.sign_at(&front.part, end));
             match changes {
+                _ if start == Some(Ordering::Equal) => {
+                    return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
+                }
                 SignChanges { most: 0, .. } => {}
                 SignChanges { least: 1, most: 1 } => {
                     return Ok(Some(self.between(&front.part, &front.part.end(1), front.part.bits)));
@@ -110,14 +96,10 @@ impl Search {
                         return Ok(Some(place));
                     }
                 }
-                SignChanges { most: count, .. } => {
-                    front.kept = if front.count == count { front.kept + 1 } else { 0 };
-                    front.count = count;
-                    match self.around_cluster(&front)? {
-                        Some(closer) => ahead.push(closer),
-                        None => ahead.extend(front.halves()),
-                    }
-                }
+                SignChanges { most: count, .. } => match self.around_cluster(&front, count)? {
+                    Some(closer) => ahead.push(closer),
+                    None => ahead.extend(front.halves()),
+                },
             }
         }
         Ok(None)
@@ -138,28 +120,22 @@ impl Search {
         if more > MAXIMUM_DIGITS { Err(TooIntricate) } else { Ok(more) }
     }
 
-    /// Where Newton's method for a root of this multiplicity points, if no sign change is lost.
+    /// A small interval around all roots of the front, if it keeps its sign changes.
     ///
     /// A cluster of k roots makes values of the size of the width to the power k.
-    fn around_cluster(&self, front: &Candidate) -> Result<Option<Candidate>, TooIntricate> {
-        let Some(centre) = front.local.newton(front.count, front.leap).filter(|_| front.kept >= PATIENCE)
-        else {
-            return Ok(None);
-        };
-        let last: BigInt = (BigInt::from(1) << (front.leap + 1)) - 4;
-        let offset: BigInt = centre * 2 - 1;
-        let offset = offset.clamp(BigInt::zero(), last);
-        let part = front.part.within(&offset, front.leap + 1, front.leap - 1);
-        let [start, end] = [0, 1].map(|end| self.whole.sign_at(&part, end));
-        let mut digits = front.digits.max(self.few_digits() + front.count as u64 * part.width);
+    fn around_cluster(&self, front: &Candidate, count: usize) -> Result<Option<Candidate>, TooIntricate> {
+        let Some((offset, bits)) = front.local.cluster(count) else { return Ok(None) };
+        let part = front.part.within(&offset, bits, bits - 2);
+        let mut digits = front.digits.max(self.few_digits() + count as u64 * part.width);
         loop {
             let local = self.whole.over(&part, digits);
-            let SignChanges { least, most } = local.sign_changes(start, || end);
-            if start.is_eq() || most < front.count {
+            let (start, SignChanges { least, most }) =
+                local.sign_changes(|end| self.whole.sign_at(&part, end));
+            if start == Some(Ordering::Equal) || most < count {
                 return Ok(None);
             }
-            if least == front.count {
-                return Ok(Some(Candidate { part, local, digits, leap: front.leap * 2, ..*front }));
+            if least == count {
+                return Ok(Some(Candidate { part, local, digits }));
             }
             digits = self.more(digits)?;
         }
@@ -169,8 +145,7 @@ impl Search {
     fn beside_minimum(&self, part: &Part, digits: u64) -> Result<Option<Place>, TooIntricate> {
         let mut more = self.few_digits();
         let first = loop {
-            match self.whole.convex_over(part, digits + more).first_root(&Within { whole: &self.whole, part })
-            {
+            match Convex::new(&self.whole.polynomial, part, digits + more).first_root() {
                 Ok(first) => break first,
                 Err(Undecided) if digits + more > MAXIMUM_DIGITS => return Err(TooIntricate),
                 Err(Undecided) => more *= 2,
@@ -205,39 +180,12 @@ impl Search {
 impl Candidate {
     /// The upper half and, to be looked at first, the lower one.
     fn halves(self) -> [Candidate; 2] {
-        let leap = (self.leap / 2).max(SHORTEST_LEAP);
-        let Candidate { part, digits, count, kept, .. } = self;
+        let Candidate { part, digits, .. } = self;
         let [lower, upper] = self.local.halves();
         [(1, upper), (0, lower)].map(|(offset, local)| Candidate {
             part: part.within(&offset.into(), 1, 1),
             local,
             digits,
-            count,
-            kept,
-            leap,
         })
-    }
-}
-
-/// Exact signs inside a part.
-struct Within<'a> {
-    whole: &'a Whole,
-    part: &'a Part,
-}
-
-impl Within<'_> {
-    fn sign(&self, polynomial: &IntegerPolynomial, offset: &BigInt, bits: u64) -> Ordering {
-        let point = self.part.within(offset, bits, bits);
-        polynomial.value_at(&point.end(0), point.bits).cmp(&BigInt::zero())
-    }
-}
-
-impl Exact for Within<'_> {
-    fn value(&self, offset: &BigInt, bits: u64) -> Ordering {
-        self.sign(&self.whole.polynomial, offset, bits)
-    }
-
-    fn slope(&self, offset: &BigInt, bits: u64) -> Ordering {
-        self.sign(&self.whole.polynomial.derivative(), offset, bits)
     }
 }

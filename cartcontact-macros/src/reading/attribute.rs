@@ -166,7 +166,9 @@ impl Attribute {
                 format!("several fields stand in parentheses; write `positive = ({fields}, {another})`")
             }
             _ => {
-                "a profile has one gap; options such as `max_radius = 6.0` follow it after a comma".to_owned()
+                "a profile has one gap, of one expression or of two bodies, `upper = ..., lower = ...`; options such as \
+                 `max_radius = 6.0` follow it after a comma"
+                    .to_owned()
             }
         })
     }

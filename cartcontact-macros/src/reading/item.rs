@@ -29,7 +29,8 @@ pub(crate) struct Field {
     pub(crate) used: bool,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) enum FieldKind {
     F64,
     F32,
@@ -127,6 +128,8 @@ impl Item {
         let closest = closest(&name.to_string(), known).map(|known| format!("did you mean `{known}`?"));
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
+            None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
+            None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
             None if literal::is_unit(&name.to_string()) => format!("{}; remove it", literal::NO_UNITS),
             None if self.fields.is_empty() && self.others.is_empty() => {
                 format!(

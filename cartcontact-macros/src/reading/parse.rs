@@ -199,9 +199,11 @@ impl<'a> Parser<'a> {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
         let mut arguments: Vec<&[TokenTree]> = tokens.split(is_comma).collect();
         arguments.pop_if(|last| last.is_empty());
+        let named =
+            tokens.iter().any(|token| matches!(token, TokenTree::Punct(equals) if equals.as_char() == '='));
         let (radius, conic_constant) = match (name.to_string().as_str(), arguments.as_slice()) {
-            ("sphere", [radius]) => (*radius, None),
-            ("conic", [radius, conic_constant]) => (*radius, Some(*conic_constant)),
+            ("sphere", [radius]) if !named => (*radius, None),
+            ("conic", [radius, conic_constant]) if !named => (*radius, Some(*conic_constant)),
             (known @ ("sphere" | "conic"), _) => {
                 let place = Extent::between(self.previous, group.span().into());
                 return self.fault(place, wrong_arguments(known));

@@ -86,7 +86,7 @@ fn the_smallest_order_is_found() {
         assert!(bound(&format!("{gap}, order = auto")) <= exact(tolerance) * exact("1.02"));
         assert_eq!(order(&format!("{gap}, order = {}", found + 2)), found + 2);
         if found > 2 {
-            let messages = on_unit(&format!("{gap}, order = {}", found - 2)).unwrap_err();
+            let messages = on_unit(&format!("{gap}, order = {}", found - 2)).err().unwrap();
             assert!(messages.iter().all(|message| message.ends_with(&format!("write `order = {found}`"))));
         }
     }
@@ -128,7 +128,7 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(10), order = auto, max_radius = 9.99, tolerance = 1e-9", "no order up to 128"),
         ("sphere(10) - sphere(9) + 0.01*r^2, order = 2, max_radius = 8.9", "as large as the gap itself"),
     ] {
-        let messages = on_unit(text).unwrap_err();
+        let messages = on_unit(text).err().unwrap();
         assert!(
             messages.len() == 1 && messages.iter().all(|message| message.contains(rule)),
             "{text}: {messages:?}"
@@ -141,7 +141,7 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(radius - radius), order = 4", "must not be zero"),
         ("sphere(10), order = radius", "an even number"),
     ] {
-        let messages = on_ball(text).unwrap_err();
+        let messages = on_ball(text).err().unwrap();
         assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
     }
 }

@@ -1,12 +1,11 @@
 //! What `cartcontact` costs when a program is compiled: `cargo run --release -p tests --bin compile_cost`.
 //!
 //! First what an annotation adds to `cargo check`: its expansion, which the test `effort` of the macro crate measures
-//! alone, and the check of what was generated, which goes on in a crate that ends in an error, so that it is checked
-//! every time.
-//! Then a clean build of a crate that uses `cartcontact`, against one
-//! that uses `serde` with its derive macro. Both builds have the same profile and an empty target directory, and take
-//! turns; the least of several counts. Processor time of all children is more reliable than the clock where other
-//! programs run, and is known on Linux only.
+//! alone, and the check of what was generated. The crate ends in an error, so that it is checked every time.
+//!
+//! Then a clean build of a crate that uses `cartcontact`, against one that uses `serde` with its derive macro. Both
+//! builds have the same profile and an empty target directory, and take turns; the least of several counts. Processor
+//! time of all children is more reliable than the clock where other programs run, and is known on Linux only.
 
 use std::error::Error;
 use std::fs;

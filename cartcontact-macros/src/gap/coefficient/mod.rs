@@ -10,34 +10,36 @@
 mod sign;
 mod write;
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use proc_macro2::Ident;
 
+use crate::gap::like_terms::LikeTerms;
 use crate::number::{self, Rational};
 pub(crate) use sign::Sign;
 
 /// The largest power of a field: beyond it an `f64` is zero or infinite for nearly every value.
 const MAXIMUM_POWER: u32 = 1024;
 
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) struct Coefficient {
     /// Sorted by their powers; no number is zero, no two lists of powers are equal.
     products: Vec<Product>,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(test, derive(Debug))]
 struct Product {
     /// No exponent is zero.
     powers: Powers,
     number: Rational,
 }
 
-type Powers = BTreeMap<Atom, Rational>;
+type Powers = LikeTerms<Atom, Rational>;
 
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(test, derive(Debug))]
 enum Atom {
     Field {
         ident: Ident,
@@ -50,7 +52,7 @@ enum Atom {
 
 impl Coefficient {
     pub(crate) fn constant(number: Rational) -> Self {
-        Product { powers: Powers::new(), number }.into()
+        Product { powers: Powers::default(), number }.into()
     }
 
     pub(crate) fn field(ident: Ident) -> Self {
@@ -63,7 +65,7 @@ impl Coefficient {
     }
 
     fn atom(atom: Atom) -> Self {
-        Product { powers: Powers::from([(atom, Rational::one())]), number: Rational::one() }.into()
+        Product { powers: Powers::of(atom, Rational::one()), number: Rational::one() }.into()
     }
 
     pub(crate) fn is_zero(&self) -> bool {
@@ -79,20 +81,17 @@ impl Coefficient {
         }
     }
 
-    pub(crate) fn fields(&self) -> BTreeSet<&Ident> {
-        let atoms = self.products.iter().flat_map(|product| product.powers.keys());
-        atoms
-            .flat_map(|atom| match atom {
-                Atom::Field { ident, .. } => BTreeSet::from([ident]),
-                Atom::Whole(inner) => inner.fields(),
-            })
-            .collect()
+    pub(crate) fn depends_on(&self, field: &Ident) -> bool {
+        self.products.iter().flat_map(|product| product.powers.iter()).any(|(atom, _)| match atom {
+            Atom::Field { ident, .. } => ident == field,
+            Atom::Whole(inner) => inner.depends_on(field),
+        })
     }
 
     /// Whether every number in it is near a finite `f64` other than 0.
     pub(crate) fn is_representable(&self) -> bool {
         self.products.iter().all(|product| {
-            let wholes = product.powers.keys().all(|atom| match atom {
+            let wholes = product.powers.iter().all(|(atom, _)| match atom {
                 Atom::Field { .. } => true,
                 Atom::Whole(inner) => inner.is_representable(),
             });
@@ -107,12 +106,12 @@ impl Coefficient {
         {
             return Product { number: left.number + right.number, powers: left.powers }.into();
         }
-        let mut numbers: BTreeMap<Powers, Rational> = BTreeMap::new();
+        let mut numbers: LikeTerms<Powers, Rational> = LikeTerms::default();
         for product in self.opened().chain(other.opened()) {
-            *numbers.entry(product.powers).or_insert_with(Rational::zero) += product.number;
+            numbers.add(product.powers, product.number);
         }
         let products = numbers.into_iter().map(|(powers, number)| Product { powers, number });
-        Coefficient { products: products.filter(|product| !product.number.is_zero()).collect() }
+        Coefficient { products: products.collect() }
     }
 
     pub(crate) fn negated(&self) -> Self {
@@ -145,9 +144,9 @@ impl Coefficient {
             return root_of_number(&product.number, exponent).map(Coefficient::constant);
         }
         let powers = match product.single_atom().filter(|_| product.number.is_one()) {
-            Some(atom) => Powers::from([(atom, exponent.clone())]),
+            Some(atom) => Powers::of(atom, exponent.clone()),
             // The root of a square is not the base where that is negative, so the powers stay apart.
-            None => Powers::from([(Atom::Whole(self.clone()), exponent.clone())]),
+            None => Powers::of(Atom::Whole(self.clone()), exponent.clone()),
         };
         Product { powers, number: Rational::one() }.limited().map(Into::into)
     }
@@ -183,7 +182,7 @@ impl Coefficient {
         let size = self.products.last()?.number.abs();
         let number = if self.products.first()?.number.is_negative() { -size } else { size };
         let atom = Atom::Whole(self.times_each(&number.recip()));
-        Some(Product { powers: Powers::from([(atom, Rational::one())]), number })
+        Some(Product { powers: Powers::of(atom, Rational::one()), number })
     }
 
     /// The products to add up: a sum that carries nothing but a number is taken apart.
@@ -202,23 +201,22 @@ impl Coefficient {
 impl Product {
     fn multiply(mut self, other: Product) -> Product {
         for (atom, exponent) in other.powers {
-            *self.powers.entry(atom).or_insert_with(Rational::zero) += exponent;
+            self.powers.add(atom, exponent);
         }
-        self.powers.retain(|_, exponent| !exponent.is_zero());
         Product { number: self.number * other.number, ..self }
     }
 
-    fn integer_power(self, exponent: &BigInt) -> Result<Product, &'static str> {
+    fn integer_power(mut self, exponent: &BigInt) -> Result<Product, &'static str> {
         let number = number::power(&self.number, exponent)
             .ok_or("this power is too large or too small to compute with")?;
         let factor = number::integer(exponent.clone());
-        let powers = self.powers.into_iter().map(|(atom, own)| (atom, own * &factor));
-        Product { powers: powers.collect(), number }.limited()
+        self.powers.map(|own| *own = &*own * &factor);
+        Product { number, ..self }.limited()
     }
 
     fn limited(self) -> Result<Product, &'static str> {
         let limit = number::integer(MAXIMUM_POWER);
-        match self.powers.values().all(|exponent| exponent.abs() <= limit) {
+        match self.powers.iter().all(|(_, exponent)| exponent.abs() <= limit) {
             true => Ok(self),
             false => Err("a field may be raised to powers up to 1024"),
         }
@@ -226,9 +224,10 @@ impl Product {
 
     /// The atom, if there is one and it is raised to no power.
     fn single_atom(&self) -> Option<Atom> {
-        let mut powers = self.powers.iter();
-        let (atom, exponent) = powers.next()?;
-        (powers.next().is_none() && exponent.is_one()).then(|| atom.clone())
+        match &*self.powers {
+            [(atom, exponent)] if exponent.is_one() => Some(atom.clone()),
+            _ => None,
+        }
     }
 }
 

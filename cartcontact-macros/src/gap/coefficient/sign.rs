@@ -7,7 +7,8 @@ use num_integer::Integer;
 
 use super::{Atom, Coefficient, Product};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
 pub(crate) enum Sign {
     NotNegative,
     NotPositive,
@@ -25,7 +26,7 @@ impl Coefficient {
 impl Product {
     fn certain_sign(&self) -> Option<Sign> {
         let mut negative = self.number.is_negative();
-        for (atom, exponent) in &self.powers {
+        for (atom, exponent) in self.powers.iter() {
             if !exponent.is_integer() || exponent.numer().is_even() {
                 continue;
             }
