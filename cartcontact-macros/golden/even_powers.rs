@@ -27,7 +27,7 @@
 /// slope of the approach 3 × or ÷, 1 + or −
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
-/// pressure kernel       6 ×, 5 + of double words
+/// pressure kernel       7 ×, 5 + of double words
 /// ```
 struct Patellofemoral;
 const _: () = {

@@ -153,22 +153,14 @@ const _: () = {
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::quick_pressure_kernel(
+            ::cartcontact::generated::quick_whole_pressure_kernel(
                 __a,
                 __r,
                 [
-                    (
-                        <T as ::cartcontact::Scalar>::constant(0.05f64),
-                        <T as ::cartcontact::Scalar>::constant(2.0f64),
-                    ),
-                    (
-                        <T as ::cartcontact::Scalar>::constant(-0.004f64),
-                        <T as ::cartcontact::Scalar>::constant(3.0f64),
-                    ),
-                    (
-                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
-                        <T as ::cartcontact::Scalar>::constant(4.0f64),
-                    ),
+                    <T as ::cartcontact::Scalar>::constant(0.0f64),
+                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as ::cartcontact::Scalar>::constant(-8e-5f64),
+                    <T as ::cartcontact::Scalar>::constant(2.777777777777778e-6f64),
                 ],
             )
         }

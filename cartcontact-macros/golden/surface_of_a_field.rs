@@ -29,7 +29,7 @@
 /// slope of the approach 4 × or ÷, 1 + or −
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
-/// pressure kernel       6 ×, 5 + of double words
+/// pressure kernel       7 ×, 5 + of double words
 /// coefficients          4 × or ÷, 0 + or −, in addition
 /// ```
 struct Ball {

@@ -12,8 +12,8 @@ use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, STIFFNESS, ThreeTerm, by_hand, contact,
-    load_integrals, run_time, times,
+    Ball, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS, ThreeTerm, by_hand,
+    contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -47,6 +47,7 @@ fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(
 #[bench::three_terms(ThreeTerm)]
 #[bench::four_terms(FourTerm)]
 #[bench::with_a_field(Ball { radius: 20.0 })]
+#[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::polynomial(run_time())]
 fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
@@ -68,6 +69,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::one_term(Paraboloid)]
 #[bench::two_terms(Patellofemoral)]
 #[bench::four_terms(FourTerm)]
+#[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, f64>) -> Given<P, f64> {
     // The lengths are equal and the loads are in range.
     let _ = profile.radii(&targets, &mut radii);

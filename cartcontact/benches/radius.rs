@@ -14,8 +14,8 @@ use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, FourTerm, Paraboloid, Patellofemoral, TERMS, ThreeTerm, by_hand, contact, load_integrals,
-    radius_by_roots, times,
+    Ball, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeTerm, by_hand, contact,
+    load_integrals, radius_by_roots, times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -69,6 +69,8 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "three terms", targets, &ThreeTerm);
     profile(group, "four terms", targets, &FourTerm);
     profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
+    let round_ball = RoundBall { radius: black_box(T::constant(20.0)) };
+    profile(group, "three terms with a field", targets, &round_ball);
     if let Ok(polynomial) = Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))) {
         profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
     }

@@ -8,11 +8,15 @@ pub use crate::evaluate::horner::{
 };
 pub use crate::evaluate::power::{
     integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness, quick_power_sum,
-    real_power,
+    real_power, scaled_power_sum_steepness,
 };
 pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
+    quick_whole_pressure_kernel,
 };
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
-pub use crate::seeds::{EqualTerms, OwnUnits, Seeds, Steepness, elsewhere};
+pub use crate::seeds::{
+    EqualTerms, OwnUnits, Seeds, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
+    radius_of_real_powers,
+};

@@ -54,7 +54,7 @@
 //! | `std` | yes | mathematical functions of the standard library |
 //! | `libm` | no | mathematical functions of the `libm` crate, for targets without `std` |
 //! | `nalgebra` | yes | `Contact::pressure_matrix` |
-//! | `simd` | yes | pressure fields with the widest vectors of the processor, chosen at run time |
+//! | `simd` | yes | the widest vectors of an x86-64 processor, chosen at run time |
 //!
 //! Without `std` the crate needs `libm`; it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]

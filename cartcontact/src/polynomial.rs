@@ -7,12 +7,13 @@ use crate::admissibility::checked_range;
 use crate::evaluate::double_word::DoubleWord;
 use crate::evaluate::power::{
     power_sum, quick_power_sum, raised_power_sum, raised_power_sum_and_log_slope, raised_power_sum_drop,
-    weighted_power_sum,
+    raised_power_sum_steepness, weighted_power_sum,
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::scalar::{floor, is_plain};
+use crate::seeds::{elsewhere, radius_of_real_powers};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///
@@ -82,8 +83,15 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
+    fn general_radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
+        let positive = positive_terms(self.map(|c, n| (c, n)));
+        invert(load_integral, limit, positive, self.has_negative_terms, |a| {
+            raised_power_sum_and_log_slope(a, 4, self.load_integral_terms())
+        })
+    }
+
     /// The terms of J/a⁴: (C n/((n+2)(n+4)), n).
-    fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> {
+    fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> + Clone {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
         self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n))
     }
@@ -134,9 +142,15 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
-        invert(load_integral, limit, positive_terms(self.map(|c, n| (c, n))), self.has_negative_terms, |a| {
-            raised_power_sum_and_log_slope(a, 4, self.load_integral_terms())
-        })
+        let four = T::constant(4.0);
+        let terms = self.load_integral_terms().map(|(j, n)| (j, n + four));
+        let found = radius_of_real_powers(load_integral, limit, terms, |a, scale| {
+            raised_power_sum_steepness(a, 4, scale, self.load_integral_terms())
+        });
+        match found {
+            Some(radius) => Ok(radius),
+            None => elsewhere(|| self.general_radius_within(load_integral, limit)),
+        }
     }
 
     fn max_radius(&self) -> T {

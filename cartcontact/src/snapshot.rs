@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{Moment, march, not_negative};
+use crate::memory::{Moment, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
@@ -139,7 +139,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// F e^(χ τ) never falls, so what was there at τ carries at most the share F(τ) e^(−χ (t−τ)) of F(t) now.
     fn start_of_memory(&self) -> Moment<T> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let folds = -T::default_epsilon().ln() + T::constant(4.0);
+        let folds = faded_folds::<T>();
         let present = self.force();
         let mut past = folds;
         while past < chi * self.time {

@@ -103,14 +103,7 @@ pub const PRESSURE: Allowance = allow(
 );
 /// P(0, t).
 pub const PEAK_PRESSURE: Allowance =
-    allow("peak pressure", [8.0, 8.0], [7.6, 6.2], "as the pressure, with the factor 3 that it has at r = 0");
-/// P(0, t) of a geometry with a power above 24.
-pub const PEAK_PRESSURE_OF_HIGH_POWERS: Allowance = allow(
-    "peak pressure of high powers",
-    [12.0, 12.0],
-    [8.0, 8.0],
-    "the rounding of every node is multiplied by the exponent in δ₀′",
-);
+    allow("peak pressure", [8.0, 8.0], [5.6, 5.9], "as the pressure, with the factor 3 that it has at r = 0");
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance =
     allow("pressure field", [16.0, 16.0], [11.4, 9.0], "both have the error of a pressure");
@@ -121,16 +114,16 @@ pub const BALANCE: Allowance = allow(
     [20.0, 20.0],
     "some hundred pressures near the edge, where their own errors are largest, and the quadrature of the test",
 );
-/// 2π ∫ P r dr against F under a load of a user's own: 1.2e-13.
+/// 2π ∫ P r dr against F under a load of a user's own: 1e-14.
 pub const BALANCE_OF_OTHER_LOADS: Allowance = allow(
     "force balance of other loads",
-    [550.0, 550.0],
-    [530.0, 530.0],
-    "steps of such a load are accepted when they agree to 512 ε",
+    [45.0, 45.0],
+    [31.0, 31.0],
+    "as the balance, and under a load that swings what drained in each of dozens of steps is rounded",
 );
 
 /// All of them.
-pub const TABLE: [Allowance; 18] = [
+pub const TABLE: [Allowance; 17] = [
     GAP,
     APPROACH,
     APPROACH_SLOPE,
@@ -145,7 +138,6 @@ pub const TABLE: [Allowance; 18] = [
     CONTACT_APPROACH,
     PRESSURE,
     PEAK_PRESSURE,
-    PEAK_PRESSURE_OF_HIGH_POWERS,
     FIELD,
     BALANCE,
     BALANCE_OF_OTHER_LOADS,

@@ -253,11 +253,27 @@ fn constants_need_a_format_that_holds_them() {
     assert_eq!(GapProfile::<f64>::check(&tests::profiles::FlatEnded), Ok(()));
     refused(GapProfile::<f32>::check(&Faint), is_expected, "the format rounds it to that");
     assert_eq!(GapProfile::<f64>::check(&Faint), Ok(()));
+    let beside_field = FaintBesideField { curvature: 0.025 };
+    refused(GapProfile::<f32>::check(&beside_field), is_expected, "with curvature = 0.025");
+    refused(GapProfile::<f32>::check(&beside_field), is_expected, "r^64 is 0, but only because the format");
+    assert_eq!(GapProfile::<f64>::check(&beside_field), Ok(()));
+    let contact = Contact::new(
+        &beside_field,
+        Medium::from_constants(1.0_f32, 0.0).unwrap_or_else(|e| unreachable!("{e}")),
+        Constant(1.0),
+    );
+    assert!(matches!(contact, Err(ContactError::Profile(_))), "{contact:?}");
 }
 
 /// A term that single precision takes for zero, although at r = 9 it is larger than the other.
 #[gap_profile(0.025 * r^2 + 1e-60 * r^64)]
 struct Faint;
+
+/// The same beside a field.
+#[gap_profile(curvature * r^2 + 1e-60 * r^64)]
+struct FaintBesideField {
+    curvature: f64,
+}
 
 #[test]
 fn load_integrals_are_finite_and_within_the_range() {

@@ -41,9 +41,19 @@ fn pressure_carries_a_quick_load_of_a_users_own() {
 #[test]
 fn pressure_carries_a_swinging_load_of_a_users_own() {
     // F′ ≥ −30 · 0.03, while χ F ≥ 0.02 · 70.
-    // Every step of the march costs a hundred evaluations of the load, so that a few geometries have to do.
     let load = Swing { mean: 100.0, amplitude: 30.0, frequency: 0.03 };
-    check_load_on(cases().into_iter().step_by(6), "swing", &load, &[0.0, 2.5]);
+    check_load("swing", &load, &[0.0, 0.1, 0.7, 2.5]);
+    check_load_on(cases().into_iter().step_by(6), "long swing", &load, &[30.0, 1000.0]);
+}
+
+#[test]
+fn pressure_carries_a_falling_load_of_a_users_own() {
+    check_load("slow fall", &Rise { start: 100.0, rise: -90.0, rate: 0.01 }, &TIMES);
+    check_load(
+        "nearly the fastest fall",
+        &Rise { start: 100.0, rise: -100.0, rate: 0.99 * CHI },
+        &TIMES[..5],
+    );
 }
 
 /// After a long history the rounding of the hereditary load, and so of radii, is a share of what a step adds.

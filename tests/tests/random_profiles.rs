@@ -223,7 +223,6 @@ fn check_contacts(scenes: Vec<Scene>) {
     let mut radius = Errors::of(budget::CONTACT_RADIUS);
     let mut approach = Errors::of(budget::CONTACT_APPROACH);
     let (mut pressure, mut peak) = (Errors::of(budget::PRESSURE), Errors::of(budget::PEAK_PRESSURE));
-    let mut peak_of_high_powers = Errors::of(budget::PEAK_PRESSURE_OF_HIGH_POWERS);
     for scene in scenes {
         let profile = sum(scene.terms.clone());
         let (m, r) = (scene.m(&profile), scene.radius * (1.0 - scene.depth));
@@ -248,8 +247,6 @@ fn check_contacts(scenes: Vec<Scene>) {
         if distance > 0.0 {
             pressure.add(found.2, &exact_pressure, 1.0 + 2.0 * a / distance, &scene);
         }
-        let is_high = scene.terms.iter().any(|&(_, n)| n > 24.0);
-        let peak = if is_high { &mut peak_of_high_powers } else { &mut peak };
         peak.add(found.3, &exact_peak, 1.0, &scene);
     }
     radius.check();

@@ -89,7 +89,6 @@ fn contacts_are_those_of_the_reference() {
         let (mut radius, mut approach) =
             (Errors::of(budget::CONTACT_RADIUS), Errors::of(budget::CONTACT_APPROACH));
         let (mut pressure, mut peak) = (Errors::of(budget::PRESSURE), Errors::of(budget::PEAK_PRESSURE));
-        let mut peak_of_high_powers = Errors::of(budget::PEAK_PRESSURE_OF_HIGH_POWERS);
         for row in &rows {
             let place = (form, row.case, row.chi, &row.knots, row.t, row.r);
             visit(row.case, &mut |profile| {
@@ -108,8 +107,6 @@ fn contacts_are_those_of_the_reference() {
                     1.0 + 2.0 * row.radius.nearest / (row.radius.nearest - row.r),
                     &place,
                 );
-                let is_high = row.case.terms.iter().any(|&(_, n)| n > 24.0);
-                let peak = if is_high { &mut peak_of_high_powers } else { &mut peak };
                 peak.add(p0, row.peak_pressure, 1.0, &place);
             });
         }
@@ -117,7 +114,6 @@ fn contacts_are_those_of_the_reference() {
         approach.check();
         pressure.check();
         peak.check();
-        peak_of_high_powers.check_worst();
     }
 }
 

@@ -49,6 +49,8 @@ fn what_was_found_once_stays_mended() {
         (2, 108_283),
         // A rising load whose slope, as a load integral, is out of range.
         (7, 46_195),
+        // A held load on a gap of r⁶⁴, whose slope multiplies the rounding of radii.
+        (3, 152_193),
     ];
     for (seed, case) in found {
         let campaign = Campaign { seed };

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, pairs};
-use super::{Names, local, seeds};
+use super::{Names, leading_term, local, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
@@ -18,7 +18,8 @@ const HIGHEST_DENSE_POWER: u32 = 80;
 /// The same for the drop of J, on which what lies between two times rests; its error is half the power times ε.
 const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
-/// With a table of seeds, which stands beside the implementation, the radius is taken from it where it can be.
+/// With a table of seeds, which stands beside the implementation, the radius is taken from it where it can be; with
+/// symbolic coefficients and no table, from the leading term.
 pub(super) fn methods(
     gap: &Gap,
     forms: &ClosedForms,
@@ -38,8 +39,18 @@ pub(super) fn methods(
         _ => newton(gap, forms, coefficients, names),
     };
     let sum = &forms.load_integral;
-    let radius = if has_seeds { seeds::radius(sum, coefficients, names, &general) } else { general };
-    let radii_within = has_seeds.then(|| seeds::radii_within(sum, coefficients, names));
+    let (found, radii) = if has_seeds {
+        (Some(seeds::radius(sum, coefficients, names)), Some(seeds::radii(sum, coefficients, names)))
+    } else if leading_term::is_for(gap) {
+        (Some(leading_term::radius(sum, coefficients, names)), leading_term::radii(sum, coefficients, names))
+    } else {
+        (None, None)
+    };
+    let radius = match found {
+        Some(found) => found_or_general(&found, &general, names),
+        None => general,
+    };
+    let radii_within = radii.map(|radii| radii_within(&radii, coefficients, names));
     let drop = drop_of_load_integral(forms, coefficients, names);
     quote! {
         #[inline]
@@ -56,6 +67,34 @@ pub(super) fn methods(
 
         #[inline]
         fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }
+    }
+}
+
+/// The radius that was perhaps found, or by `general`, out of the way.
+fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names<'_>) -> TokenStream {
+    let (elsewhere, a) = (names.generated("elsewhere"), local("a"));
+    quote! {
+        match #found {
+            ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
+            ::core::option::Option::None => #elsewhere(move || { #general }),
+        }
+    }
+}
+
+/// The method for slices, of which `radii` is the result.
+fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let (Names { krate, scalar }, preamble) = (names, coefficients.preamble());
+    let [load_integrals, limit, slice] = ["load_integrals", "limit", "radii"].map(local);
+    quote! {
+        fn radii_within(
+            &self,
+            #load_integrals: &[#scalar],
+            #limit: #scalar,
+            #slice: &mut [#scalar],
+        ) -> ::core::result::Result<(), #krate::RadiusError> {
+            #preamble
+            #radii
+        }
     }
 }
 

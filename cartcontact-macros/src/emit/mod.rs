@@ -4,11 +4,13 @@ mod coefficients;
 mod documentation;
 mod inherent;
 mod inversion;
+mod leading_term;
 mod operations;
 mod power_sum;
 mod pressure_kernel;
 mod range;
 mod seeds;
+mod steepness;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
@@ -91,7 +93,11 @@ pub(crate) fn solver(
     operations.push(pressure_kernel::operations(&geometry.gap));
     let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
     let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
-    let table = seeds.as_ref().map(|seeds| seeds::items(seeds, &forms.load_integral, &coefficients, &names));
+    let beside_inversion = match &seeds {
+        Some(seeds) => Some(seeds::items(seeds, &forms.load_integral, &coefficients, &names)),
+        None if leading_term::is_for(&geometry.gap) => leading_term::items(&forms.load_integral, &names),
+        None => None,
+    };
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let shape = shape(geometry, &names);
@@ -103,7 +109,7 @@ pub(crate) fn solver(
         #documented
         const _: () = {
             #shared
-            #table
+            #beside_inversion
             #[automatically_derived]
             #header {
                 #(#evaluators)*

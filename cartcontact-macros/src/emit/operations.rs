@@ -6,7 +6,7 @@ use core::fmt::{Display, Formatter, Result};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The binary operators of a piece of code, and whether it also calls the run-time crate.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Default, PartialEq, Eq)]
 pub(super) struct Operations {
     /// Divisions among them.
     multiplications: u32,

@@ -2,12 +2,12 @@
 
 use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
+use quote::quote;
 use syn::ext::IdentExt;
 
 use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
-use crate::gap::Gap;
+use crate::gap::Term;
 use crate::gap::coefficient::Coefficient;
 use crate::geometry::{Geometry, Range};
 use crate::number::{integer, literal};
@@ -32,19 +32,17 @@ pub(super) fn methods(
     };
     let check = match &checked {
         Some(checked) => Some(checked.check()),
-        None if fits_every_format(&geometry.gap) => None,
+        None if geometry.gap.terms.iter().all(fits_every_format) => None,
         None => Some(check_of_constants(coefficients, names)),
     };
     quote!(#max_radius #check)
 }
 
-/// Whether single precision holds the coefficients with all their digits, and the kernels' multiples of them.
-fn fits_every_format(gap: &Gap) -> bool {
-    gap.terms.iter().all(|term| {
-        let size = term.coefficient.as_constant().and_then(|value| value.abs().to_f32());
-        // From C n/(2 (n+2)²) to 2 C; n is 1024 at most, and rarely below 1.
-        size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
-    })
+/// Whether single precision holds a coefficient with all its digits, and the kernels' multiples of it.
+fn fits_every_format(term: &Term) -> bool {
+    let size = term.coefficient.as_constant().and_then(|value| value.abs().to_f32());
+    // From C n/(2 (n+2)²) to 2 C; n is 1024 at most, and rarely below 1.
+    size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
 }
 
 /// `check` of a geometry with constants that not every format holds.
@@ -107,10 +105,11 @@ impl Checked<'_> {
     fn check(&self) -> TokenStream {
         let (preamble, declared, range) = (self.coefficients.preamble(), self.declared(), self.range());
         let (krate, error) = (self.names.krate, local("error"));
-        let named = self.with_parameters(&error);
+        let (named, constants) = (self.with_parameters(&error), self.constants());
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
                 #declared
+                #constants
                 #preamble
                 match #range {
                     ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
@@ -150,13 +149,30 @@ impl Checked<'_> {
         quote!(#inside_surfaces(#range, [#(#surfaces),*]))
     }
 
-    /// Holds the values of the fields that were declared positive to it.
-    fn declared(&self) -> TokenStream {
-        let fields: Vec<&Field> = self.used().filter(|field| field.is_positive).collect();
-        if fields.is_empty() {
+    /// Refuses the constants beside the fields that the format does not hold; as zeros they would be no terms.
+    fn constants(&self) -> TokenStream {
+        let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
+        let is_at_risk = |term: &Term| term.coefficient.as_constant().is_some() && !fits_every_format(term);
+        let constants: Vec<TokenStream> =
+            terms.filter(|(term, _)| is_at_risk(term)).map(|(_, pair)| pair).collect();
+        if constants.is_empty() {
             return TokenStream::new();
         }
-        let (bindings, names, values) = self.named(&fields);
+        let (check, error) = (self.names.generated("check_coefficients"), local("error"));
+        let named = self.with_parameters(&error);
+        quote! {
+            if let ::core::result::Result::Err(#error) = #check([#(#constants),*]) {
+                return ::core::result::Result::Err(#named);
+            }
+        }
+    }
+
+    /// Holds the values of the fields that were declared positive to it.
+    fn declared(&self) -> TokenStream {
+        let (bindings, names, values) = self.named(|field| field.used && field.is_positive);
+        if names.is_empty() {
+            return TokenStream::new();
+        }
         let (check, error) = (self.names.generated("check_positive"), local("error"));
         quote! {
             if let ::core::result::Result::Err(#error) = { #bindings #check(&[#(#names),*], [#(#values),*]) } {
@@ -167,21 +183,19 @@ impl Checked<'_> {
 
     /// The error, its parameters named.
     fn with_parameters(&self, error: &Ident) -> TokenStream {
-        let (bindings, names, values) = self.named(&self.used().collect::<Vec<_>>());
+        let (bindings, names, values) = self.named(|field| field.used);
         let with_parameters = self.names.generated("with_parameters");
         quote!({ #bindings #with_parameters(#error, &[#(#names),*], [#(#values),*]) })
     }
 
-    fn used(&self) -> impl Iterator<Item = &Field> {
-        self.item.fields.iter().filter(|field| field.used)
-    }
-
     /// What binds the values of some fields, and the fields' names and variables.
-    fn named(&self, fields: &[&Field]) -> (TokenStream, Vec<TokenStream>, Vec<Ident>) {
-        let bindings = self
-            .coefficients
-            .fields(&quote!(self), &|field| fields.iter().any(|wanted| wanted.ident == field.ident));
-        let names = fields.iter().map(|field| field.ident.unraw().to_string().into_token_stream());
-        (bindings, names.collect(), fields.iter().map(|field| field_variable(&field.ident)).collect())
+    fn named(&self, wanted: fn(&Field) -> bool) -> (TokenStream, Vec<String>, Vec<Ident>) {
+        let bindings = self.coefficients.fields(&quote!(self), &wanted);
+        let fields = self.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
+        (
+            bindings,
+            fields.clone().map(|field| field.unraw().to_string()).collect(),
+            fields.map(field_variable).collect(),
+        )
     }
 }

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, pairs};
-use super::{Names, local};
+use super::{Names, local, steepness};
 use crate::closed_forms::{PowerSum, Summand};
 use crate::number::{Rational, integer, literal};
 use crate::seeds::Seeds;
@@ -21,76 +21,54 @@ pub(super) fn items(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let Names { krate, scalar } = names;
-    let [table, steepness] = ["Seeds", "Steepness"].map(|name| names.generated(name));
+    let table = names.generated("Seeds");
     let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
     let count = Literal::usize_unsuffixed(seeds.rows.len());
     // One text for the compiler to read is quicker than three thousand tokens, and shortest literals are what `Debug`
     // writes.
     let rows: TokenStream = format!("{:?}", seeds.in_places()).parse().unwrap_or_default();
-    let (variables, count_of_variables) = coefficients.variables();
     let a = local("a");
     let body = body(load_integral, &a, coefficients, names);
+    let function = steepness::function(&a, coefficients.variables(), &body, names);
     quote! {
         static SEEDS: #table = #table { first: #first, count: #count, single: #single, rows: #rows };
 
-        #[inline(always)]
-        fn steepness<#scalar: #krate::Scalar>(
-            #a: #scalar,
-            #variables: [#scalar; #count_of_variables],
-        ) -> #steepness<#scalar> {
-            #body
-        }
+        #function
     }
 }
 
-/// The radius from the table, and elsewhere by `general`: the body of `radius_within`.
+/// The radius from the table, if it is there.
 pub(super) fn radius(
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-    general: &TokenStream,
 ) -> TokenStream {
-    let (elsewhere, (variables, _)) = (names.generated("elsewhere"), coefficients.variables());
+    let (variables, _) = coefficients.variables();
     let units = units(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
-    quote! {
-        match SEEDS.radius(#load_integral, #limit, #units, |#a| steepness(#a, #variables)) {
-            ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
-            ::core::option::Option::None => #elsewhere(move || { #general }),
-        }
-    }
+    quote!(SEEDS.radius(#load_integral, #limit, #units, |#a| steepness(#a, #variables)))
 }
 
-/// `radii_within` from the table, and elsewhere by `radius_within`.
-pub(super) fn radii_within(
+/// The radii of a slice from the table, and elsewhere by `radius_within`.
+pub(super) fn radii(
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let Names { krate, scalar } = names;
-    let (preamble, (variables, _)) = (coefficients.preamble(), coefficients.variables());
+    let (krate, (variables, _)) = (names.krate, coefficients.variables());
     let units = units(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     quote! {
-        fn radii_within(
-            &self,
-            #load_integrals: &[#scalar],
-            #limit: #scalar,
-            #radii: &mut [#scalar],
-        ) -> ::core::result::Result<(), #krate::RadiusError> {
-            #preamble
-            SEEDS.radii(
-                (#load_integrals, #radii),
-                #limit,
-                #units,
-                // Without it, wide vectors would end at the call.
-                #[inline(always)]
-                |#a| steepness(#a, #variables),
-                |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
-            )
-        }
+        SEEDS.radii(
+            (#load_integrals, #radii),
+            #limit,
+            #units,
+            // Without it, wide vectors would end at the call.
+            #[inline(always)]
+            |#a| steepness(#a, #variables),
+            |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
+        )
     }
 }
 
@@ -134,25 +112,11 @@ fn body(
     let value = load_integral.weighted(|_| unit.clone());
     let first = value.weighted(|p| p / &degree);
     let half_second = first.weighted(|p| (p - Rational::one()) / (&two * &degree));
-    let (square, variable) = whole.variable(a);
-    let [value, first] = [&value, &first].map(|sum| nested(sum, &whole, &variable, coefficients));
-    let half_second = paired(&half_second, &whole, &variable, coefficients);
-    let (lowest, stride) = (whole.lowest(), whole.stride());
-    let exponent = Literal::u32_unsuffixed(lowest / stride);
-    let odd = (lowest % stride == 1).then(|| quote!(* #a));
-    let [power, steepness] = ["integer_power", "Steepness"].map(|name| names.generated(name));
-    let (constant, per_unit, per_degree) = (names.constant(), literal(&unit), literal(&degree.recip()));
-    quote! {
-        #square
-        #steepness {
-            power: #power(#variable, #exponent) #odd,
-            value: #value,
-            first: #first,
-            half_second: #half_second,
-            per_unit: #constant(#per_unit),
-            per_degree: #constant(#per_degree),
-        }
-    }
+    let sums = |variable: &Ident| {
+        let [value, first] = [&value, &first].map(|sum| nested(sum, &whole, variable, coefficients));
+        [value, first, paired(&half_second, &whole, variable, coefficients)]
+    };
+    steepness::value(&whole, a, sums, [&unit, &degree], names)
 }
 
 /// The sum divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor does more at a time

@@ -28,6 +28,12 @@ pub(crate) struct Ball<T> {
     pub(crate) radius: T,
 }
 
+/// A ball on a plane, in powers of r up to the sixth.
+#[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3) + r^6 / (16 * radius^5))]
+pub(crate) struct RoundBall<T> {
+    pub(crate) radius: T,
+}
+
 /// The terms of [`Patellofemoral`].
 pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 

@@ -1,8 +1,9 @@
 //! Numbers of common size, which leave the format in no formula.
 //!
-//! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵ and F/a⁴. If force, load integral and radius lie
-//! between 1/b and b, all of these lie between b⁻⁶ and b⁶, which are normal numbers: a few comparisons with constants
-//! stand for a division and a dozen of them. What is not so common is asked the conditions themselves.
+//! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two are J/a⁵ and
+//! J but for a factor of the exponents. If rate, force, load integral and radius lie between 1/b and b, all of these lie
+//! between b⁻⁶ and b⁶ but for that factor, which are normal numbers: a few comparisons with constants stand for a
+//! division and a dozen of them. What is not so common is asked the conditions themselves.
 
 use super::Loading;
 use crate::Scalar;
@@ -18,7 +19,7 @@ pub(super) struct CommonSizes<T> {
 impl<T: Scalar> CommonSizes<T> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let (least, most) = if is::<T, f32>() { (5e-7, 2e6) } else { (1e-51, 1e51) };
+        let (least, most) = if is::<T, f32>() { (1e-6, 1e6) } else { (1e-50, 1e50) };
         Self { least: T::constant(least), most: T::constant(most) }
     }
 

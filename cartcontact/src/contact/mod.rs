@@ -213,7 +213,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         for load in hereditary.iter_mut() {
             *load *= self.per_stiffness;
         }
-        self.profile.radii_within(hereditary, self.max_radius, radii)
+        self.radii_of(hereditary, radii)
+    }
+
+    /// The contact radii of many load integrals.
+    pub(crate) fn radii_of(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError> {
+        self.profile.radii_within(load_integrals, self.max_radius, radii)
     }
 
     /// A time with its contact radius, for integrals that begin or end there.
@@ -295,8 +300,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
     }
 
-    /// The loading at a time that the solution covers, from a load that a user may have got wrong.
+    /// The loading at a time that the solution covers.
     fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
+        let loading = self.valid_loading(t)?;
+        let (time, force) = (t.value(), loading.force.value());
+        if let Some(since) = self.load.recession(self.medium.chi(), t) {
+            return Err(ContactError::Receding { time, since: since.value() });
+        }
+        if self.has_digits(loading) { Ok(loading) } else { Err(ContactError::OutOfRange { time, force }) }
+    }
+
+    /// The loading at a time, from a load that a user may have got wrong.
+    fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
         let time = t.value();
         if !is_time(t) {
             return Err(ContactError::InvalidTime { time });
@@ -309,14 +324,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if !is_force(loading.impulse) {
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
         }
-        let chi = self.medium.chi();
-        if let Some(since) = self.load.recession(chi, t) {
-            return Err(ContactError::Receding { time, since: since.value() });
-        }
-        if loading.hereditary.is_zero() || loading.has_digits(chi, loading.hereditary * self.per_stiffness) {
-            return Ok(loading);
-        }
-        Err(ContactError::OutOfRange { time, force })
+        Ok(loading)
+    }
+
+    /// Whether there is no load, or one with all its digits.
+    fn has_digits(&self, loading: Loading<T>) -> bool {
+        let Loading { hereditary, .. } = loading;
+        hereditary.is_zero() || loading.has_digits(self.medium.chi(), hereditary * self.per_stiffness)
     }
 
     /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit.

@@ -5,10 +5,10 @@
 //! one, until the first without a radius names its fault.
 
 use super::common::CommonSizes;
-use super::{Contact, ContactError, is_time};
+use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::dispatch::wide;
-use crate::load::{Load, is_force};
+use crate::load::Load;
 use crate::profile::GapProfile;
 
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
@@ -68,14 +68,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
 
     /// Whether times and loads are such as [`Contact::at`] accepts.
     fn has_loads(&self) -> bool {
-        let chi = self.contact.medium.chi();
-        self.times.iter().zip(&*self.load_integrals).all(|(&time, &load_integral)| {
-            let loading = self.contact.loading(time);
-            is_time(time)
-                && is_force(loading.force)
-                && is_force(loading.impulse)
-                && (loading.hereditary.is_zero() || loading.has_digits(chi, load_integral))
-        })
+        let has_load =
+            |time| self.contact.valid_loading(time).is_ok_and(|loading| self.contact.has_digits(loading));
+        self.times.iter().all(|&time| has_load(time))
     }
 
     /// Whether the load has fallen too fast: up to the last of the times, if up to any.

@@ -1,34 +1,22 @@
 //! Powers of two, taken out of a number and put back, so that roots neither overflow nor lose accuracy.
 
-use core::any::Any;
-
 use simba::scalar::SupersetOf;
 
+use super::bits::{exponent, fraction};
 use crate::Scalar;
-use crate::scalar::{floor, is};
+use crate::scalar::{floor, is, is_plain, smallest_normal};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
 pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
-    // From the bits of the type's own format: a microcontroller's f32 never passes through f64.
-    let any: &dyn Any = &x;
-    if let Some(&x) = any.downcast_ref::<f32>() {
-        let (x, shift) = if x < f32::MIN_POSITIVE { (x * 16_777_216.0, 24) } else { (x, 0) };
-        let fraction = f32::from_bits(x.to_bits() & 0x007f_ffff | 0x3f80_0000);
-        (T::from_subset(&fraction), (x.to_bits() >> 23) as i32 - 127 - shift)
-    } else {
-        let value = x.value();
-        let (value, shift) =
-            if value < f64::MIN_POSITIVE { (value * 18_014_398_509_481_984.0, 54) } else { (value, 0) };
-        let exponent = (value.to_bits() >> 52) as i32 - 1023 - shift;
-        if is::<T, f64>() {
-            let fraction = f64::from_bits(value.to_bits() & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000);
-            (T::constant(fraction), exponent)
-        } else {
-            // What else the number carries, such as derivatives, scales with it.
-            (scale(x, -exponent), exponent)
-        }
+    if !is_plain::<T>() {
+        // What else the number carries, such as derivatives, scales with it.
+        let (_, exponent) = split(x.value());
+        return (scale(x, -exponent), exponent);
     }
+    let (units, shift) = if is::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
+    let (x, shift) = if x < smallest_normal() { (x * T::constant(units), shift) } else { (x, 0) };
+    (fraction(x), exponent(x) - shift)
 }
 
 /// x · 2^e; exact unless the result over- or underflows.

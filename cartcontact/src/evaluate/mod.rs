@@ -2,6 +2,7 @@
 
 pub(crate) mod arithmetic;
 pub(crate) mod binary;
+pub(crate) mod bits;
 pub(crate) mod double_word;
 pub(crate) mod horner;
 pub(crate) mod power;

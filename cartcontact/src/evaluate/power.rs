@@ -84,16 +84,37 @@ pub(crate) fn raised_power_sum_and_log_slope<T: Scalar>(
 /// The load integral Σ c x^n with its derivatives, as [`power_sum_and_log_slope`].
 #[inline]
 pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> Steepness<T> {
+    scaled_power_sum_steepness(x, T::one(), terms)
+}
+
+/// `scale` Σ c x^n with its derivatives; they may leave the format if they are not scaled.
+#[inline]
+pub fn scaled_power_sum_steepness<T: Scalar>(
+    x: T,
+    scale: T,
+    terms: impl IntoIterator<Item = (T, T)>,
+) -> Steepness<T> {
+    raised_power_sum_steepness(x, 0, scale, terms)
+}
+
+/// `scale` x^k Σ c x^n with its derivatives.
+#[inline]
+pub(crate) fn raised_power_sum_steepness<T: Scalar>(
+    x: T,
+    k: i32,
+    scale: T,
+    terms: impl IntoIterator<Item = (T, T)>,
+) -> Steepness<T> {
     let (zero, one, half) = (T::zero(), T::one(), T::constant(0.5));
     let none =
         Steepness { power: one, value: zero, first: zero, half_second: zero, per_unit: one, per_degree: one };
     terms.into_iter().fold(none, |sum, (c, n)| {
-        let value = quick_term(c, x, n, 0);
-        let slope = n * value;
+        let (value, p) = (quick_term(c, x, n, k) * scale, n + T::constant(f64::from(k)));
+        let slope = p * value;
         Steepness {
             value: sum.value + value,
             first: sum.first + slope,
-            half_second: sum.half_second + half * (n - one) * slope,
+            half_second: sum.half_second + half * (p - one) * slope,
             ..sum
         }
     })

@@ -7,11 +7,13 @@
 //! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
 //! [`run`](super::run), the others one by one.
 //!
-//! **Loads that are not straight.** Between knots such a load is followed in steps. A step is taken in one piece and
-//! in two halves; if the two do not agree, it is shortened to its first half, otherwise the next is twice as
-//! long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
+//! **Loads that are not straight.** Between knots such a load is followed in steps, within which its force is a
+//! [polynomial](super::force_series). A step is taken in one piece and in two halves; if the force is no polynomial, or
+//! the two do not agree, it is shortened to its first half, otherwise the next is twice as long. The halves are kept.
+//! No step is shorter than 2^−20 of the time between knots, so the march ends.
 
-use super::run::Run;
+use super::force_series::ForceSeries;
+use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
 use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::{Contact, Loading};
@@ -68,9 +70,6 @@ pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
     if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
 
-/// How many pieces of a load are looked up at once.
-const PIECES: usize = 16;
-
 /// A transition on its way.
 struct March<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
@@ -93,7 +92,8 @@ impl<T: Scalar, P, L> Clone for March<'_, T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
-    /// Continues to the end along a straight load, and through the jump that it may make there.
+    /// Continues to the end along a straight load, and through the jump that it may make there: as
+    /// [`advance_in_pieces`](Self::advance_in_pieces) would, but most loads are held, and need no room for pieces.
     fn advance_in_one_piece(&mut self) {
         let (load, start) = (self.contact.load(), self.now.time);
         if start < self.time {
@@ -106,11 +106,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues to the end along the straight pieces of the load, and through the jumps between them.
     fn advance_in_pieces(&mut self) {
-        let mut pieces = [Piece::none(); PIECES];
+        let mut pieces = [Piece::none(); MOST_PIECES];
         while self.now.time < self.time {
             let start = self.now.time;
             let count = self.contact.load().straight_pieces((start, self.time), &mut pieces);
-            let mut ahead = &pieces[..count.min(PIECES)];
+            let mut ahead = &pieces[..count.min(MOST_PIECES)];
             while let Some(first) = ahead.first() {
                 let (done, rest) = ahead.split_at(self.advance_run(ahead).max(1));
                 if self.now.time < first.end.0 {
@@ -235,17 +235,24 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let start = self.now.time;
             // The last step must not leave a rest that is too short to divide.
             let stop = if start + step + shortest < end { start + step } else { end };
+            let force = self.force_series(stop);
+            if force.is_rough() && step > shortest {
+                step = (step * half).max(shortest);
+                continue;
+            }
+            let middle = start + (stop - start) * half;
             let mut halves = self.clone();
-            halves.advance_smooth(start + (stop - start) * half);
+            halves.advance_smooth(&self.force_series(middle), middle);
             if halves.now.radius <= self.transition.reach && stop - start > shortest {
                 // Nothing of the first half counts, so the second would only be compared with itself.
                 *self = halves;
+                step += step;
                 continue;
             }
-            halves.advance_smooth(stop);
+            halves.advance_smooth(&halves.force_series(stop), stop);
             let mut whole = self.clone();
-            whole.advance_smooth(stop);
-            let agree = whole.transition.agrees_with(&halves.transition);
+            whole.advance_smooth(&force, stop);
+            let agree = whole.transition.agrees_with(&halves.transition, halves.now.radius);
             if agree || step <= shortest {
                 *self = halves;
             }
@@ -253,22 +260,27 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    fn advance_smooth(&mut self, end: T) {
+    /// The force from now to the end of a step.
+    fn force_series(&self, end: T) -> ForceSeries<T> {
+        ForceSeries::of(self.contact.load(), (self.now.time, end), self.contact.medium().chi())
+    }
+
+    fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let start = self.now.time;
-        let first = load.force(start);
-        let before = first + chi * self.now.impulse;
-        self.now.impulse = load.impulse(end);
-        let last = load.force_before(end);
+        let (first, last, impulse) = (load.force(self.now.time), load.force_before(end), load.impulse(end));
+        // Where the series is rough, the difference of two impulses may be the better one.
+        let (of_series, uncertainty) = force.impulse();
+        let is_better = uncertainty <= impulse * T::default_epsilon();
+        let drained = chi * if is_better { of_series } else { impulse - self.now.impulse };
+        self.now.impulse = impulse;
         let radius = self.radius_under(end, last);
-        let course = Course::Smooth { load, start, duration: end - start };
-        self.cover(radius, course, (first, last), last + chi * self.now.impulse - before);
+        self.cover(radius, Course::smooth(force), (first, last), last - first + drained);
         self.now.time = end;
     }
 
     /// Extends the contact to a radius along a course of the load between two forces, on which the hereditary load
     /// gains `gain`.
-    fn cover(&mut self, high: T, course: Course<'_, T, L>, forces: (T, T), gain: T) {
+    fn cover(&mut self, high: T, course: Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // Integrals over the radius begin and end at rounded ones.
         self.set_strip(false);
@@ -307,9 +319,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
         let (radius, reach) = (self.now.radius, self.transition.reach);
         let strip = self.now.strip(self.contact.per_stiffness());
-        let slope = if wanted { strip } else { -strip };
-        let offset = slope * ((radius - reach) * (radius + reach));
-        self.transition.advance(T::one(), self.quarter_m(), Increment { offset, slope }, reach);
+        let increment = Increment::at(radius, if wanted { strip } else { -strip }, reach);
+        self.transition.advance(T::one(), self.quarter_m(), increment, reach);
         self.has_strip = wanted;
     }
 
@@ -321,9 +332,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn cover_at_once(&mut self, high: T, fading: T, decay: T, (first, last): (T, T)) {
         let kept = Moment { radius: high, surplus: (last - first) + first * fading, ..self.now };
         let low = self.transition.reach.max(self.now.radius);
-        let slope = kept.strip(self.contact.per_stiffness());
-        let offset = slope * ((high - low) * (high + low));
-        self.transition.advance(decay, self.quarter_m(), Increment { offset, slope }, low);
+        let increment = Increment::at(high, kept.strip(self.contact.per_stiffness()), low);
+        self.transition.advance(decay, self.quarter_m(), increment, low);
         self.now.radius = high;
     }
 

@@ -13,7 +13,9 @@
 //! integrated by parts.
 
 mod fading;
+mod force_series;
 mod march;
+mod nodes;
 pub(crate) mod quadrature;
 mod radius_form;
 mod run;
@@ -23,7 +25,7 @@ mod time_form;
 use crate::Scalar;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain};
-pub(crate) use march::{march, surplus_that_counts};
+pub(crate) use march::{faded_folds, march, surplus_that_counts};
 pub(crate) use stretch::age_along_line;
 
 /// A time with the contact radius at it.
@@ -84,9 +86,11 @@ impl<T: Scalar> Transition<T> {
         not_negative(self.decay * pressure + gain)
     }
 
-    /// Whether two ways to the same transition differ by little more than rounding.
-    fn agrees_with(&self, other: &Self) -> bool {
-        let tolerance = T::default_epsilon() * T::constant(512.0);
+    /// Whether two ways to the same transition, at whose end the contact has some radius, differ by little more than
+    /// rounding, which counts the more the narrower the ring beyond the reach is.
+    fn agrees_with(&self, other: &Self, radius: T) -> bool {
+        let edge = radius / (radius - self.reach).max(radius * T::default_epsilon());
+        let tolerance = T::default_epsilon() * T::constant(64.0) * (T::constant(8.0) + edge);
         let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());
         agree(self.offset, other.offset) && agree(self.slope, other.slope)
     }
@@ -111,8 +115,45 @@ impl<T: Scalar> Increment<T> {
         Self { offset: T::zero(), slope: T::zero() }
     }
 
+    /// Of all at the radius s: `weight` is ∫ δ₀′ e^(−χ age) ds.
+    #[inline(always)]
+    fn at(s: T, weight: T, low: T) -> Self {
+        Self { offset: weight * ((s - low) * (s + low)), slope: weight }
+    }
+
+    /// Of all at some radii, with a weight for each.
+    #[inline(always)]
+    fn of(radii: &[T], weights: &[T], low: T) -> Self {
+        // Four sums side by side, so that vectors may take them.
+        let mut sums = [Self::zero(); 4];
+        let ((radii, radii_left), (weights, weights_left)) =
+            (radii.as_chunks::<4>(), weights.as_chunks::<4>());
+        for (radii, weights) in radii.iter().zip(weights) {
+            for ((sum, &s), &weight) in sums.iter_mut().zip(radii).zip(weights) {
+                *sum = sum.plus(Self::at(s, weight, low));
+            }
+        }
+        let left = radii_left.iter().zip(weights_left).map(|(&s, &weight)| Self::at(s, weight, low));
+        sums.into_iter().chain(left).fold(Self::zero(), Self::plus)
+    }
+
+    /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided by s⁴.
+    #[inline(always)]
+    fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
+        for (weight, &s) in weights.iter_mut().zip(radii) {
+            let square = s * s;
+            *weight /= square * square;
+        }
+        Self::of(radii, weights, low)
+    }
+
+    #[inline(always)]
     fn plus(self, other: Self) -> Self {
         Self { offset: self.offset + other.offset, slope: self.slope + other.slope }
+    }
+
+    fn times(self, factor: T) -> Self {
+        Self { offset: self.offset * factor, slope: self.slope * factor }
     }
 
     /// Scales what a thin layer adds to the pressure to the load that it carries, in units of π m/4.
@@ -125,16 +166,7 @@ impl<T: Scalar> Increment<T> {
         let carried = (self.slope * square + two * self.offset) * square;
         let is_thin = high - low <= high * T::default_epsilon().sqrt();
         if is_thin && carried > T::zero() {
-            let scale = two * load / carried;
-            self.offset *= scale;
-            self.slope *= scale;
+            *self = self.times(two * load / carried);
         }
-    }
-
-    /// Adds the value of one node: `weight` is that of δ₀′ e^(−χ age) ds at the radius s.
-    #[inline(always)]
-    fn add(&mut self, weight: T, s: T, low: T) {
-        self.offset += weight * ((s - low) * (s + low));
-        self.slope += weight;
     }
 }

@@ -13,83 +13,77 @@
 
 use crate::Scalar;
 
-/// One half of a symmetric rule on [−1, 1]: its positive nodes with their weights.
-///
-/// Nodes and weights are the 40-digit values of the Legendre roots, rounded to f64: error 1/2 ulp.
-#[derive(Clone, Copy, Debug)]
+/// The most nodes of a rule.
+pub(super) const MOST_NODES: usize = 24;
+
+/// A symmetric rule on [−1, 1].
+#[derive(Debug)]
 pub(crate) struct Rule {
-    half: &'static [(f64, f64)],
-    /// The factors of the coefficient that tells whether the rule resolves a function.
-    highest: &'static [f64],
+    count: usize,
+    /// Pair by pair from the middle outwards, the negative one first.
+    nodes: [f64; MOST_NODES],
+    weights: [f64; MOST_NODES],
+    /// (2n−1)/2 w P₍ₙ₋₁₎ at the positive node of each pair.
+    highest: [f64; MOST_NODES / 2],
     /// The most e-foldings it integrates to full accuracy, in f64 and in f32.
     folds: (f64, f64),
 }
 
-const RULES: [Rule; 7] = [
-    Rule::FOUR,
-    Rule::SIX,
-    Rule::EIGHT,
-    Rule::TEN,
-    Rule::TWELVE,
-    Rule { half: &NODES_16, highest: &highest(NODES_16), folds: (14.42, 26.51) },
-    Rule::FINEST,
-];
-
-/// (2n−1)/2 w P₍ₙ₋₁₎(x) at the positive nodes x of a rule of n nodes.
-const fn highest<const HALF: usize>(half: [(f64, f64); HALF]) -> [f64; HALF] {
-    let n = 2 * HALF;
-    let mut factors = [0.0; HALF];
-    let mut index = 0;
-    while index < HALF {
-        let (x, weight) = half[index];
-        // (k+1) P₍ₖ₊₁₎ = (2k+1) x Pₖ − k P₍ₖ₋₁₎
-        let (mut before, mut legendre) = (1.0, x);
-        let mut k = 1;
-        while k < n - 1 {
-            let degree = k as f64;
-            let next = ((2.0 * degree + 1.0) * x * legendre - degree * before) / (degree + 1.0);
-            (before, legendre) = (legendre, next);
-            k += 1;
-        }
-        factors[index] = (n as f64 - 0.5) * weight * legendre;
-        index += 1;
-    }
-    factors
-}
+/// The rules that are chosen from. Their nodes fill vectors of up to eight numbers, so that fewer would take as long.
+const RULES: [&Rule; 3] = [Rule::EIGHT, Rule::SIXTEEN, Rule::FINEST];
 
 impl Rule {
-    pub(super) const FOUR: Self = Self { half: &NODES_4, highest: &highest(NODES_4), folds: (0.1321, 1.512) };
-    pub(super) const SIX: Self = Self { half: &NODES_6, highest: &highest(NODES_6), folds: (0.8733, 4.269) };
-    pub(super) const EIGHT: Self = Self { half: &NODES_8, highest: &highest(NODES_8), folds: (2.403, 7.884) };
-    pub(super) const TEN: Self = Self { half: &NODES_10, highest: &highest(NODES_10), folds: (4.632, 12.06) };
-    pub(super) const TWELVE: Self =
-        Self { half: &NODES_12, highest: &highest(NODES_12), folds: (7.447, 16.64) };
+    pub(super) const FOUR: &'static Self = &Self::of(NODES_4, (0.1321, 1.512));
+    pub(super) const SIX: &'static Self = &Self::of(NODES_6, (0.8733, 4.269));
+    pub(super) const EIGHT: &'static Self = &Self::of(NODES_8, (2.403, 7.884));
+    pub(super) const TEN: &'static Self = &Self::of(NODES_10, (4.632, 12.06));
+    pub(super) const TWELVE: &'static Self = &Self::of(NODES_12, (7.447, 16.64));
+    const SIXTEEN: &'static Self = &Self::of(NODES_16, (14.42, 26.51));
     /// The rule of 24 nodes.
-    pub(crate) const FINEST: Self =
-        Self { half: &NODES_24, highest: &highest(NODES_24), folds: (31.69, 47.76) };
+    pub(crate) const FINEST: &'static Self = &Self::of(NODES_24, (31.69, 47.76));
+
+    /// From its positive nodes with their weights, which are the 40-digit values of the Legendre roots, rounded to f64:
+    /// error 1/2 ulp.
+    const fn of<const HALF: usize>(half: [(f64, f64); HALF], folds: (f64, f64)) -> Self {
+        let zero = [0.0; MOST_NODES];
+        let mut rule =
+            Self { count: 2 * HALF, nodes: zero, weights: zero, highest: [0.0; MOST_NODES / 2], folds };
+        let mut pair = 0;
+        while pair < HALF {
+            let (x, weight) = half[pair];
+            (rule.nodes[2 * pair], rule.nodes[2 * pair + 1]) = (-x, x);
+            (rule.weights[2 * pair], rule.weights[2 * pair + 1]) = (weight, weight);
+            rule.highest[pair] = (rule.count as f64 - 0.5) * weight * legendre(rule.count - 1, x);
+            pair += 1;
+        }
+        rule
+    }
 
     /// The shortest rule for an integrand that changes by e^`folds`.
-    pub(crate) fn for_folds<T: Scalar>(folds: T) -> Self {
+    pub(crate) fn for_folds<T: Scalar>(folds: T) -> &'static Self {
         RULES.into_iter().find(|rule| folds <= rule.folds()).unwrap_or(Self::FINEST)
     }
 
     /// The most e-foldings it integrates to full accuracy in the arithmetic of `T`.
-    pub(crate) fn folds<T: Scalar>(self) -> T {
+    pub(crate) fn folds<T: Scalar>(&self) -> T {
         let single = T::default_epsilon() > T::constant(1e-10);
         T::constant(if single { self.folds.1 } else { self.folds.0 })
     }
 
     /// How many nodes it has.
+    #[inline(always)]
     pub(super) fn len(&self) -> usize {
-        2 * self.half.len()
+        // The compiler cannot know, and would check all bounds.
+        self.count.min(MOST_NODES)
     }
 
     /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the nodes
     /// ±x of each pair.
     #[inline(always)]
     pub(super) fn coefficients(&self) -> impl Iterator<Item = (f64, f64)> {
-        let pairs = self.half.iter().zip(self.highest);
-        pairs.map(|(&(x, weight), &highest)| (1.5 * x * weight, highest))
+        let (nodes, weights) = self.tables();
+        let pairs = nodes.chunks_exact(2).zip(weights.chunks_exact(2)).zip(&self.highest);
+        pairs.map(|((x, weight), &highest)| (1.5 * x[1] * weight[1], highest))
     }
 
     /// Whether it integrates a function whose coefficient of degree n − 1 is `highest`, if they fall geometrically from
@@ -109,22 +103,49 @@ impl Rule {
         (height <= T::constant(4.0) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
     }
 
-    /// The nodes on [low, high] with their weights.
-    #[inline]
-    pub(crate) fn nodes<T: Scalar>(self, low: T, high: T) -> impl Iterator<Item = (T, T)> {
-        self.pairs(low, high).flat_map(|(nodes, weight)| nodes.map(|node| (node, weight)))
+    /// Whether it [`resolves`](Self::resolves) the function that has `values` at the nodes.
+    #[inline(always)]
+    pub(super) fn resolves_values<T: Scalar>(&self, values: &[T], share: T) -> bool {
+        let (mut first, mut highest) = (T::zero(), T::zero());
+        let (pairs, _) = values.as_chunks::<2>();
+        for (pair, factors) in pairs.iter().zip(self.coefficients()) {
+            let difference = pair[1] - pair[0];
+            first += T::constant(factors.0) * difference;
+            highest += T::constant(factors.1) * difference;
+        }
+        let size = values.last().map_or(T::zero(), |&value| value);
+        self.resolves(first / size, highest / size, share)
     }
 
-    /// The nodes on either side of the middle of [low, high], from there on outwards, with the weight of both.
+    /// The nodes on [low, high], pair by pair from the middle outwards, with their weights.
     #[inline]
-    pub(super) fn pairs<T: Scalar>(self, low: T, high: T) -> impl Iterator<Item = ([T; 2], T)> {
-        let middle = (low + high) * T::constant(0.5);
-        let radius = (high - low) * T::constant(0.5);
-        self.half.iter().map(move |&(node, weight)| {
-            let (offset, weight) = (radius * T::constant(node), radius * T::constant(weight));
-            ([middle - offset, middle + offset], weight)
-        })
+    pub(crate) fn nodes<T: Scalar>(&self, low: T, high: T) -> impl Iterator<Item = (T, T)> {
+        let half = T::constant(0.5);
+        let (middle, radius) = ((low + high) * half, (high - low) * half);
+        let (nodes, weights) = self.tables();
+        let on_interval = move |(&node, &weight): (&f64, &f64)| {
+            (middle + radius * T::constant(node), radius * T::constant(weight))
+        };
+        nodes.iter().zip(weights).map(on_interval)
     }
+
+    /// The nodes on [−1, 1], pair by pair from the middle outwards, and their weights.
+    #[inline(always)]
+    fn tables(&self) -> (&[f64], &[f64]) {
+        (&self.nodes[..self.len()], &self.weights[..self.len()])
+    }
+}
+
+/// The Legendre polynomial of a degree, by (k+1) P₍ₖ₊₁₎ = (2k+1) x Pₖ − k P₍ₖ₋₁₎.
+const fn legendre(degree: usize, x: f64) -> f64 {
+    let (mut before, mut now) = (0.0, 1.0);
+    let mut k = 0;
+    while k < degree {
+        let next = ((2 * k + 1) as f64 * x * now - k as f64 * before) / (k + 1) as f64;
+        (before, now) = (now, next);
+        k += 1;
+    }
+    now
 }
 
 /// The rule of 4 nodes, exact for polynomials up to degree 7.
@@ -185,10 +206,13 @@ const NODES_24: [(f64, f64); 12] = [
 mod tests {
     use super::*;
 
+    const ALL: [&Rule; 7] =
+        [Rule::FOUR, Rule::SIX, Rule::EIGHT, Rule::TEN, Rule::TWELVE, Rule::SIXTEEN, Rule::FINEST];
+
     #[test]
     fn rules_are_exact_for_polynomials() {
-        for rule in RULES {
-            let n = 2 * rule.half.len();
+        for rule in ALL {
+            let n = rule.len();
             for degree in 0..2 * n as i32 {
                 let integral =
                     rule.nodes(0.0, 1.0).fold(0.0, |sum, (x, w): (f64, f64)| sum + w * x.powi(degree));
@@ -202,18 +226,12 @@ mod tests {
 
     #[test]
     fn coefficients_are_those_of_legendre() {
-        for rule in RULES {
+        for rule in ALL {
             let n = rule.len();
             for degree in (1..n).step_by(2) {
-                let legendre = |x: f64| {
-                    let next = |(before, now), k: usize| {
-                        (now, ((2 * k + 1) as f64 * x * now - k as f64 * before) / (k + 1) as f64)
-                    };
-                    (1..degree).fold((1.0, x), next).1
-                };
-                let pairs = rule.half.iter().zip(rule.coefficients());
-                let (first, highest) = pairs.fold((0.0, 0.0), |sums, (&(x, _), factors)| {
-                    let difference = legendre(x) - legendre(-x);
+                let pairs = rule.nodes.chunks_exact(2).zip(rule.coefficients());
+                let (first, highest) = pairs.fold((0.0, 0.0), |sums, (x, factors)| {
+                    let difference = legendre(degree, x[1]) - legendre(degree, x[0]);
                     (sums.0 + factors.0 * difference, sums.1 + factors.1 * difference)
                 });
                 let expected = |is_it| if is_it { 1.0 } else { 0.0 };
@@ -225,7 +243,7 @@ mod tests {
 
     #[test]
     fn rules_hold_what_their_folds_promise() {
-        for rule in RULES {
+        for rule in ALL {
             let folds = rule.folds::<f64>();
             let integral =
                 rule.nodes(0.0, 1.0).fold(0.0, |sum, (x, w): (f64, f64)| sum + w * (folds * (x - 1.0)).exp());

@@ -10,8 +10,10 @@
 //! 4 (n+2) − 1, at least 7; outside the core the singularity at r = 0 is far enough for any rule.
 
 use super::Increment;
+use super::nodes::{Node, Nodes};
 use super::quadrature::Rule;
 use super::stretch::Stretch;
+use crate::dispatch::wide;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
 
@@ -28,6 +30,8 @@ where
     let negligible = T::default_epsilon() * T::constant(0.0625);
     let uncertainty = T::default_epsilon() * T::constant(8.0);
     let most = Rule::FINEST.folds::<T>();
+    // J′ of positive terms rises with the radius.
+    let is_steepest_at_edge = profile.has_only_positive_terms() && stretch.course.is_held();
 
     // Whatever the rate, some thousand panels are the most there can be.
     let shortest = deepest * T::constant(1.0 / 4096.0);
@@ -41,13 +45,18 @@ where
         } else {
             (depth + (most / rate).max(shortest)).min(core)
         };
-        let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
-        let length = end - depth;
-        let rule = Rule::for_folds((rate * length).max(of_powers * length + fading));
+        let (end, rule) = if is_steepest_at_edge {
+            (end, Rule::for_folds(rate * (end - depth)))
+        } else {
+            let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
+            let length = end - depth;
+            (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
+        };
         let (increment, is_steady) = increment_of_panel(stretch, rule, (depth, end));
-        sum = sum.plus(match is_steady {
-            true => increment,
-            false => increment_of_panel(stretch, Rule::FINEST, (depth, end)).0,
+        sum = sum.plus(if is_steady {
+            increment
+        } else {
+            increment_of_panel(stretch, Rule::FINEST, (depth, end)).0
         });
         depth = end;
         if depth < deepest {
@@ -63,7 +72,7 @@ where
         }
     }
     if core < deepest {
-        increment_of_core(stretch, high - core, &mut sum);
+        sum = sum.plus(increment_of_core(stretch, high - core));
     }
     sum
 }
@@ -75,10 +84,9 @@ where
 /// faster in the plane of complex radii than any exponential that is as steep in the panel: for c = 1/2 on one side
 /// of it 12 nodes take the place of 8. The finest rule leaves 1e-16 for all c that its panels allow, on either side or
 /// on both.
-#[inline(always)]
 fn increment_of_panel<T, P, L>(
     stretch: &Stretch<'_, T, P, L>,
-    rule: Rule,
+    rule: &Rule,
     (start, end): (T, T),
 ) -> (Increment<T>, bool)
 where
@@ -86,24 +94,19 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let profile = stretch.contact.profile();
-    let rounding = T::one() + T::default_epsilon() * T::constant(16.0);
-    let mut sum = Increment::zero();
-    let mut is_steady = true;
-    // The outermost nodes so far, toward the edge and toward the centre.
-    let mut steepness = [T::zero(), T::infinity()];
-    for (depths, weight) in rule.pairs(start, end) {
-        let [of_outer, of_inner] = depths.map(|depth| {
-            let s = stretch.high - depth;
-            let (slope, fading) = stretch.slope_and_fading(s, depth);
-            sum.add(weight * slope * fading, s, stretch.low);
-            s * slope
-        });
-        is_steady &= (of_outer * rounding >= steepness[0]) & (of_inner <= steepness[1] * rounding);
-        is_steady &= of_inner <= of_outer * rounding;
-        steepness = [of_outer, of_inner];
-    }
-    (sum, is_steady | profile.has_only_positive_terms())
+    wide(
+        #[inline(always)]
+        || {
+            let mut nodes = Nodes::none();
+            nodes.take(stretch, rule, (start, end), |depth, weight| Node {
+                s: stretch.high - depth,
+                depth,
+                weight,
+            });
+            let is_steady = stretch.contact.profile().has_only_positive_terms() || nodes.are_steady();
+            (nodes.increment(stretch.low), is_steady)
+        },
+    )
 }
 
 /// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
@@ -130,21 +133,27 @@ where
     }
 }
 
-/// Adds the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
-fn increment_of_core<T, P, L>(stretch: &Stretch<'_, T, P, L>, top: T, sum: &mut Increment<T>)
+/// The increment of the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
+fn increment_of_core<T, P, L>(stretch: &Stretch<'_, T, P, L>, top: T) -> Increment<T>
 where
     T: Scalar,
     P: GapProfile<T>,
     L: Load<T>,
 {
     let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
-    for (x, weight) in Rule::FINEST.nodes(fourth_root(stretch.low), fourth_root(top)) {
-        let cube = x * x * x;
-        let s = (cube * x).max(stretch.low);
-        let slope = T::constant(4.0) * cube;
-        let (slope_of_approach, fading) = stretch.slope_and_fading(s, stretch.high - s);
-        sum.add(weight * slope * slope_of_approach * fading, s, stretch.low);
-    }
+    let ends = (fourth_root(stretch.low), fourth_root(top));
+    wide(
+        #[inline(always)]
+        || {
+            let mut nodes = Nodes::none();
+            nodes.take(stretch, Rule::FINEST, ends, |x, weight| {
+                let cube = x * x * x;
+                let s = (cube * x).max(stretch.low);
+                Node { s, depth: stretch.high - s, weight: weight * T::constant(4.0) * cube }
+            });
+            nodes.increment(stretch.low)
+        },
+    )
 }
 
 /// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and

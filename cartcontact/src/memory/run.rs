@@ -21,25 +21,25 @@
 //! show that the rule is too short. Such pieces are left to the other forms.
 
 use super::Increment;
-use super::fading::{FEW_FOLDS, decay_gain};
+use super::fading::decay;
 use super::quadrature::Rule;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::{Load, Piece};
 use crate::{GapProfile, Scalar};
 
-/// The most pieces in a run. They lie beside each other, one to a lane of a vector.
-const LANES: usize = 8;
-/// The most nodes in a piece.
-const ROWS: usize = 12;
+/// The most pieces in a run.
+pub(super) const MOST_PIECES: usize = 16;
+/// The most nodes of all pieces.
+const MOST_NODES: usize = 96;
 
 /// A number for every piece.
-type Lanes<T> = [T; LANES];
+type Pieces<T> = [T; MOST_PIECES];
 
 /// A rule, and the pieces that are short enough for it.
 #[derive(Clone, Copy, Debug)]
 struct ShortRule {
-    rule: Rule,
+    rule: &'static Rule,
     /// The most e-foldings of a piece.
     folds: f64,
     /// The least distance to the singularity from the end of a piece, in units of its duration.
@@ -57,17 +57,17 @@ const RULES: [ShortRule; 5] = [
     ShortRule { rule: Rule::TWELVE, folds: 7.6, distance: 0.82 },
 ];
 
-/// Short pieces one after the other, without a step between them; places that are left over are as long as nothing.
+/// Short pieces one after the other, without a step between them.
 pub(super) struct Run<T> {
     count: usize,
-    rule: Rule,
+    rule: &'static Rule,
     /// χ times the durations, and times what follows in all.
-    folds: Lanes<T>,
-    since_end: Lanes<T>,
+    folds: Pieces<T>,
+    since_end: Pieces<T>,
     /// The hereditary loads at the ends, R and B of the module documentation.
-    hereditary: Lanes<T>,
-    rates: Lanes<T>,
-    bends: Lanes<T>,
+    hereditary: Pieces<T>,
+    rates: Pieces<T>,
+    bends: Pieces<T>,
     /// By how much the hereditary load grows in all.
     pub(super) gain: T,
     /// ∫F at the end.
@@ -79,7 +79,7 @@ impl<T: Scalar> Run<T> {
     ///
     /// `faded` says by how many e-foldings what a piece lays down has faded at least when it counts.
     pub(super) fn of(pieces: &[Piece<T>], chi: T, impulse: T, faded: impl Fn(&Piece<T>) -> T) -> Self {
-        let none = [T::zero(); LANES];
+        let none = [T::zero(); MOST_PIECES];
         let mut run = Self {
             count: 0,
             rule: Rule::FOUR,
@@ -96,7 +96,7 @@ impl<T: Scalar> Run<T> {
         let mut rules = RULES.iter();
         let mut rule = rules.next();
         let mut force = pieces.first().map_or(T::zero(), |piece| piece.start.1);
-        for piece in pieces.iter().take(LANES) {
+        for piece in pieces.iter().take(MOST_PIECES) {
             if piece.start.1 != force {
                 break;
             }
@@ -111,11 +111,13 @@ impl<T: Scalar> Run<T> {
             {
                 rule = rules.next();
             }
-            let Some(rule) = rule else { break };
+            let Some(rule) = rule.filter(|rule| (run.count + 1) * rule.rule.len() <= MOST_NODES) else {
+                break;
+            };
             let place = run.count;
             run.rule = rule.rule;
             run.folds[place] = folds;
-            run.hereditary[place..].fill(hereditary);
+            run.hereditary[place] = hereditary;
             run.rates[place] = rate;
             run.bends[place] = bend;
             run.gain += rate - bend * T::constant(0.5);
@@ -146,91 +148,76 @@ impl<T: Scalar> Run<T> {
         P: GapProfile<T>,
         L: Load<T>,
     {
-        let zero = [[T::zero(); LANES]; ROWS];
-        let (mut hereditary, mut weights, mut fading, mut radii) = (zero, zero, zero, zero);
-        let rows = self.rule.len();
-        let (hereditary, weights) = (&mut hereditary[..rows], &mut weights[..rows]);
-        let (fading, radii) = (&mut fading[..rows], &mut radii[..rows]);
+        let zero = [T::zero(); MOST_NODES];
+        let (mut hereditary, mut weights, mut radii) = (zero, zero, zero);
+        let nodes = ..self.count * self.rule.len();
+        let (hereditary, weights) = (&mut hereditary[nodes], &mut weights[nodes]);
+        let radii = &mut radii[nodes];
         wide(
             #[inline(always)]
-            || self.fill(hereditary, weights, fading),
+            || self.fill(hereditary, weights, radii),
         );
-        contact.radii_under(hereditary.as_flattened_mut(), radii.as_flattened_mut()).ok()?;
-        self.fade(self.since_end[0] + self.folds[0], fading);
-        // The last node but one is next to the end.
-        let shares: Lanes<T> = each(|lane| share * fading[rows - 2][lane]);
+        contact.radii_under(hereditary, radii).ok()?;
         wide(
             #[inline(always)]
             || {
-                let offsets = hereditary;
-                let sums = offsets.as_flattened_mut().iter_mut().zip(weights.as_flattened_mut());
-                let nodes = fading.as_flattened().iter().zip(radii.as_flattened());
-                for ((offset, weight), (&fading, &a)) in sums.zip(nodes) {
-                    let square = a * a;
-                    *weight = *weight * fading / (square * square);
-                    *offset = *weight * ((a - low) * (a + low));
-                }
+                // The weights are forces.
                 let factor = T::constant(2.0) * contact.per_stiffness();
-                let increment = Increment { offset: factor * sum(offsets), slope: factor * sum(weights) };
-                self.is_resolved(radii, &shares).then_some(increment)
+                let increment = Increment::over_time(radii, weights, low).times(factor);
+                self.is_resolved(radii, share).then_some(increment)
             },
         )
     }
 
-    /// The hereditary loads at the nodes, the weights of what grows there, and the ages.
+    /// The hereditary loads at the nodes, a row of all pieces for each node of the rule, and the weights of what grows
+    /// there and is left at the end.
     #[inline(always)]
-    fn fill(&self, hereditary: &mut [Lanes<T>], weights: &mut [Lanes<T>], ages: &mut [Lanes<T>]) {
-        let Self { folds, since_end, hereditary: final_loads, rates, bends, .. } = *self;
-        let rows = hereditary.iter_mut().zip(weights).zip(ages);
+    fn fill(&self, hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
+        let rows = self.rows_mut(hereditary).zip(self.rows_mut(weights)).zip(self.rows_mut(ages));
         for (((hereditary, weights), ages), (v, weight)) in rows.zip(self.rule.nodes(T::zero(), T::one())) {
             let half = v * T::constant(0.5);
-            *hereditary = each(|lane| final_loads[lane] - v * (rates[lane] - bends[lane] * half));
-            *weights = each(|lane| weight * (rates[lane] - bends[lane] * v));
-            *ages = each(|lane| since_end[lane] + folds[lane] * v);
+            let growth = self.hereditary.iter().zip(&self.rates).zip(&self.bends);
+            let places = hereditary.iter_mut().zip(weights);
+            for ((hereditary, weights), ((&last, &rate), &bend)) in places.zip(growth) {
+                *hereditary = last - v * (rate - bend * half);
+                *weights = weight * (rate - bend * v);
+            }
+            for ((age, &since_end), &folds) in ages.iter_mut().zip(&self.since_end).zip(&self.folds) {
+                *age = since_end + folds * v;
+            }
+        }
+        for (weight, &age) in weights.iter_mut().zip(&*ages) {
+            *weight *= decay(age);
         }
     }
 
-    /// Replaces the ages of the nodes, up to `oldest`, by e^(−age).
-    fn fade(&self, oldest: T, ages: &mut [Lanes<T>]) {
-        if oldest <= T::constant(FEW_FOLDS) {
-            wide(
-                #[inline(always)]
-                || ages.as_flattened_mut().iter_mut().for_each(|age| *age = T::one() + decay_gain(*age)),
-            );
-        } else {
-            let ages = ages.iter_mut().flat_map(|row| &mut row[..self.count]);
-            ages.for_each(|age| *age = (-*age).exp());
-        }
-    }
-
-    /// Whether the rule integrates a function of the radii at the nodes of every piece, of which some share is left.
+    /// The rows of numbers at all nodes.
     #[inline(always)]
-    fn is_resolved(&self, radii: &[Lanes<T>], shares: &Lanes<T>) -> bool {
-        let (mut first, mut highest) = ([T::zero(); LANES], [T::zero(); LANES]);
-        for (pair, factors) in radii.chunks_exact(2).zip(self.rule.coefficients()) {
+    fn rows_mut<'a>(&self, values: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
+        values.chunks_exact_mut(self.count.max(1))
+    }
+
+    /// Whether the rule integrates a function of the radii at the nodes of every piece, of which `share` is left of what
+    /// is left at the end.
+    #[inline(always)]
+    fn is_resolved(&self, radii: &[T], share: T) -> bool {
+        let none = [T::zero(); MOST_PIECES];
+        let (mut first, mut highest) = (none, none);
+        for (pair, factors) in radii.chunks_exact(2 * self.count.max(1)).zip(self.rule.coefficients()) {
             let (to_first, to_highest) = (T::constant(factors.0), T::constant(factors.1));
-            let odd: Lanes<T> = each(|lane| pair[1][lane] - pair[0][lane]);
-            first = each(|lane| first[lane] + to_first * odd[lane]);
-            highest = each(|lane| highest[lane] + to_highest * odd[lane]);
+            let (later, earlier) = pair.split_at(self.count);
+            let sums = first.iter_mut().zip(&mut highest);
+            for ((first, highest), (&later, &earlier)) in sums.zip(later.iter().zip(earlier)) {
+                let odd = earlier - later;
+                *first += to_first * odd;
+                *highest += to_highest * odd;
+            }
         }
-        let sizes: Lanes<T> = each(|lane| radii[0][lane].recip());
-        (0..LANES).fold(true, |all, lane| {
-            let (first, highest) = (first[lane] * sizes[lane], highest[lane] * sizes[lane]);
-            all & self.rule.resolves(first, highest, shares[lane])
+        let sums = first.iter().zip(&highest).zip(&self.since_end);
+        sums.zip(radii).fold(true, |all, (((&first, &highest), &since_end), &size)| {
+            all & self.rule.resolves(first / size, highest / size, share * decay(since_end))
         })
     }
-}
-
-#[inline(always)]
-fn each<T>(value: impl Fn(usize) -> T) -> Lanes<T> {
-    core::array::from_fn(value)
-}
-
-/// The sum of all, lane by lane first.
-#[inline(always)]
-fn sum<T: Scalar>(rows: &[Lanes<T>]) -> T {
-    let lanes = rows.iter().fold([T::zero(); LANES], |sum, row| each(|lane| sum[lane] + row[lane]));
-    lanes.into_iter().fold(T::zero(), |sum, x| sum + x)
 }
 
 impl ShortRule {

@@ -1,5 +1,7 @@
 //! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
 
+use super::fading::decay;
+use super::force_series::ForceSeries;
 use super::{Increment, radius_form, time_form};
 use crate::contact::Contact;
 use crate::evaluate::binary::{scale, split};
@@ -10,7 +12,7 @@ use crate::{GapProfile, Scalar};
 /// The radii from `low` to `high` that the edge passed while the load took a course.
 pub(super) struct Stretch<'a, T, P, L> {
     pub(super) contact: &'a Contact<T, P, L>,
-    pub(super) course: Course<'a, T, L>,
+    pub(super) course: Course<'a, T>,
     pub(super) low: T,
     /// The contact radius at the end of the stretch.
     pub(super) high: T,
@@ -19,19 +21,19 @@ pub(super) struct Stretch<'a, T, P, L> {
 }
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
-pub(super) enum Course<'a, T, L> {
+pub(super) enum Course<'a, T> {
     /// At once, at the end.
     Step,
     /// Along a straight load: Y′ at the end, F′, and the duration.
     Linear { rate: T, load_rate: T, duration: T },
     /// Along any other load.
-    Smooth { load: &'a L, start: T, duration: T },
+    Smooth(&'a ForceSeries<T>),
 }
 
-impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
+impl<'a, T: Scalar> Course<'a, T> {
     /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
-        if last > first && chi * duration <= T::default_epsilon() * T::constant(0.125) {
+        if last > first && is_instant(chi * duration) {
             return Self::Step;
         }
         let load_rate = (last - first) / duration;
@@ -39,10 +41,16 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
         Self::Linear { rate: (load_rate + chi * last).max(T::zero()), load_rate, duration }
     }
 
+    /// A load of any other kind.
+    pub(super) fn smooth(force: &'a ForceSeries<T>) -> Self {
+        if is_instant(force.folds()) { Self::Step } else { Self::Smooth(force) }
+    }
+
     pub(super) fn decay(&self, chi: T) -> T {
         match self {
             Self::Step => T::one(),
-            Self::Linear { duration, .. } | Self::Smooth { duration, .. } => (-(chi * *duration)).exp(),
+            Self::Linear { duration, .. } => (-(chi * *duration)).exp(),
+            Self::Smooth(force) => (-force.folds()).exp(),
         }
     }
 
@@ -50,7 +58,17 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
     pub(super) fn fading(&self, chi: T) -> T {
         match self {
             Self::Step => T::zero(),
-            Self::Linear { duration, .. } | Self::Smooth { duration, .. } => -(-(chi * *duration)).exp_m1(),
+            Self::Linear { duration, .. } => -(-(chi * *duration)).exp_m1(),
+            Self::Smooth(force) => -(-force.folds()).exp_m1(),
+        }
+    }
+
+    /// Whether the load, if it lasts, was held, so that ages grow as deficits do.
+    pub(super) fn is_held(&self) -> bool {
+        match self {
+            Self::Step => true,
+            Self::Linear { load_rate, .. } => load_rate.is_zero(),
+            Self::Smooth(_) => false,
         }
     }
 
@@ -60,29 +78,70 @@ impl<'a, T: Scalar, L: Load<T>> Course<'a, T, L> {
         match *self {
             Self::Step => T::zero(),
             Self::Linear { rate, load_rate, .. } => age_along_line(rate, (chi, load_rate), deficit),
-            Self::Smooth { load, start, duration } => age_along_curve(load, chi, (start, duration), deficit),
+            Self::Smooth(force) => force.age(deficit),
+        }
+    }
+
+    /// The [`age`](Self::age) of every deficit, side by side where a formula gives it.
+    #[inline(always)]
+    fn fill_ages(&self, chi: T, deficits: &[T], ages: &mut [T]) {
+        let is_done = match *self {
+            Self::Linear { rate, load_rate, .. } => {
+                fill_ages_along_line(rate, (chi, load_rate), deficits, ages)
+            }
+            Self::Step | Self::Smooth(_) => false,
+        };
+        if !is_done {
+            for (age, &deficit) in ages.iter_mut().zip(deficits) {
+                *age = self.age(chi, deficit);
+            }
         }
     }
 }
 
 /// How long before the end of a straight load, where Y grows at `rate`, Y was smaller than at the end by `deficit`.
-///
-/// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
-/// Y′ at the time found.
 #[inline]
 pub(crate) fn age_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
     if load_rate.is_zero() {
         return deficit / rate;
     }
+    let (age, is_in_range) = root_along_line(rate, (chi, load_rate), deficit);
+    if is_in_range { age } else { age_in_units(rate, (chi, load_rate), deficit) }
+}
+
+/// [`age_along_line`] of every deficit; false if not all of them can be found side by side.
+#[inline(always)]
+fn fill_ages_along_line<T: Scalar>(
+    rate: T,
+    (chi, load_rate): (T, T),
+    deficits: &[T],
+    ages: &mut [T],
+) -> bool {
+    let pairs = ages.iter_mut().zip(deficits);
+    if load_rate.is_zero() {
+        pairs.for_each(|(age, &deficit)| *age = deficit / rate);
+        return true;
+    }
+    pairs.fold(true, |all, (age, &deficit)| {
+        let (root, is_in_range) = root_along_line(rate, (chi, load_rate), deficit);
+        *age = root;
+        all & is_in_range
+    })
+}
+
+/// The age of a deficit along a straight load, and whether the squares of rates are in range.
+///
+/// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
+/// Y′ at the time found.
+#[inline(always)]
+fn root_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> (T, bool) {
     let two = T::constant(2.0);
     // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes at the end,
     // count as a long time after it.
     let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
     let size = straight + bend.abs();
-    if !(size.is_finite() && size * T::default_epsilon() > smallest_normal()) {
-        return age_in_units(rate, (chi, load_rate), deficit);
-    }
-    two * deficit / (rate + (straight - bend).abs().sqrt())
+    let is_in_range = size.is_finite() & (size * T::default_epsilon() > smallest_normal());
+    (two * deficit / (rate + (straight - bend).abs().sqrt()), is_in_range)
 }
 
 /// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
@@ -100,40 +159,9 @@ fn age_in_units<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
     two * deficit / (rate + then)
 }
 
-/// How long before the end of a stretch of any load, from its start on, Y was smaller than at the end by `deficit`.
-#[inline(never)]
-fn age_along_curve<T: Scalar, L: Load<T>>(load: &L, chi: T, (start, duration): (T, T), deficit: T) -> T {
-    let end = start + duration;
-    let hereditary = |time: T| load.force(time) + chi * load.impulse(time);
-    let final_value = load.force_before(end) + chi * load.impulse(end);
-    first_crossing(duration, deficit, |z| final_value - hereditary(end - z))
-}
-
-/// The z in [0, `longest`] at which the increasing `deficit_of` reaches `deficit`.
-///
-/// Regula falsi with the Illinois rule: the bracket holds the root throughout, and an end that stays put has
-/// its value halved, so that both ends move. It ends when the bracket is as narrow as rounding allows, and
-/// after 60 evaluations at the latest, with the bracket's end if the values are too rough to decide.
-fn first_crossing<T: Scalar>(longest: T, deficit: T, deficit_of: impl Fn(T) -> T) -> T {
-    let half = T::constant(0.5);
-    let (mut low, mut low_value) = (T::zero(), -deficit);
-    let (mut high, mut high_value) = (longest, deficit_of(longest) - deficit);
-    if high_value <= T::zero() {
-        return longest;
-    }
-    for _ in 0..60 {
-        let z = low + (high - low) * (low_value / (low_value - high_value));
-        let value = deficit_of(z) - deficit;
-        if value < T::zero() {
-            (low, low_value, high_value) = (z, value, high_value * half);
-        } else {
-            (high, high_value, low_value) = (z, value, low_value * half);
-        }
-        if value.is_zero() || high - low <= T::default_epsilon() * high {
-            break;
-        }
-    }
-    high
+/// Whether nothing drains in so few e-foldings.
+fn is_instant<T: Scalar>(folds: T) -> bool {
+    folds <= T::default_epsilon() * T::constant(0.125)
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
@@ -148,25 +176,51 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         }
         match self.course {
             Course::Linear { rate, load_rate, .. } if load_rate < T::zero() => {
-                time_form::increment(self, rate, load_rate)
+                let chi = self.contact.medium().chi();
+                let (rate, rise) = (rate / chi, -load_rate / chi);
+                let half = T::constant(0.5);
+                time_form::increment(
+                    self,
+                    (rate, rise),
+                    #[inline(always)]
+                    |x| (x * (rate + half * rise * x), rate + rise * x),
+                )
+            }
+            Course::Smooth(force) if force.falls && self.begins_covered() => {
+                time_form::increment(self, (force.highest_rate, T::zero()), |x| force.shortfall(x))
             }
             _ => radius_form::increment(self),
         }
     }
 
+    /// Whether the hereditary load is well above zero throughout.
+    fn begins_covered(&self) -> bool {
+        let profile = self.contact.profile();
+        let sixteenth = T::constant(1.0 / 16.0);
+        profile.quick_load_integral(self.low) >= profile.quick_load_integral(self.high) * sixteenth
+    }
+
     /// How long before the end the edge passed the radius `high` − `depth`.
     #[inline]
     pub(super) fn age_at(&self, depth: T) -> T {
-        let deficit = self.contact.profile().load_integral_drop(self.high, depth);
-        self.course.age(self.contact.medium().chi(), self.contact.stiffness() * deficit + self.surplus)
+        self.course.age(self.contact.medium().chi(), self.deficit_at(depth))
     }
 
-    /// δ₀′ and e^(−χ age) at the radius s = `high` − `depth`, of which one is rounded: near the edge s, near the centre
-    /// the depth.
+    /// By how much the hereditary load at the end exceeds that of the radius `high` − `depth`.
     #[inline(always)]
-    pub(super) fn slope_and_fading(&self, s: T, depth: T) -> (T, T) {
-        let fading = (-(self.contact.medium().chi() * self.age_at(depth))).exp();
-        (self.contact.profile().approach_slope(s), fading)
+    pub(super) fn deficit_at(&self, depth: T) -> T {
+        let drop = self.contact.profile().load_integral_drop(self.high, depth);
+        self.contact.stiffness() * drop + self.surplus
+    }
+
+    /// What is left at the end of what was laid at the radii with some deficits, e^(−χ age).
+    #[inline(always)]
+    pub(super) fn fill_decays(&self, deficits: &[T], decays: &mut [T]) {
+        let chi = self.contact.medium().chi();
+        self.course.fill_ages(chi, deficits, decays);
+        for age in decays {
+            *age = decay(chi * *age);
+        }
     }
 
     /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.
@@ -177,25 +231,32 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// sin(π/p) > 2.8/p for p ≥ 4. Of any other load nothing is known; it is taken to have half that distance.
     pub(super) fn singularity(&self, top: T) -> Option<T> {
         let half = T::constant(0.5);
-        let profile = self.contact.profile();
-        let load_integral = profile.quick_load_integral(top);
-        // a J′/J = a⁵ δ₀′/(2 J), in an order that keeps the fifth power in range.
-        let square = top * top;
-        let degree = (top * profile.approach_slope(top) * half) * (square / (load_integral / square));
-        let off_axis = |radius: T| radius * T::constant(2.8) / degree;
+        let off_axis = |radius: T, degree: T| radius * T::constant(2.8) / degree;
         match self.course {
             Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
-                let chi = self.contact.medium().chi();
+                let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
+                let load_integral = profile.quick_load_integral(top);
                 let deficit = (rate / load_rate) * (rate / chi) * half;
                 // In shares of J at `top`: the deficit is a force, and over π m/4 it may be out of range.
                 let share_of_deficit = deficit / (self.contact.stiffness() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
+                let degree = self.degree(top, load_integral);
                 let radius = top * singular.abs().powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);
-                Some(if singular < T::zero() { off_axis(radius) } else { on_axis })
+                Some(if singular < T::zero() { off_axis(radius, degree) } else { on_axis })
             }
-            Course::Smooth { .. } => Some(off_axis(top) * half),
+            Course::Smooth(_) => {
+                let degree = self.degree(top, self.contact.profile().quick_load_integral(top));
+                Some(off_axis(top, degree) * half)
+            }
             Course::Linear { .. } | Course::Step => None,
         }
+    }
+
+    /// a J′/J = a⁵ δ₀′/(2 J), in an order that keeps the fifth power in range.
+    fn degree(&self, a: T, load_integral: T) -> T {
+        let square = a * a;
+        let slope = self.contact.profile().approach_slope(a);
+        (a * slope * T::constant(0.5)) * (square / (load_integral / square))
     }
 }

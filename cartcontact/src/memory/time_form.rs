@@ -1,10 +1,11 @@
-//! The memory integrals over time, along a straight falling load.
+//! The memory integrals over time, along a falling load.
 //!
-//! With x = χ (end − τ) the hereditary load is below its final value by R x + G x²/2, where R = Y′/χ at the end and
-//! G = −F′/χ are forces, and δ₀′ ds = 2 dY/((π m/4) s⁴) turns the integrals over s into
+//! Let D(x) be by how much the hereditary load x e-foldings before the end is below its final value: along a straight
+//! load R x + G x²/2, where R = Y′/χ at the end and G = −F′/χ are forces. Then δ₀′ ds = 2 dD/((π m/4) s⁴) turns the
+//! integrals over s into
 //!
 //! ```text
-//! (8/(π m)) ∫ (R + G x) e^(−x) {s² − low², 1} / s⁴ · dx
+//! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1} / s⁴ · dx
 //! ```
 //!
 //! with s from the inverse of J. The integrand stays smooth where the load falls as fast as e^(−χ t), Y′ = 0;
@@ -17,43 +18,36 @@
 //! miss 2e-4, and all that times the length is ε. Nothing shorter can be told from the rounding of s.
 
 use super::Increment;
-use super::quadrature::Rule;
+use super::fading::decay;
+use super::quadrature::{MOST_NODES, Rule};
 use super::stretch::Stretch;
+use crate::contact::Contact;
+use crate::dispatch::wide;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
 
 /// How often panels are halved at most. A geometry of a user's own may have radii that no panel resolves.
 const MOST_HALVINGS: u32 = 256;
 
-pub(super) fn increment<T, P, L>(stretch: &Stretch<'_, T, P, L>, rate: T, load_rate: T) -> Increment<T>
+/// The increment of a stretch during which the hereditary load falls short of its final value by D and rises at D′,
+/// the `shortfall` of x; R and G of a parabola that nowhere rises less.
+pub(super) fn increment<T, P, L>(
+    stretch: &Stretch<'_, T, P, L>,
+    (rate, rise): (T, T),
+    shortfall: impl Fn(T) -> (T, T),
+) -> Increment<T>
 where
     T: Scalar,
     P: GapProfile<T>,
     L: Load<T>,
 {
     let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
-    let (half, two) = (T::constant(0.5), T::constant(2.0));
-    let stiffness = contact.stiffness();
-    let (rate, rise) = (rate / chi, -load_rate / chi);
-    let final_integral = contact.profile().quick_load_integral(stretch.high) + stretch.surplus / stiffness;
+    let final_integral =
+        contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.per_stiffness();
+    let history = History { contact, final_integral, low, shortfall };
     let longest = chi * stretch.age_at(stretch.high - low);
-    // Where R x + G x²/2 = Y, in shares of Y: the squares of forces may be out of range.
-    let singular = {
-        let hereditary = stiffness * final_integral;
-        let (rate, rise) = (rate / hereditary, rise / hereditary);
-        let zero = two / (rate + (rate * rate + two * rise).sqrt());
-        // Y > 0 throughout the stretch; rounding must not turn that round, or panels would shrink to nothing.
-        zero.max(longest * (T::one() + T::default_epsilon().sqrt()))
-    };
+    let singular = history.age_of_nothing((rate, rise), longest);
     let most = Rule::FINEST.folds::<T>();
-
-    // The radius at an age, and the integrand without {s² − low², 1}.
-    let at = |x: T| {
-        let deficit = x * (rate + half * rise * x) / stiffness;
-        let s = contact.radius_of(final_integral - deficit).unwrap_or(low).max(low);
-        let square = s * s;
-        (s, two * (rate + rise * x) / (stiffness * square * square) * (-x).exp())
-    };
 
     let mut sum = Increment::zero();
     // The age of the rounded radius, at which the stretch ends.
@@ -68,7 +62,7 @@ where
         length = length.min(most / density);
         let end = if start + length < longest { start + length } else { longest };
         let rule = if is_simple { Rule::for_folds(density * (end - start)) } else { Rule::FINEST };
-        let (increment, is_resolved) = increment_of_panel(rule, (start, end), low, at);
+        let (increment, is_resolved) = history.increment_of_panel(rule, (start, end));
         if is_resolved || length <= shortest || halvings >= MOST_HALVINGS {
             sum = sum.plus(increment);
             start = end;
@@ -76,34 +70,79 @@ where
         } else if is_simple {
             is_simple = false;
         } else {
-            length *= half;
+            length *= T::constant(0.5);
             halvings += 1;
         }
     }
     sum
 }
 
-/// The increment by a rule between two ages, and whether the rule resolves the radius.
-fn increment_of_panel<T: Scalar>(
-    rule: Rule,
-    (start, end): (T, T),
+/// How far the hereditary load fell short of its final value, which is that of a load integral.
+struct History<'a, T, P, L, S> {
+    contact: &'a Contact<T, P, L>,
+    final_integral: T,
     low: T,
-    at: impl Fn(T) -> (T, T),
-) -> (Increment<T>, bool) {
-    let mut sum = Increment::zero();
-    let mut coefficients = (T::zero(), T::zero());
-    let mut size = T::zero();
-    for ((ages, weight), (first, highest)) in rule.pairs(start, end).zip(rule.coefficients()) {
-        let [later, earlier] = ages.map(|age| {
-            let (s, density) = at(age);
-            sum.add(weight * density, s, low);
-            s
-        });
-        let difference = earlier - later;
-        size = earlier;
-        coefficients.0 += T::constant(first) * difference;
-        coefficients.1 += T::constant(highest) * difference;
+    /// D and D′ of an age.
+    shortfall: S,
+}
+
+impl<T, P, L, S> History<'_, T, P, L, S>
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+    S: Fn(T) -> (T, T),
+{
+    /// Where R x + G x²/2 = Y, more than the `longest` age.
+    fn age_of_nothing(&self, (rate, rise): (T, T), longest: T) -> T {
+        let two = T::constant(2.0);
+        // In shares of Y: the squares of forces may be out of range.
+        let hereditary = self.contact.stiffness() * self.final_integral;
+        let (rate, rise) = (rate / hereditary, rise / hereditary);
+        let zero = two / (rate + (rate * rate + two * rise).sqrt());
+        // Y > 0 throughout the stretch; rounding must not turn that round, or panels would shrink to nothing.
+        zero.max(longest * (T::one() + T::default_epsilon().sqrt()))
     }
-    let is_resolved = rule.resolves(coefficients.0 / size, coefficients.1 / size, (-start).exp());
-    (sum, is_resolved)
+
+    /// The increment by a rule between two ages, and whether the rule resolves the radius.
+    fn increment_of_panel(&self, rule: &Rule, (start, end): (T, T)) -> (Increment<T>, bool) {
+        let zero = [T::zero(); MOST_NODES];
+        let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
+        let count = rule.len();
+        let (load_integrals, weights) = (&mut load_integrals[..count], &mut weights[..count]);
+        let radii = &mut radii[..count];
+        wide(
+            #[inline(always)]
+            || self.fill(rule.nodes(start, end), load_integrals, weights),
+        );
+        self.find_radii(load_integrals, radii);
+        wide(
+            #[inline(always)]
+            || {
+                let increment = Increment::over_time(radii, weights, self.low);
+                (increment, rule.resolves_values(radii, (-start).exp()))
+            },
+        )
+    }
+
+    /// The load integrals at ages, and the weights of the integrand without s⁻⁴ {s² − low², 1}.
+    #[inline(always)]
+    fn fill(&self, ages: impl Iterator<Item = (T, T)>, load_integrals: &mut [T], weights: &mut [T]) {
+        let per_stiffness = self.contact.per_stiffness();
+        for ((load_integral, weight), (x, dx)) in load_integrals.iter_mut().zip(weights).zip(ages) {
+            let (deficit, rate) = (self.shortfall)(x);
+            *load_integral = self.final_integral - deficit * per_stiffness;
+            *weight = dx * T::constant(2.0) * per_stiffness * rate * decay(x);
+        }
+    }
+
+    /// The radii of load integrals, not below `low`.
+    fn find_radii(&self, load_integrals: &[T], radii: &mut [T]) {
+        if self.contact.radii_of(load_integrals, radii).is_err() {
+            for (s, &load_integral) in radii.iter_mut().zip(load_integrals) {
+                *s = self.contact.radius_of(load_integral).unwrap_or(self.low);
+            }
+        }
+        radii.iter_mut().for_each(|s| *s = s.max(self.low));
+    }
 }

@@ -27,27 +27,46 @@ impl Seeds {
         evaluate: impl Fn(T) -> Steepness<T>,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        check_lengths(load_integrals, radii)?;
         let blocks = Blocks { seeds: self, limit, units, evaluate };
-        let mut start = 0;
-        while start < radii.len() {
-            let (load_integrals, radii) = (&load_integrals[start..], &mut radii[start..]);
-            let found = if self.holds::<T>() && radii.len() >= SMALL_BLOCK {
-                wide(
-                    #[inline(always)]
-                    || blocks.solve(load_integrals, radii),
-                )
-            } else {
-                0
-            };
-            let end = radii.len().min(found + BLOCK);
-            for (radius, &load_integral) in radii[found..end].iter_mut().zip(&load_integrals[found..end]) {
-                *radius = general(load_integral)?;
-            }
-            start += end;
-        }
-        Ok(())
+        let least = if self.holds::<T>() { SMALL_BLOCK } else { usize::MAX };
+        fill(
+            (load_integrals, radii),
+            (least, BLOCK),
+            #[inline(always)]
+            |load_integrals, radii| blocks.solve(load_integrals, radii),
+            general,
+        )
     }
+}
+
+/// Fills the radii of many load integrals by `leading`, in vector code, as far as it comes; then a block by `general`,
+/// and so on. Fewer than `least` are left to `general`.
+#[inline(always)]
+pub(super) fn fill<T: Scalar>(
+    (load_integrals, radii): (&[T], &mut [T]),
+    (least, block): (usize, usize),
+    leading: impl Fn(&[T], &mut [T]) -> usize,
+    general: impl Fn(T) -> Result<T, RadiusError>,
+) -> Result<(), RadiusError> {
+    check_lengths(load_integrals, radii)?;
+    let mut start = 0;
+    while start < radii.len() {
+        let (load_integrals, radii) = (&load_integrals[start..], &mut radii[start..]);
+        let found = if radii.len() >= least {
+            wide(
+                #[inline(always)]
+                || leading(load_integrals, radii),
+            )
+        } else {
+            0
+        };
+        let end = radii.len().min(found + block);
+        for (radius, &load_integral) in radii[found..end].iter_mut().zip(&load_integrals[found..end]) {
+            *radius = general(load_integral)?;
+        }
+        start += end;
+    }
+    Ok(())
 }
 
 /// What the radii of many load integrals are found with.

@@ -14,14 +14,18 @@
 //! one comparison finds all of it.
 
 mod blocks;
+mod leading_term;
 mod units;
+mod whole_powers;
 
 use core::any::Any;
 
 use simba::scalar::SupersetOf;
 
+pub use leading_term::radius_of_real_powers;
 use units::Units;
 pub use units::{EqualTerms, OwnUnits};
+pub use whole_powers::{WholePowers, radii_of_whole_powers};
 
 use crate::Scalar;
 use crate::scalar::is;

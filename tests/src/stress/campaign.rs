@@ -85,7 +85,7 @@ impl Campaign {
         Report { ledgers: [ledger(f64::NAME), ledger(f32::NAME)], cases: 0, seed: self.seed }
     }
 
-    /// Examines one case: three in f64, the fourth in f32, through all regions in turn.
+    /// Examines one case: three in f64, the fourth in f32, through all regions.
     pub fn run(&self, case: u64, report: &mut Report) {
         let is_deep = case.is_multiple_of(DEEP);
         self.run_to(Depth { memory: is_deep, balance: is_deep }, case, report);
@@ -117,8 +117,8 @@ impl Campaign {
     /// The region of a case, and its scene.
     fn scene<T: Precision>(&self, case: u64) -> (usize, Scene<T>) {
         let mut stream = Stream::of_case(self.seed, case);
-        let region = (case % Region::ALL.len() as u64) as usize;
-        (region, Region::ALL[region].draw::<T>(&mut stream).rounded())
+        let region = Region::of_case(case);
+        (region as usize, region.draw::<T>(&mut stream).rounded())
     }
 
     fn run_in<T: Precision>(&self, depth: Depth, case: u64, ledger: &mut Ledger) {

@@ -3,9 +3,7 @@
 use super::exact::Kernels;
 use super::precision::Precision;
 use super::scene::Scene;
-use crate::budget::{
-    PEAK_PRESSURE, PEAK_PRESSURE_OF_HIGH_POWERS, PRESSURE_KERNEL, PRESSURE_KERNEL_OF_REAL_POWERS,
-};
+use crate::budget::{PRESSURE_KERNEL, PRESSURE_KERNEL_OF_REAL_POWERS};
 
 /// The radius is within 2 ulp instead of 1 where terms cancel, because the sums of the last step are the quick ones.
 pub(super) const MIXED_SIGNS: f64 = 2.0;
@@ -28,14 +26,5 @@ pub(super) fn real_powers<T: Precision>(scene: &Scene<T>) -> f64 {
         1.0
     } else {
         T::allowed(PRESSURE_KERNEL_OF_REAL_POWERS) / T::allowed(PRESSURE_KERNEL)
-    }
-}
-
-/// What more is allowed for pressures of powers above 24.
-pub(super) fn high_powers<T: Precision>(scene: &Scene<T>) -> f64 {
-    if scene.exact_terms().iter().all(|&(_, n)| n <= 24.0) {
-        1.0
-    } else {
-        T::allowed(PEAK_PRESSURE_OF_HIGH_POWERS) / T::allowed(PEAK_PRESSURE)
     }
 }

@@ -14,6 +14,9 @@ use super::wide::Wide;
 use crate::profiles::cases;
 use crate::quadrature::Graded;
 
+/// The most knots for which the balance is looked at: its pressures, and the time of each, number as many as they.
+const MOST_KNOTS: usize = 30;
+
 /// How much of a scene is looked at.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Depth {
@@ -211,12 +214,11 @@ impl<T: Precision> Examination<'_, T> {
         let flattest = self.exact.profile.flattest_radius(a);
         let on_the_way = flattest.map_or(1.0, |s| condition::of_radius(&self.exact.profile.kernels(s)));
         let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
-        let powers = condition::high_powers(self.scene);
-        let condition = condition.max(on_the_way) * kernel * powers * self.condition_of_fall(now.force());
+        let condition = condition.max(on_the_way) * kernel * self.condition_of_fall(now.force());
         self.pressures(now, a, condition, depth);
         self.field(now, condition);
         self.units(now);
-        if depth.balance {
+        if depth.balance && self.scene.knots.len() <= MOST_KNOTS {
             self.balance(now, on_the_way * self.condition_of_fall(now.force()));
         }
     }

@@ -8,6 +8,9 @@ use super::wide::Wide;
 use crate::profiles::cases;
 use crate::random::Stream;
 
+/// Every how many cases the load has many knots; with none in common with the cycles of the others.
+const RECORDS: u64 = 17;
+
 /// A corner of what the library accepts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
@@ -37,11 +40,13 @@ pub enum Region {
     Fall,
     /// Geometries whose δ₀′ is nearly zero inside the range.
     NearlyAdmissible,
+    /// Loads of 4 to 200 knots, as they are measured.
+    Record,
 }
 
 impl Region {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Ordinary,
         Self::Generated,
         Self::Fields,
@@ -55,7 +60,15 @@ impl Region {
         Self::Steps,
         Self::Fall,
         Self::NearlyAdmissible,
+        Self::Record,
     ];
+
+    /// The region of a case: the last one for every 17th, the others in turn.
+    #[must_use]
+    pub fn of_case(case: u64) -> Self {
+        let others = Self::ALL.len() as u64 - 1;
+        if case % RECORDS == RECORDS / 2 { Self::Record } else { Self::ALL[(case % others) as usize] }
+    }
 
     /// Its name in reports.
     #[must_use]
@@ -74,6 +87,7 @@ impl Region {
             Self::Steps => "steps",
             Self::Fall => "fall",
             Self::NearlyAdmissible => "nearly admissible",
+            Self::Record => "record",
         }
     }
 
@@ -271,6 +285,7 @@ impl Draft {
         let knots = match region {
             Region::Steps => steps(force, time, stream),
             Region::Fall => falls(force, time, self.chi, stream),
+            Region::Record => record(force, time, self.chi, stream),
             Region::Memory | Region::Subnormal | Region::Powers => vec![(0.0, force)],
             _ => stream_of_knots(force, time, self.chi, stream),
         };
@@ -328,6 +343,34 @@ fn falls(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)
         knots.push((now, last));
         if stream.once_in(3) {
             now += time * stream.magnitude(-3.0, 0.0);
+            knots.push((now, last));
+        }
+    }
+    knots
+}
+
+/// A measured load: pieces alike or very unlike in length, which rise, are held, jump, or fall, some as fast as e^(−χ t).
+fn record(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)> {
+    let most = stream.one_of(&[1.0, 1.0, 1.0, 1.3, 1.6, 2.3]);
+    let count = stream.magnitude(0.6, most) as usize;
+    let spread = stream.one_of(&[0.0, 0.5, 4.0]);
+    let mean = time * stream.between(0.8, 1.5) / count as f64;
+    let mut knots = vec![(0.0, if stream.once_in(4) { 0.0 } else { force })];
+    let (mut now, mut last) = knots[0];
+    for _ in 1..count {
+        let duration = mean * stream.magnitude(-spread, spread / 4.0);
+        // F′ + χ F = 0 at the end of the fall for a margin of zero.
+        let margin = if stream.once_in(4) { 0.0 } else { stream.magnitude(-3.0, 0.0) };
+        let lowest = last / (1.0 + chi * duration) * (1.0 + margin * chi * duration);
+        last = match stream.below(8) {
+            0 => last,
+            1 => last + force * stream.magnitude(-15.0, 0.0),
+            2..=4 => last + force * stream.magnitude(-3.0, -1.0),
+            _ => lowest,
+        };
+        now += if stream.once_in(10) && last > knots[knots.len() - 1].1 { 0.0 } else { duration };
+        let is_third = knots.len() > 1 && knots[knots.len() - 2].0 == now;
+        if !is_third {
             knots.push((now, last));
         }
     }

@@ -1,0 +1,117 @@
+//! The contact radius from the leading term of J, where coefficients are symbols and no table holds them all.
+
+use num_traits::One;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::coefficients::Coefficients;
+use super::power_sum::{Whole, pairs};
+use super::{Names, local, steepness};
+use crate::closed_forms::PowerSum;
+use crate::gap::coefficient::Sign;
+use crate::gap::{Gap, Term};
+use crate::number::{Rational, integer, literal};
+
+/// Beyond, 2^p leaves single precision in the products of a step.
+const HIGHEST_POWER: u32 = 80;
+
+/// Whether a geometry without a table is solved so: it has no use for a coefficient that is negative.
+pub(super) fn is_for(gap: &Gap) -> bool {
+    let is_negative = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotPositive);
+    !gap.is_constant() && gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
+}
+
+/// The radius from the leading term, if that leads to it.
+pub(super) fn radius(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let [a, load_integral, limit, scale] = ["a", "load_integral", "limit", "scale"].map(local);
+    if let Some(powers) = whole_powers(sum, coefficients, names) {
+        return quote!((#powers).radius(#load_integral, #limit));
+    }
+    let [radius, steepness] =
+        ["radius_of_real_powers", "scaled_power_sum_steepness"].map(|name| names.generated(name));
+    let pairs = pairs(sum, coefficients, names);
+    quote! {
+        #radius(
+            #load_integral,
+            #limit,
+            ::core::iter::IntoIterator::into_iter([#(#pairs),*]),
+            |#a, #scale| #steepness(#a, #scale, [#(#pairs),*]),
+        )
+    }
+}
+
+/// The radii of a slice from the leading term, and elsewhere by `radius_within`; for whole powers only, as others are no
+/// vector code.
+pub(super) fn radii(
+    sum: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> Option<TokenStream> {
+    let powers = whole_powers(sum, coefficients, names)?;
+    let (krate, radii_of_whole_powers) = (names.krate, names.generated("radii_of_whole_powers"));
+    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
+    Some(quote! {
+        #radii_of_whole_powers(
+            (#load_integrals, #radii),
+            #limit,
+            // Without it, wide vectors would end at the call.
+            #[inline(always)]
+            |#load_integral| (#powers).solve(#load_integral),
+            |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
+        )
+    })
+}
+
+/// J as `WholePowers`, if that is what they are.
+fn whole_powers(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
+    let whole = whole(sum)?;
+    let all = names.generated("WholePowers");
+    let values = sum.summands.iter().map(|summand| coefficients.times(summand.term, &summand.weight));
+    let powers = whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power));
+    Some(quote!(#all { coefficients: [#(#values),*], powers: [#(#powers),*], steepness }))
+}
+
+fn whole(sum: &PowerSum) -> Option<Whole> {
+    Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_POWER)
+}
+
+/// The function that gives J and its derivatives, with any coefficients.
+pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
+    let whole = whole(sum)?;
+    let (count, a) = (whole.exponents.len(), local("a"));
+    let variables: Vec<Ident> = (0..count).map(|index| local(&format!("j{index}"))).collect();
+    let sums = |variable: &Ident| {
+        let weighted = |weight: fn(u32) -> u32| nested(&whole, variable, &variables, weight, names);
+        [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)]
+    };
+    let body = steepness::value(&whole, &a, sums, [&Rational::one(), &Rational::one()], names);
+    Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
+}
+
+/// Horner's rule for Σ weight j x^p divided by its lowest power.
+fn nested(
+    whole: &Whole,
+    variable: &Ident,
+    coefficients: &[Ident],
+    weight: impl Fn(u32) -> u32,
+    names: &Names<'_>,
+) -> TokenStream {
+    let mut nested = TokenStream::new();
+    let mut above: Option<u32> = None;
+    for (&exponent, coefficient) in whole.exponents.iter().zip(coefficients).rev() {
+        let (constant, factor) = (names.constant(), weight(exponent));
+        let literal = literal(&integer(i64::from(factor)));
+        let own = if factor == 1 { quote!(#coefficient) } else { quote!(#constant(#literal) * #coefficient) };
+        nested = match above {
+            None => own,
+            Some(above) => {
+                let step = Literal::u32_unsuffixed((above - exponent) / whole.stride());
+                let power = names.generated("integer_power");
+                quote!(#own + (#nested) * #power(#variable, #step))
+            }
+        };
+        above = Some(exponent);
+    }
+    nested
+}

@@ -1,0 +1,56 @@
+//! J with its derivatives as code: what a step to the contact radius is taken from.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::Names;
+use super::power_sum::Whole;
+use crate::number::{Rational, literal};
+
+/// The function that gives it at the radius `a` with some coefficients.
+pub(super) fn function(
+    a: &Ident,
+    (coefficients, count): (impl ToTokens, usize),
+    body: &TokenStream,
+    names: &Names<'_>,
+) -> TokenStream {
+    let (Names { krate, scalar }, steepness) = (names, names.generated("Steepness"));
+    quote! {
+        #[inline(always)]
+        fn steepness<#scalar: #krate::Scalar>(
+            #a: #scalar,
+            #coefficients: [#scalar; #count],
+        ) -> #steepness<#scalar> {
+            #body
+        }
+    }
+}
+
+/// The value at the radius `a` of whole powers, from J and its derivatives as sums in the [`variable`](Whole::variable),
+/// divided by its lowest power; `unit` and `degree` are what J and its derivatives were divided by.
+pub(super) fn value(
+    whole: &Whole,
+    a: &Ident,
+    sums: impl Fn(&Ident) -> [TokenStream; 3],
+    [unit, degree]: [&Rational; 2],
+    names: &Names<'_>,
+) -> TokenStream {
+    let (square, variable) = whole.variable(a);
+    let [value, first, half_second] = sums(&variable);
+    let (lowest, stride) = (whole.lowest(), whole.stride());
+    let exponent = Literal::u32_unsuffixed(lowest / stride);
+    let odd = (lowest % stride == 1).then(|| quote!(* #a));
+    let [power, steepness] = ["integer_power", "Steepness"].map(|name| names.generated(name));
+    let (constant, per_unit, per_degree) = (names.constant(), literal(unit), literal(&degree.recip()));
+    quote! {
+        #square
+        #steepness {
+            power: #power(#variable, #exponent) #odd,
+            value: #value,
+            first: #first,
+            half_second: #half_second,
+            per_unit: #constant(#per_unit),
+            per_degree: #constant(#per_degree),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! What the bits of f64 and f32 say, without branches, so that it becomes vector code.
+//!
+//! Each format from its own bits: a microcontroller's f32 never passes through f64.
+
+use core::any::Any;
+
+use crate::Scalar;
+use crate::scalar::is;
+
+/// Digits of a logarithm behind the point.
+pub(crate) const DIGITS: u32 = 8;
+
+/// 2⁵² and 2²³: what a number between them and twice as much has in the last bits of its fraction is its integer.
+const UNIT_OF_DOUBLE: u64 = 0x4330_0000_0000_0000;
+const UNIT_OF_SINGLE: u32 = 0x4b00_0000;
+
+/// The same with room for a sign: 3 · 2⁵¹ and 3 · 2²².
+const SIGNED_UNIT_OF_DOUBLE: f64 = 6_755_399_441_055_744.0;
+const SIGNED_UNIT_OF_SINGLE: f64 = 12_582_912.0;
+
+/// The bias of exponents.
+#[inline(always)]
+pub(crate) fn bias<T: Scalar>() -> i32 {
+    if is::<T, f32>() { 127 } else { 1023 }
+}
+
+/// Whether 2^`exponent` has all its digits.
+#[inline(always)]
+pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
+    ((exponent + bias::<T>() - 1) as u32) < (2 * bias::<T>()) as u32
+}
+
+/// 2⁸ log₂ x and a constant, for positive x, less 23 at most.
+///
+/// Exponent and first digits, read as an integer. Its conversion takes no instruction of that name, which would wait for
+/// what its register held before.
+#[inline(always)]
+pub(crate) fn logarithm<T: Scalar>(x: T) -> T {
+    let any: &dyn Any = &x;
+    match any.downcast_ref::<f32>() {
+        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() >> (23 - DIGITS) | UNIT_OF_SINGLE)),
+        None => T::constant(f64::from_bits(x.value().to_bits() >> (52 - DIGITS) | UNIT_OF_DOUBLE)),
+    }
+}
+
+/// The nearest integer, of 21 digits and a sign, as a number and as what it is.
+#[inline(always)]
+pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
+    let unit = T::constant(if is::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
+    // A sum of this size has no digits behind the point, and the integer in its last bits.
+    let sum = x + unit;
+    let any: &dyn Any = &sum;
+    let integer = match any.downcast_ref::<f32>() {
+        // Eleven bits above are shifted out and back in as the sign's.
+        Some(single) => (single.to_bits() << 10) as i32 >> 10,
+        None => sum.value().to_bits() as i32,
+    };
+    (sum - unit, integer)
+}
+
+/// 1 plus the last eight bits as a fraction.
+#[inline(always)]
+pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
+    let digits = integer as u32 & ((1 << DIGITS) - 1);
+    if is::<T, f32>() {
+        T::from_subset(&f32::from_bits(digits << (23 - DIGITS) | 0x3f80_0000))
+    } else {
+        T::constant(f64::from_bits(u64::from(digits) << (52 - DIGITS) | 0x3ff0_0000_0000_0000))
+    }
+}
+
+/// 2^e for the exponent of a normal number; something else for others.
+#[inline(always)]
+pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
+    if is::<T, f32>() {
+        T::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
+    } else {
+        T::constant(f64::from_bits(((e + 1023) as u64) << 52))
+    }
+}
+
+/// The exponent e of x = f · 2^e, 1 ≤ f < 2; beyond those of normal numbers with a sign, for zero, infinity and NaN.
+#[inline(always)]
+pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
+    let any: &dyn Any = &x;
+    match any.downcast_ref::<f32>() {
+        Some(single) => (single.to_bits() >> 23) as i32 - 127,
+        None => (x.value().to_bits() >> 52) as i32 - 1023,
+    }
+}
+
+/// The fraction f of x = f · 2^e, 1 ≤ f < 2.
+#[inline(always)]
+pub(crate) fn fraction<T: Scalar>(x: T) -> T {
+    let any: &dyn Any = &x;
+    match any.downcast_ref::<f32>() {
+        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() & 0x007f_ffff | 0x3f80_0000)),
+        None => {
+            T::constant(f64::from_bits(x.value().to_bits() & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000))
+        }
+    }
+}
+
+/// Cut off behind half its digits, so that its square is exact.
+#[inline(always)]
+pub(crate) fn with_half_its_digits<T: Scalar>(x: T) -> T {
+    let any: &dyn Any = &x;
+    match any.downcast_ref::<f32>() {
+        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() & !0x0fff)),
+        None => T::constant(f64::from_bits(x.value().to_bits() & !0x07ff_ffff)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithms_are_those_of_the_exponent_and_eight_digits() {
+        for k in 1..2000 {
+            let x = 1.07f64.powi(k - 1000);
+            let double = (logarithm(x) - logarithm(1.0)) / 256.0;
+            assert!((-0.0901..0.001).contains(&(double - x.log2())), "{x:e}: {double}");
+            if (1e-30..1e30).contains(&x) {
+                assert_eq!(f64::from(logarithm(x as f32) - logarithm(1.0_f32)) / 256.0, double, "{x:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn integers_are_the_nearest() {
+        for (x, expected) in
+            [(-1000.4, -1000), (-0.6, -1), (0.0, 0), (0.4, 0), (7.6, 8), (262_143.3, 262_143)]
+        {
+            assert_eq!(nearest_integer(x), (f64::from(expected), expected));
+            assert_eq!(nearest_integer(x as f32), (expected as f32, expected));
+        }
+    }
+
+    #[test]
+    fn numbers_are_put_together_from_what_they_are_taken_apart_to() {
+        for x in [1.0, 1.75, 3.0e-300, 7.25e300, f64::MIN_POSITIVE] {
+            assert_eq!(fraction(x) * power_of_two::<f64>(exponent(x)), x);
+        }
+        for x in [1.0, 1.75, 3.0e-30, 7.25e30, f32::MIN_POSITIVE] {
+            assert_eq!(fraction(x) * power_of_two::<f32>(exponent(x)), x);
+        }
+        assert_eq!(one_and_digits::<f64>(0x140), 1.25);
+        assert_eq!(one_and_digits::<f32>(-1), 2.0 - 2f32.powi(-8));
+        for x in [0.0, f64::MIN_POSITIVE / 2.0, f64::INFINITY, f64::NAN, -1.0, -f64::INFINITY] {
+            assert!(!is_normal::<f64>(exponent(x)), "{x:e}");
+        }
+        for x in [0.0, f32::MIN_POSITIVE / 2.0, f32::INFINITY, f32::NAN, -1.0, -f32::INFINITY] {
+            assert!(!is_normal::<f32>(exponent(x)), "{x:e}");
+        }
+    }
+
+    #[test]
+    fn squares_of_half_the_digits_are_exact() {
+        let third = with_half_its_digits(1.0 / 3.0_f64);
+        assert_eq!((third * third).to_bits() & 1, 0);
+        assert!((3.0 * third - 1.0).abs() < 2f64.powi(-25));
+        let third = with_half_its_digits(1.0 / 3.0_f32);
+        assert_eq!(f64::from(third * third), f64::from(third) * f64::from(third));
+    }
+}

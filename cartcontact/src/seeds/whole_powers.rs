@@ -1,0 +1,182 @@
+//! The contact radius from the leading term where powers are whole, and many of them in vector code.
+//!
+//! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 2, the terms are j 2^(k p − e) x^p: no step leaves the format, and other
+//! units by powers of two change nothing but k and e.
+
+use super::Steepness;
+use super::blocks::fill;
+use super::leading_term::{Spread, Start};
+use crate::Scalar;
+use crate::evaluate::bits::{exponent, fraction, is_normal, power_of_two};
+use crate::profile::RadiusError;
+use crate::scalar::is_plain;
+
+/// How many radii are found at once.
+const BLOCK: usize = 16;
+
+/// J(a) = Σ j a^p with whole powers in ascending order and coefficients that are positive, or zero.
+///
+/// Others have no radius here: with its sign set, a coefficient has a logarithm that is 2048 octaves too large, or 256
+/// in single precision, and infinity one of 1024, or 128; both put j 2^(k p − e) out of the format for its own power,
+/// and so for the lowest or for the highest.
+#[derive(Clone, Copy, Debug)]
+pub struct WholePowers<T, F, const N: usize> {
+    /// j.
+    pub coefficients: [T; N],
+    /// p.
+    pub powers: [u32; N],
+    /// J and its derivatives at a radius with these powers and other coefficients, in units of 1.
+    pub steepness: F,
+}
+
+impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T, F, N> {
+    /// The radius at which J is `load_integral`; none beyond `limit`, where the steps have not come near, and for
+    /// other scalars than f32 and f64.
+    #[inline(always)]
+    pub fn radius(&self, load_integral: T, limit: T) -> Option<T> {
+        if !is_plain::<T>() {
+            return None;
+        }
+        let (radius, is_found) = self.solve(load_integral);
+        (is_found & (radius <= limit)).then_some(radius)
+    }
+
+    /// The radius at which J is `load_integral`, f32 or f64, and whether it is that.
+    #[inline(always)]
+    pub fn solve(&self, load_integral: T) -> (T, bool) {
+        let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
+        let terms = self.coefficients.iter().zip(&self.powers).map(
+            #[inline(always)]
+            |(&j, &p)| (j, T::constant(f64::from(p))),
+        );
+        let start = Start::of(load_integral, T::constant(f64::from(lowest)), terms);
+        let exponent = exponent(load_integral);
+        let shift = |p: u32| start.octave * p as i32 - exponent;
+        let mut scaled = self.coefficients;
+        for (j, &p) in scaled.iter_mut().zip(&self.powers) {
+            *j *= power_of_two(shift(p));
+        }
+        let fits = is_normal::<T>(exponent) & is_normal::<T>(shift(lowest)) & is_normal::<T>(shift(highest));
+        let spread =
+            Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
+        let (radius, is_near) = spread.root(
+            fraction(load_integral),
+            start.fraction,
+            #[inline(always)]
+            |a| (self.steepness)(a, scaled),
+        );
+        (radius * power_of_two(start.octave), fits & is_near)
+    }
+}
+
+/// The radii of many load integrals, each of them by `solve`, for which [`WholePowers::solve`] stands; blocks that are
+/// not all found by it, and what is left over, by `general`.
+///
+/// # Errors
+///
+/// The first of those of `general`, and if the slices differ in length.
+#[inline]
+pub fn radii_of_whole_powers<T: Scalar>(
+    (load_integrals, radii): (&[T], &mut [T]),
+    limit: T,
+    solve: impl Fn(T) -> (T, bool),
+    general: impl Fn(T) -> Result<T, RadiusError>,
+) -> Result<(), RadiusError> {
+    let least = if is_plain::<T>() { BLOCK } else { usize::MAX };
+    fill(
+        (load_integrals, radii),
+        (least, BLOCK),
+        #[inline(always)]
+        |load_integrals, radii| leading(load_integrals, radii, limit, &solve),
+        general,
+    )
+}
+
+/// The radii of the blocks before the first of which one is not found, and how many they are.
+#[inline(always)]
+fn leading<T: Scalar>(
+    load_integrals: &[T],
+    radii: &mut [T],
+    limit: T,
+    solve: &impl Fn(T) -> (T, bool),
+) -> usize {
+    let blocks = load_integrals.as_chunks::<BLOCK>().0.iter().zip(radii.as_chunks_mut::<BLOCK>().0);
+    let mut found = 0;
+    for (load_integrals, radii) in blocks {
+        // Their own place, so that nothing that is read can be what is written.
+        let mut values = [T::zero(); BLOCK];
+        let mut are_found = true;
+        for (value, &load_integral) in values.iter_mut().zip(load_integrals) {
+            let (radius, is_found) = solve(load_integral);
+            *value = radius;
+            are_found &= is_found & (radius <= limit);
+        }
+        if !are_found {
+            break;
+        }
+        *radii = values;
+        found += BLOCK;
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// J = a⁶ + a⁸ + a¹⁰ with other coefficients.
+    fn steepness<T: Scalar>(a: T, [b, c, d]: [T; 3]) -> Steepness<T> {
+        let (s, one) = (a * a, T::one());
+        let sum = |weights: [f64; 3]| {
+            let [low, middle, high] = weights.map(T::constant);
+            low * b + (middle * c + high * d * s) * s
+        };
+        let [value, first, half_second] = [[1.0, 1.0, 1.0], [6.0, 8.0, 10.0], [15.0, 28.0, 45.0]].map(sum);
+        Steepness { power: s * s * s, value, first, half_second, per_unit: one, per_degree: one }
+    }
+
+    fn radius<T: Scalar>(coefficients: [T; 3], load_integral: T) -> Option<T> {
+        WholePowers { coefficients, powers: [6, 8, 10], steepness: steepness::<T> }
+            .radius(load_integral, T::infinity())
+    }
+
+    /// Not only right, which the general solution is, too, but found here.
+    #[test]
+    fn radii_of_positive_terms_are_found() {
+        for k in 0..1000 {
+            let digit = |place: u32| f64::from(k / 10_i32.pow(place) % 10 - 5);
+            for unit in [1e-100, 1.0, 1e100] {
+                let coefficients = [0, 1, 2].map(|place| unit * 10f64.powf(digit(place)));
+                let found = radius(coefficients, unit).unwrap_or(f64::NAN);
+                let at = steepness(found, coefficients);
+                let error = (at.power * at.value / unit - 1.0).abs();
+                assert!(error < 12.0 * f64::EPSILON, "{coefficients:?}: {found}, {error:e}");
+            }
+            let coefficients = [0, 1, 2].map(|place| 10f32.powf(digit(place) as f32));
+            let found = radius(coefficients, 1.0).unwrap_or(f32::NAN);
+            let at = steepness(found, coefficients);
+            let error = (at.power * at.value - 1.0).abs();
+            assert!(error < 12.0 * f32::EPSILON, "{coefficients:?}: {found}, {error:e}");
+        }
+    }
+
+    #[test]
+    fn other_numbers_are_left_to_the_general_solution() {
+        assert!(radius([1.0, 0.0, 1e-300], 1.0).is_some());
+        for (place, bad) in
+            (0..3).flat_map(|place| [-1.0, -1e-300, f64::NAN, f64::INFINITY].map(|bad| (place, bad)))
+        {
+            let mut coefficients = [1.0, 1.0, 1.0];
+            coefficients[place] = bad;
+            assert_eq!(radius(coefficients, 1.0), None, "{coefficients:?}");
+            let mut coefficients = [1.0_f32, 1.0, 1.0];
+            coefficients[place] = bad as f32;
+            // −10⁻³⁰⁰ is −0 there, and J is none the less for that.
+            assert!(radius(coefficients, 1.0).is_none() || bad == -1e-300, "{coefficients:?}");
+        }
+        assert_eq!(radius([0.0; 3], 1.0), None);
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::MIN_POSITIVE / 2.0] {
+            assert_eq!(radius([1.0; 3], bad), None, "{bad:e}");
+        }
+    }
+}

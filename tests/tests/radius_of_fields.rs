@@ -1,0 +1,168 @@
+//! Contact radii of geometries with three symbolic coefficients: exact for any sizes of them, the same in all units,
+//! the same one by one and in a slice.
+
+use cartcontact::{GapProfile, RadiusError, gap_profile};
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::random::Stream;
+
+#[gap_profile(b * r^2 + c * r^3 + d * r^4)]
+struct Dense<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
+#[gap_profile(b * r^2 + c * r^4 + d * r^6)]
+struct Even<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
+/// So far apart that steps may not come near.
+#[gap_profile(b * r + c * r^4 + d * r^40)]
+struct Wide<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
+#[gap_profile(b * r^1.5 + c * r^2.25 + d * r^4)]
+struct Fractional<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
+/// A kind of geometry: its exponents, and how it is made of coefficients.
+struct Kind {
+    exponents: [f64; 3],
+    double: fn([f64; 3]) -> Box<dyn GapProfile<f64>>,
+    single: fn([f32; 3]) -> Box<dyn GapProfile<f32>>,
+}
+
+const KINDS: [Kind; 4] = [
+    Kind {
+        exponents: [2.0, 3.0, 4.0],
+        double: |[b, c, d]| Box::new(Dense { b, c, d }),
+        single: |[b, c, d]| Box::new(Dense { b, c, d }),
+    },
+    Kind {
+        exponents: [2.0, 4.0, 6.0],
+        double: |[b, c, d]| Box::new(Even { b, c, d }),
+        single: |[b, c, d]| Box::new(Even { b, c, d }),
+    },
+    Kind {
+        exponents: [1.0, 4.0, 40.0],
+        double: |[b, c, d]| Box::new(Wide { b, c, d }),
+        single: |[b, c, d]| Box::new(Wide { b, c, d }),
+    },
+    Kind {
+        exponents: [1.5, 2.25, 4.0],
+        double: |[b, c, d]| Box::new(Fractional { b, c, d }),
+        single: |[b, c, d]| Box::new(Fractional { b, c, d }),
+    },
+];
+
+impl Kind {
+    /// Coefficients with which all terms have a part in J within some decades of the radius `unit`.
+    fn coefficients(&self, stream: &mut Stream, unit: f64) -> [f64; 3] {
+        self.exponents.map(|n| stream.magnitude(-2.0, 2.0) / unit.powf(n - 1.0))
+    }
+
+    fn exact(&self, coefficients: [f64; 3], load_integral: f64) -> Exact {
+        let terms: Vec<(f64, f64)> = coefficients.into_iter().zip(self.exponents).collect();
+        Exact::from(&Profile::of(&terms).radius(&double(load_integral)))
+    }
+}
+
+#[test]
+fn radii_are_exact_for_coefficients_of_any_size() {
+    let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
+    for (index, kind) in KINDS.iter().enumerate() {
+        let mut stream = Stream::of_case(1, index as u64);
+        for _ in 0..200 {
+            // Of f64 those of powers up to 44 do not fit far beyond; of f32, beyond metres for a millimetre.
+            let unit = stream.magnitude(-3.0, 3.0);
+            let coefficients = kind.coefficients(&mut stream, unit);
+            let load_integral = stream.magnitude(-6.0, 6.0) * unit.powi(5);
+            let found = (kind.double)(coefficients).radius(load_integral).unwrap_or(f64::NAN);
+            let place = format!("{:?} {coefficients:?}, {load_integral:e}", kind.exponents);
+            errors.add(found, kind.exact(coefficients, load_integral), 1.0, &place);
+
+            let unit = stream.magnitude(-0.3, 0.3);
+            let coefficients = kind.coefficients(&mut stream, unit).map(|c| c as f32);
+            let load_integral = (stream.magnitude(-6.0, 6.0) * unit.powi(5)) as f32;
+            let found = (kind.single)(coefficients).radius(load_integral).unwrap_or(f32::NAN);
+            let exact = kind.exact(coefficients.map(f64::from), f64::from(load_integral));
+            let place = format!("{:?} {coefficients:?}, {load_integral:e}", kind.exponents);
+            errors_of_single.add(f64::from(found), exact, 1.0, &place);
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+#[test]
+fn other_units_change_no_digit() {
+    for (index, kind) in KINDS.iter().enumerate().filter(|(_, kind)| kind.exponents[2] <= 6.0) {
+        let mut stream = Stream::of_case(2, index as u64);
+        for _ in 0..2000 {
+            let coefficients = kind.coefficients(&mut stream, 1.0);
+            let load_integral = stream.magnitude(-6.0, 6.0);
+            let radius = (kind.double)(coefficients).radius(load_integral).unwrap_or(f64::NAN);
+            // Powers of 16, so that those with quarters in their exponents are whole, too.
+            let length = 16f64.powi(stream.below(30) as i32 - 15);
+            let size = 2f64.powi(stream.below(600) as i32 - 300);
+            let mut scaled = coefficients;
+            for (c, n) in scaled.iter_mut().zip(kind.exponents) {
+                *c *= size * length.powf(-n);
+            }
+            let load_integral = load_integral * size * length.powi(4);
+            let found = (kind.double)(scaled).radius(load_integral).unwrap_or(f64::NAN);
+            assert_eq!(found, radius * length, "{:?} {coefficients:?}, {length:e}, {size:e}", kind.exponents);
+        }
+    }
+}
+
+#[test]
+fn slices_have_the_same_radii() {
+    for (index, kind) in KINDS.iter().enumerate() {
+        let mut stream = Stream::of_case(3, index as u64);
+        let profile = (kind.double)(kind.coefficients(&mut stream, 1.0));
+        let mut load_integrals: Vec<f64> = (0..200).map(|_| stream.magnitude(-9.0, 9.0)).collect();
+        // Which the leading term does not lead to.
+        load_integrals[70] = 0.0;
+        load_integrals[71] = f64::MIN_POSITIVE / 4.0;
+        let mut radii = vec![f64::NAN; load_integrals.len()];
+        assert_eq!(profile.radii(&load_integrals, &mut radii), Ok(()));
+        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
+        assert!(load_integrals.iter().map(single).eq(radii.iter().copied()), "{:?}", kind.exponents);
+
+        load_integrals[150] = -1.0;
+        let refused = profile.radii(&load_integrals, &mut radii);
+        assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: -1.0 }));
+    }
+}
+
+/// They have to be refused, or found as in any other way.
+#[test]
+fn what_is_no_positive_coefficient_is_noticed() {
+    let radius = |b, c, d, load_integral| Even { b, c, d }.radius_within(load_integral, 2.0);
+    let positive = Even { b: 1.0, c: 0.0, d: 0.0 }.radius(1.0).unwrap_or(f64::NAN);
+    assert!((positive / 12f64.powf(1.0 / 6.0) - 1.0).abs() < 1e-15, "{positive}");
+    for tiny in [1e-300, 1e-30, 1e-10] {
+        // J = a⁶/12 − … with another sign of what hardly counts, and that of a term that decides.
+        let negative = radius(1.0, -tiny, tiny, 1.0).unwrap_or(f64::NAN);
+        assert!((negative / positive - 1.0).abs() <= 2.0 * tiny.max(f64::EPSILON), "{tiny:e}: {negative}");
+    }
+    let oblate = radius(1.0, -0.1, 0.0, 1.0).unwrap_or(f64::NAN);
+    let value = Even { b: 1.0, c: -0.1, d: 0.0 }.load_integral(oblate);
+    assert!((value - 1.0).abs() < 1e-14, "{oblate}: {value}");
+    for load_integral in [f64::NAN, f64::INFINITY, -1.0] {
+        assert!(radius(1.0, 1.0, 1.0, load_integral).is_err(), "{load_integral}");
+    }
+    assert_eq!(radius(1.0, 1.0, 1.0, 0.0), Ok(0.0));
+}
