@@ -121,30 +121,23 @@ impl<T: Scalar> Increment<T> {
         Self { offset: weight * ((s - low) * (s + low)), slope: weight }
     }
 
-    /// Of all at some radii, with a weight for each.
+    /// Of all at some radii, with a weight for each; `moments` is where those of the weights are put.
     #[inline(always)]
-    fn of(radii: &[T], weights: &[T], low: T) -> Self {
-        // Four sums side by side, so that vectors may take them.
-        let mut sums = [Self::zero(); 4];
-        let ((radii, radii_left), (weights, weights_left)) =
-            (radii.as_chunks::<4>(), weights.as_chunks::<4>());
-        for (radii, weights) in radii.iter().zip(weights) {
-            for ((sum, &s), &weight) in sums.iter_mut().zip(radii).zip(weights) {
-                *sum = sum.plus(Self::at(s, weight, low));
-            }
+    fn of(radii: &[T], weights: &[T], moments: &mut [T], low: T) -> Self {
+        for ((moment, &weight), &s) in moments.iter_mut().zip(weights).zip(radii) {
+            *moment = weight * ((s - low) * (s + low));
         }
-        let left = radii_left.iter().zip(weights_left).map(|(&s, &weight)| Self::at(s, weight, low));
-        sums.into_iter().chain(left).fold(Self::zero(), Self::plus)
+        Self { offset: sum(moments), slope: sum(weights) }
     }
 
     /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided by s⁴.
     #[inline(always)]
-    fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
+    fn over_time(radii: &[T], weights: &mut [T], moments: &mut [T], low: T) -> Self {
         for (weight, &s) in weights.iter_mut().zip(radii) {
             let square = s * s;
             *weight /= square * square;
         }
-        Self::of(radii, weights, low)
+        Self::of(radii, weights, moments, low)
     }
 
     #[inline(always)]
@@ -169,4 +162,17 @@ impl<T: Scalar> Increment<T> {
             *self = self.times(two * load / carried);
         }
     }
+}
+
+/// Four sums side by side, so that vectors may take them, and what they come to.
+#[inline(always)]
+fn sum<T: Scalar>(values: &[T]) -> T {
+    let mut sums = [T::zero(); 4];
+    let (values, left) = values.as_chunks::<4>();
+    for values in values {
+        for (sum, &value) in sums.iter_mut().zip(values) {
+            *sum += value;
+        }
+    }
+    sums.iter().chain(left).fold(T::zero(), |all, &value| all + value)
 }

@@ -86,7 +86,8 @@ impl<T: Scalar> Nodes<T> {
     #[inline(always)]
     pub(super) fn increment(&self, low: T) -> Increment<T> {
         let (radii, weights) = (&self.radii[..self.count], &self.weights[..self.count]);
-        Increment::of(radii, weights, low)
+        let mut moments = [T::zero(); MOST_NODES];
+        Increment::of(radii, weights, &mut moments[..self.count], low)
     }
 
     /// Whether s δ₀′ rises with the radius from node to node, if nodes are placed by their depth.

@@ -161,9 +161,10 @@ impl<T: Scalar> Run<T> {
         wide(
             #[inline(always)]
             || {
-                // The weights are forces.
+                // The weights are forces; and of the loads the radii are left.
                 let factor = T::constant(2.0) * contact.per_stiffness();
-                let increment = Increment::over_time(radii, weights, low).times(factor);
+                let moments = hereditary;
+                let increment = Increment::over_time(radii, weights, moments, low).times(factor);
                 self.is_resolved(radii, share).then_some(increment)
             },
         )

@@ -119,7 +119,8 @@ where
         wide(
             #[inline(always)]
             || {
-                let increment = Increment::over_time(radii, weights, self.low);
+                let moments = load_integrals;
+                let increment = Increment::over_time(radii, weights, moments, self.low);
                 (increment, rule.resolves_values(radii, (-start).exp()))
             },
         )
