@@ -368,6 +368,36 @@ const _: () = {
                 ],
             )
         }
+        fn fill_slopes_and_drops(
+            &self,
+            __a: S,
+            __places: (&[S], &[S]),
+            __values: (&mut [S], &mut [S]),
+        ) {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            ::cartcontact::generated::fill_slopes_and_drops(
+                self,
+                __a,
+                __places,
+                __values,
+                [
+                    (
+                        __c0
+                            * <S as ::cartcontact::Scalar>::constant(
+                                0.08333333333333333f64,
+                            ),
+                        <S as ::cartcontact::Scalar>::constant(6.0f64),
+                    ),
+                    (
+                        __c1
+                            * <S as ::cartcontact::Scalar>::constant(
+                                0.08547008547008547f64,
+                            ),
+                        <S as ::cartcontact::Scalar>::constant(6.5f64),
+                    ),
+                ],
+            )
+        }
         #[inline]
         fn max_radius(&self) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);

@@ -293,6 +293,31 @@ const _: () = {
                 ],
             )
         }
+        fn fill_slopes_and_drops(
+            &self,
+            __a: T,
+            __places: (&[T], &[T]),
+            __values: (&mut [T], &mut [T]),
+        ) {
+            ::cartcontact::generated::fill_slopes_and_drops(
+                self,
+                __a,
+                __places,
+                __values,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as ::cartcontact::Scalar>::constant(5.5f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(
+                            0.00017077175697865354f64,
+                        ),
+                        <T as ::cartcontact::Scalar>::constant(7.25f64),
+                    ),
+                ],
+            )
+        }
         #[inline]
         fn max_radius(&self) -> T {
             <T as ::cartcontact::Scalar>::infinity()

@@ -7,9 +7,10 @@ use crate::admissibility::checked_range;
 use crate::evaluate::double_word::DoubleWord;
 use crate::evaluate::power::{
     power_sum, quick_power_sum, raised_power_sum, raised_power_sum_and_log_slope, raised_power_sum_drop,
-    raised_power_sum_steepness, weighted_power_sum,
+    raised_power_sum_steepness, term_of_drop, weighted_power_sum,
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
+use crate::evaluate::slopes_and_drops::fill_by_powers;
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::scalar::{floor, is_plain};
@@ -159,6 +160,12 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn load_integral_drop(&self, a: T, depth: T) -> T {
         raised_power_sum_drop(a, depth, 4, self.load_integral_terms())
+    }
+
+    fn fill_slopes_and_drops(&self, a: T, places: (&[T], &[T]), values: (&mut [T], &mut [T])) {
+        let four = T::constant(4.0);
+        let terms = self.load_integral_terms().map(|(c, n)| (term_of_drop(c, a, n, 4), n + four));
+        fill_by_powers(self, a, places, values, terms);
     }
 
     fn highest_exponent(&self) -> T {

@@ -51,7 +51,12 @@ pub(super) fn methods(
         None => general,
     };
     let radii_within = radii.map(|radii| radii_within(&radii, coefficients, names));
-    let drop = drop_of_load_integral(forms, coefficients, names);
+    let (drop, drops) = match dense_drop(forms, coefficients, names) {
+        Some(drop) => (drop, None),
+        None => {
+            (drop_by_powers(forms, coefficients, names), Some(slopes_and_drops(forms, coefficients, names)))
+        }
+    };
     quote! {
         #[inline]
         fn radius_within(
@@ -67,6 +72,8 @@ pub(super) fn methods(
 
         #[inline]
         fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }
+
+        #drops
     }
 }
 
@@ -167,30 +174,49 @@ fn value_and_log_slope(
     }
 }
 
-/// J(a) − J(a − depth), with the depth as a factor.
-fn drop_of_load_integral(
+/// J(a) − J(a − depth) of low whole powers, with the depth as a factor.
+fn dense_drop(
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-) -> TokenStream {
+) -> Option<TokenStream> {
     let sum = &forms.load_integral;
     let [a, s, depth] = ["a", "s", "depth"].map(local);
-    match Whole::of(sum).filter(|whole| {
+    let whole = Whole::of(sum).filter(|whole| {
         whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP && (whole.stride() == 1 || whole.lowest() % 2 == 0)
-    }) {
-        Some(whole) => {
-            let (function, dense) =
-                (names.generated("divided_difference"), whole.dense(0, sum, coefficients, names));
-            let quotient = if whole.stride() == 2 {
-                quote!((#a + #s) * #function(#a * #a, #s * #s, [#(#dense),*]))
-            } else {
-                quote!(#function(#a, #s, [#(#dense),*]))
-            };
-            quote!(let #s = #a - #depth; #depth * (#quotient))
-        }
-        None => {
-            let (function, pairs) = (names.generated("power_sum_drop"), pairs(sum, coefficients, names));
-            quote!(#function(#a, #depth, [#(#pairs),*]))
+    })?;
+    let (function, dense) = (names.generated("divided_difference"), whole.dense(0, sum, coefficients, names));
+    let quotient = if whole.stride() == 2 {
+        quote!((#a + #s) * #function(#a * #a, #s * #s, [#(#dense),*]))
+    } else {
+        quote!(#function(#a, #s, [#(#dense),*]))
+    };
+    Some(quote!(let #s = #a - #depth; #depth * (#quotient)))
+}
+
+/// J(a) − J(a − depth) of any powers.
+fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let [a, depth] = ["a", "depth"].map(local);
+    let (function, pairs) =
+        (names.generated("power_sum_drop"), pairs(&forms.load_integral, coefficients, names));
+    quote!(#function(#a, #depth, [#(#pairs),*]))
+}
+
+/// The method for slices of slopes and drops: powers at a are the same for all.
+fn slopes_and_drops(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
+    let [a, places, values] = ["a", "places", "values"].map(local);
+    let (function, pairs) =
+        (names.generated("fill_slopes_and_drops"), pairs(&forms.load_integral, coefficients, names));
+    quote! {
+        fn fill_slopes_and_drops(
+            &self,
+            #a: #scalar,
+            #places: (&[#scalar], &[#scalar]),
+            #values: (&mut [#scalar], &mut [#scalar]),
+        ) {
+            #preamble
+            #function(self, #a, #places, #values, [#(#pairs),*])
         }
     }
 }

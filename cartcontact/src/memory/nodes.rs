@@ -6,9 +6,6 @@ use super::stretch::Stretch;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
 
-/// Above which power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
-const HIGH_POWER: f64 = 24.0;
-
 /// A node of an integral over the radius. Of radius and depth one is rounded: near the edge the radius, near the centre
 /// the depth.
 pub(super) struct Node<T> {
@@ -17,22 +14,6 @@ pub(super) struct Node<T> {
     pub(super) depth: T,
     /// Of ds.
     pub(super) weight: T,
-}
-
-impl<T: Scalar> Node<T> {
-    /// δ₀′ at the radius `edge` − depth, of which s is the rounded value.
-    ///
-    /// A power sⁿ multiplies the rounding by n. Where that is much, a short step inwards stands for the derivative.
-    #[inline(always)]
-    fn approach_slope<P: GapProfile<T>>(&self, profile: &P, edge: T) -> T {
-        let slope = profile.approach_slope(self.s);
-        if profile.highest_exponent() <= T::constant(HIGH_POWER) {
-            return slope;
-        }
-        let rounding = (edge - self.s) - self.depth;
-        let step = self.s * T::constant(1.0 / 4096.0);
-        slope + (slope - profile.approach_slope(self.s - step)) * (rounding / step)
-    }
 }
 
 /// All nodes, with what is integrated at each.
@@ -66,17 +47,18 @@ impl<T: Scalar> Nodes<T> {
         L: Load<T>,
     {
         self.count = rule.len();
-        let (mut deficits, mut decays) = ([T::zero(); MOST_NODES], [T::zero(); MOST_NODES]);
-        let rows = self.radii.iter_mut().zip(&mut self.slopes).zip(&mut self.weights).zip(&mut deficits);
-        for ((((radius, slope), weight), deficit), (x, dx)) in rows.zip(rule.nodes(low, high)) {
+        let zero = [T::zero(); MOST_NODES];
+        let (mut depths, mut drops, mut decays) = (zero, zero, zero);
+        let rows = self.radii.iter_mut().zip(&mut depths).zip(&mut self.weights);
+        for (((radius, depth), weight), (x, dx)) in rows.zip(rule.nodes(low, high)) {
             let node = place(x, dx);
-            *radius = node.s;
-            *slope = node.approach_slope(stretch.contact.profile(), stretch.high);
-            *weight = node.weight;
-            *deficit = stretch.deficit_at(node.depth);
+            (*radius, *depth, *weight) = (node.s, node.depth, node.weight);
         }
-        let (deficits, decays) = (&deficits[..rule.len()], &mut decays[..rule.len()]);
-        stretch.fill_decays(deficits, decays);
+        let nodes = ..rule.len();
+        let places = (&self.radii[nodes], &depths[nodes]);
+        let (slopes, drops, decays) = (&mut self.slopes[nodes], &mut drops[nodes], &mut decays[nodes]);
+        stretch.contact.profile().fill_slopes_and_drops(stretch.high, places, (slopes, drops));
+        stretch.fill_decays(drops, decays);
         for ((weight, &slope), &decay) in self.weights.iter_mut().zip(&self.slopes).zip(&*decays) {
             *weight = *weight * slope * decay;
         }

@@ -21,10 +21,10 @@
 //! show that the rule is too short. Such pieces are left to the other forms.
 
 use super::Increment;
-use super::fading::decay;
 use super::quadrature::Rule;
 use crate::contact::Contact;
 use crate::dispatch::wide;
+use crate::evaluate::exponential::decay;
 use crate::load::{Load, Piece};
 use crate::{GapProfile, Scalar};
 

@@ -1,10 +1,10 @@
 //! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
 
-use super::fading::decay;
 use super::force_series::ForceSeries;
 use super::{Increment, radius_form, time_form};
 use crate::contact::Contact;
 use crate::evaluate::binary::{scale, split};
+use crate::evaluate::exponential::decay;
 use crate::load::Load;
 use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
@@ -203,21 +203,25 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// How long before the end the edge passed the radius `high` − `depth`.
     #[inline]
     pub(super) fn age_at(&self, depth: T) -> T {
-        self.course.age(self.contact.medium().chi(), self.deficit_at(depth))
+        let drop = self.contact.profile().load_integral_drop(self.high, depth);
+        self.course.age(self.contact.medium().chi(), self.deficit(drop))
     }
 
-    /// By how much the hereditary load at the end exceeds that of the radius `high` − `depth`.
+    /// By how much the hereditary load at the end exceeds that of a radius whose J is less by a drop.
     #[inline(always)]
-    pub(super) fn deficit_at(&self, depth: T) -> T {
-        let drop = self.contact.profile().load_integral_drop(self.high, depth);
+    fn deficit(&self, drop: T) -> T {
         self.contact.stiffness() * drop + self.surplus
     }
 
-    /// What is left at the end of what was laid at the radii with some deficits, e^(−χ age).
+    /// What is left at the end of what was laid at radii whose J is less by some drops, e^(−χ age). The drops become
+    /// deficits.
     #[inline(always)]
-    pub(super) fn fill_decays(&self, deficits: &[T], decays: &mut [T]) {
+    pub(super) fn fill_decays(&self, drops: &mut [T], decays: &mut [T]) {
         let chi = self.contact.medium().chi();
-        self.course.fill_ages(chi, deficits, decays);
+        for drop in &mut *drops {
+            *drop = self.deficit(*drop);
+        }
+        self.course.fill_ages(chi, drops, decays);
         for age in decays {
             *age = decay(chi * *age);
         }

@@ -18,11 +18,11 @@
 //! miss 2e-4, and all that times the length is ε. Nothing shorter can be told from the rounding of s.
 
 use super::Increment;
-use super::fading::decay;
 use super::quadrature::{MOST_NODES, Rule};
 use super::stretch::Stretch;
 use crate::contact::Contact;
 use crate::dispatch::wide;
+use crate::evaluate::exponential::decay;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
 

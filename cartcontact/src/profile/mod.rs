@@ -6,6 +6,7 @@ pub(crate) use error::check_lengths;
 pub use error::{ProfileError, RadiusError, with_parameters};
 
 use crate::Scalar;
+use crate::evaluate::slopes_and_drops::fill_one_by_one;
 use crate::memory::quadrature::Rule;
 
 /// A gap profile Φ(r) = Σ C r^n with everything that follows from it in closed form.
@@ -187,6 +188,20 @@ pub trait GapProfile<T: Scalar> {
         })
     }
 
+    /// δ₀′(s), in 1, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth: what a memory integral asks for at its nodes.
+    ///
+    /// The four slices have one length. `radii` and `depths` say the same, each rounded to its own digits; the drops,
+    /// and slopes of high powers, keep the digits of the depths.
+    #[inline(always)]
+    fn fill_slopes_and_drops(
+        &self,
+        a: T,
+        (radii, depths): (&[T], &[T]),
+        (slopes, drops): (&mut [T], &mut [T]),
+    ) {
+        fill_one_by_one(self, a, (radii, depths), (slopes, drops));
+    }
+
     /// The largest exponent n of the gap, from which quadrature rules are chosen.
     fn highest_exponent(&self) -> T {
         T::constant(16.0)
@@ -253,6 +268,10 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     }
     fn load_integral_drop(&self, a: T, depth: T) -> T {
         (**self).load_integral_drop(a, depth)
+    }
+    #[inline(always)]
+    fn fill_slopes_and_drops(&self, a: T, places: (&[T], &[T]), values: (&mut [T], &mut [T])) {
+        (**self).fill_slopes_and_drops(a, places, values);
     }
     fn highest_exponent(&self) -> T {
         (**self).highest_exponent()

@@ -1,0 +1,105 @@
+//! δ₀′ and drops of the load integral at many radii: what a memory integral asks for at its nodes.
+//!
+//! **Sums of any real powers.** With the terms J = Σ j at the radius a, j of power p, those at a share ρ of it are j ρ^p. In x = −ln ρ the drop
+//! J(a) − J(ρ a) is Σ j (1 − e^(−p x)), without cancellation, and δ₀′(ρ a) = Σ (2 p j/a⁵) e^(−(p−5) x). A rounding of x
+//! counts as x e^(−x) at the most. The powers at a are formed once for all radii; what is left for each is one logarithm
+//! for all terms and two exponentials for each, in vector code.
+
+use super::exponential::{decay, loss};
+use super::logarithm::log_of_share;
+use super::power::term_of_drop;
+use crate::dispatch::wide;
+use crate::scalar::is_plain;
+use crate::{GapProfile, Scalar};
+
+/// Above which power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
+const HIGH_POWER: f64 = 24.0;
+
+/// How many radii are taken at a time.
+const BLOCK: usize = 32;
+
+/// Radii below a, and their depths below it: of each pair one is rounded. Slices of one length.
+pub(crate) type Places<'a, T> = (&'a [T], &'a [T]);
+
+/// δ₀′ at these places, and J(a) less J there. Slices of the same length.
+pub(crate) type SlopesAndDrops<'a, T> = (&'a mut [T], &'a mut [T]);
+
+/// The slopes and drops of any profile, by its functions of one radius.
+#[inline(always)]
+pub(crate) fn fill_one_by_one<T: Scalar, P: GapProfile<T> + ?Sized>(
+    profile: &P,
+    a: T,
+    (radii, depths): Places<'_, T>,
+    (slopes, drops): SlopesAndDrops<'_, T>,
+) {
+    for (((slope, drop), &radius), &depth) in slopes.iter_mut().zip(drops).zip(radii).zip(depths) {
+        *slope = profile.approach_slope(radius);
+        *drop = profile.load_integral_drop(a, depth);
+    }
+    if profile.highest_exponent() > T::constant(HIGH_POWER) {
+        for ((slope, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
+            // A short step inwards stands for the derivative.
+            let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
+            *slope += (*slope - profile.approach_slope(radius - step)) * (rounding / step);
+        }
+    }
+}
+
+/// The slopes and drops of a profile whose load integral is Σ c aᵖ over the terms (c, p).
+#[inline(always)]
+pub fn fill_slopes_and_drops<T: Scalar, P: GapProfile<T> + ?Sized>(
+    profile: &P,
+    a: T,
+    places: Places<'_, T>,
+    values: SlopesAndDrops<'_, T>,
+    terms: impl IntoIterator<Item = (T, T), IntoIter: Clone>,
+) {
+    fill_by_powers(profile, a, places, values, terms.into_iter().map(|(c, p)| (term_of_drop(c, a, p, 0), p)));
+}
+
+/// The same for the `terms` (j, p) of J(a).
+#[inline(always)]
+pub(crate) fn fill_by_powers<T: Scalar, P: GapProfile<T> + ?Sized>(
+    profile: &P,
+    a: T,
+    (radii, depths): Places<'_, T>,
+    (slopes, drops): SlopesAndDrops<'_, T>,
+    terms: impl Iterator<Item = (T, T)> + Clone,
+) {
+    // The bits of a number that is more than its value do not say its logarithm.
+    if !is_plain::<T>() {
+        return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
+    }
+    let places = radii.chunks(BLOCK).zip(depths.chunks(BLOCK));
+    let values = slopes.chunks_mut(BLOCK).zip(drops.chunks_mut(BLOCK));
+    for ((radii, depths), (slopes, drops)) in places.zip(values) {
+        wide(
+            #[inline(always)]
+            || fill_block(a, (radii, depths), (slopes, drops), terms.clone()),
+        );
+    }
+}
+
+#[inline(always)]
+fn fill_block<T: Scalar>(
+    a: T,
+    (radii, depths): Places<'_, T>,
+    (slopes, drops): SlopesAndDrops<'_, T>,
+    terms: impl Iterator<Item = (T, T)>,
+) {
+    let mut shrinkings = [T::zero(); BLOCK];
+    for ((x, &radius), &depth) in shrinkings.iter_mut().zip(radii).zip(depths) {
+        *x = -log_of_share(radius / a, depth / a);
+    }
+    slopes.fill(T::zero());
+    drops.fill(T::zero());
+    let (two, five, square) = (T::constant(2.0), T::constant(5.0), a * a);
+    for (j, p) in terms {
+        // The fifth power need not be in range.
+        let slope = two * p * (j / square / square) / a;
+        for ((&x, slopes), drops) in shrinkings.iter().zip(&mut *slopes).zip(&mut *drops) {
+            *slopes += slope * decay((p - five) * x);
+            *drops += j * loss(p * x);
+        }
+    }
+}
