@@ -121,23 +121,33 @@ impl<T: Scalar> Increment<T> {
         Self { offset: weight * ((s - low) * (s + low)), slope: weight }
     }
 
-    /// Of all at some radii, with a weight for each; `moments` is where those of the weights are put.
+    /// Of all at some radii, with a weight for each.
     #[inline(always)]
-    fn of(radii: &[T], weights: &[T], moments: &mut [T], low: T) -> Self {
-        for ((moment, &weight), &s) in moments.iter_mut().zip(weights).zip(radii) {
-            *moment = weight * ((s - low) * (s + low));
-        }
-        Self { offset: sum(moments), slope: sum(weights) }
+    fn of(radii: &[T], weights: &[T], low: T) -> Self {
+        // One after the other: vectors then take several radii, instead of both values of one.
+        let offset = sum(
+            radii,
+            weights,
+            #[inline(always)]
+            |s, weight| weight * ((s - low) * (s + low)),
+        );
+        let slope = sum(
+            radii,
+            weights,
+            #[inline(always)]
+            |_, weight| weight,
+        );
+        Self { offset, slope }
     }
 
     /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided by s⁴.
     #[inline(always)]
-    fn over_time(radii: &[T], weights: &mut [T], moments: &mut [T], low: T) -> Self {
+    fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
         for (weight, &s) in weights.iter_mut().zip(radii) {
             let square = s * s;
             *weight /= square * square;
         }
-        Self::of(radii, weights, moments, low)
+        Self::of(radii, weights, low)
     }
 
     #[inline(always)]
@@ -164,15 +174,17 @@ impl<T: Scalar> Increment<T> {
     }
 }
 
-/// Four sums side by side, so that vectors may take them, and what they come to.
+/// The sum of a function of radii and weights.
 #[inline(always)]
-fn sum<T: Scalar>(values: &[T]) -> T {
+fn sum<T: Scalar>(radii: &[T], weights: &[T], at: impl Fn(T, T) -> T) -> T {
+    // Four sums side by side, so that vectors may take them.
     let mut sums = [T::zero(); 4];
-    let (values, left) = values.as_chunks::<4>();
-    for values in values {
-        for (sum, &value) in sums.iter_mut().zip(values) {
-            *sum += value;
+    let ((radii, radii_left), (weights, weights_left)) = (radii.as_chunks::<4>(), weights.as_chunks::<4>());
+    for (radii, weights) in radii.iter().zip(weights) {
+        for ((sum, &s), &weight) in sums.iter_mut().zip(radii).zip(weights) {
+            *sum += at(s, weight);
         }
     }
-    sums.iter().chain(left).fold(T::zero(), |all, &value| all + value)
+    let left = radii_left.iter().zip(weights_left).map(|(&s, &weight)| at(s, weight));
+    sums.into_iter().chain(left).fold(T::zero(), |all, value| all + value)
 }

@@ -68,8 +68,7 @@ impl<T: Scalar> Nodes<T> {
     #[inline(always)]
     pub(super) fn increment(&self, low: T) -> Increment<T> {
         let (radii, weights) = (&self.radii[..self.count], &self.weights[..self.count]);
-        let mut moments = [T::zero(); MOST_NODES];
-        Increment::of(radii, weights, &mut moments[..self.count], low)
+        Increment::of(radii, weights, low)
     }
 
     /// Whether s δ₀′ rises with the radius from node to node, if nodes are placed by their depth.

@@ -161,10 +161,9 @@ impl<T: Scalar> Run<T> {
         wide(
             #[inline(always)]
             || {
-                // The weights are forces; and of the loads the radii are left.
+                // The weights are forces.
                 let factor = T::constant(2.0) * contact.per_stiffness();
-                let moments = hereditary;
-                let increment = Increment::over_time(radii, weights, moments, low).times(factor);
+                let increment = Increment::over_time(radii, weights, low).times(factor);
                 self.is_resolved(radii, share).then_some(increment)
             },
         )

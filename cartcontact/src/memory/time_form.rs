@@ -119,8 +119,7 @@ where
         wide(
             #[inline(always)]
             || {
-                let moments = load_integrals;
-                let increment = Increment::over_time(radii, weights, moments, self.low);
+                let increment = Increment::over_time(radii, weights, self.low);
                 (increment, rule.resolves_values(radii, (-start).exp()))
             },
         )
