@@ -327,6 +327,49 @@ const _: () = {
                     ))
         }
         #[inline]
+        fn fill_slopes_and_drops(
+            &self,
+            __a: T,
+            __places: (&[T], &[T]),
+            __values: (&mut [T], &mut [T]),
+        ) {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            crate::renamed::generated::fill_by_functions(
+                __places,
+                __values,
+                |__r| {
+                    let __s = __r * __r;
+                    (__c0
+                        + (__c1
+                            * <T as crate::renamed::Scalar>::constant(
+                                1.3333333333333333f64,
+                            )) * __s) * __r
+                },
+                |__depth| {
+                    let __s = __a - __depth;
+                    __depth
+                        * ((__a + __s)
+                            * crate::renamed::generated::divided_difference(
+                                __a * __a,
+                                __s * __s,
+                                [
+                                    <T as crate::renamed::Scalar>::constant(0.0f64),
+                                    <T as crate::renamed::Scalar>::constant(0.0f64),
+                                    <T as crate::renamed::Scalar>::constant(0.0f64),
+                                    __c0
+                                        * <T as crate::renamed::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                    __c1
+                                        * <T as crate::renamed::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                ],
+                            ))
+                },
+            )
+        }
+        #[inline]
         fn max_radius(&self) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             match crate::renamed::generated::checked_range(
@@ -389,7 +432,9 @@ const _: () = {
         }
         #[inline]
         fn has_only_positive_terms(&self) -> bool {
-            false
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            __c0 >= <T as crate::renamed::Scalar>::constant(0.0f64)
+                && __c1 >= <T as crate::renamed::Scalar>::constant(0.0f64)
         }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]

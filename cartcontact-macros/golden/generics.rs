@@ -368,6 +368,7 @@ const _: () = {
                 ],
             )
         }
+        #[inline]
         fn fill_slopes_and_drops(
             &self,
             __a: S,
@@ -446,7 +447,8 @@ const _: () = {
         }
         #[inline]
         fn has_only_positive_terms(&self) -> bool {
-            false
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            __c0 >= <S as ::cartcontact::Scalar>::constant(0.0f64)
         }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]

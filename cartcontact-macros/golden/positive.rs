@@ -315,6 +315,49 @@ const _: () = {
                     ))
         }
         #[inline]
+        fn fill_slopes_and_drops(
+            &self,
+            __a: T,
+            __places: (&[T], &[T]),
+            __values: (&mut [T], &mut [T]),
+        ) {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            ::cartcontact::generated::fill_by_functions(
+                __places,
+                __values,
+                |__r| {
+                    let __s = __r * __r;
+                    (__c0
+                        + (__c1
+                            * <T as ::cartcontact::Scalar>::constant(
+                                1.3333333333333333f64,
+                            )) * __s) * __r
+                },
+                |__depth| {
+                    let __s = __a - __depth;
+                    __depth
+                        * ((__a + __s)
+                            * ::cartcontact::generated::divided_difference(
+                                __a * __a,
+                                __s * __s,
+                                [
+                                    <T as ::cartcontact::Scalar>::constant(0.0f64),
+                                    <T as ::cartcontact::Scalar>::constant(0.0f64),
+                                    <T as ::cartcontact::Scalar>::constant(0.0f64),
+                                    __c0
+                                        * <T as ::cartcontact::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                    __c1
+                                        * <T as ::cartcontact::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                ],
+                            ))
+                },
+            )
+        }
+        #[inline]
         fn max_radius(&self) -> T {
             ::cartcontact::generated::not_below_zero({
                 let __field_radius = <T as ::cartcontact::Scalar>::constant(self.radius);

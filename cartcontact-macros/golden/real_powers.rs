@@ -293,6 +293,7 @@ const _: () = {
                 ],
             )
         }
+        #[inline]
         fn fill_slopes_and_drops(
             &self,
             __a: T,

@@ -14,7 +14,7 @@ pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
     quick_whole_pressure_kernel,
 };
-pub use crate::evaluate::slopes_and_drops::fill_slopes_and_drops;
+pub use crate::evaluate::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
 pub use crate::seeds::{

@@ -8,7 +8,7 @@ use syn::ext::IdentExt;
 
 use super::{Names, arguments, bounded_generics, local};
 use crate::closed_forms::Summand;
-use crate::gap::coefficient::Coefficient;
+use crate::gap::coefficient::{Coefficient, Sign};
 use crate::geometry::Geometry;
 use crate::number::{self, Rational};
 use crate::reading::item::{Field, FieldKind, Item};
@@ -54,6 +54,15 @@ impl<'a> Coefficients<'a> {
             quote!((#coefficient, #constant(#exponent)))
         };
         self.geometry.gap.terms.iter().enumerate().map(pair).collect()
+    }
+
+    /// The coefficients whose sign only the values of the fields tell; none if a constant is negative.
+    pub(super) fn of_uncertain_sign(&self) -> Option<Vec<TokenStream>> {
+        let terms = &self.geometry.gap.terms;
+        let constants = || terms.iter().filter_map(|term| term.coefficient.as_constant());
+        let uncertain = self.symbolic().filter(|(_, value)| value.certain_sign() != Some(Sign::NotNegative));
+        (!constants().any(|value| value.is_negative()))
+            .then(|| uncertain.map(|(index, _)| self.times(index, &Rational::one())).collect())
     }
 
     /// An array of the coefficients that are not constants, and how many there are.

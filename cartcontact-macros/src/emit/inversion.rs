@@ -5,10 +5,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, pairs};
+use super::power_sum::{self, Whole, pairs};
 use super::{Names, leading_term, local, seeds};
 use crate::closed_forms::ClosedForms;
-use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{integer, literal};
 
@@ -51,12 +50,9 @@ pub(super) fn methods(
         None => general,
     };
     let radii_within = radii.map(|radii| radii_within(&radii, coefficients, names));
-    let (drop, drops) = match dense_drop(forms, coefficients, names) {
-        Some(drop) => (drop, None),
-        None => {
-            (drop_by_powers(forms, coefficients, names), Some(slopes_and_drops(forms, coefficients, names)))
-        }
-    };
+    let dense = dense_drop(forms, coefficients, names);
+    let drops = slopes_and_drops(forms, dense.as_ref(), coefficients, names);
+    let drop = dense.unwrap_or_else(|| drop_by_powers(forms, coefficients, names));
     quote! {
         #[inline]
         fn radius_within(
@@ -109,23 +105,21 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     let invert = names.generated("invert");
     let zero = names.constant();
     let zero = quote!(#zero(0.0f64));
-    let all = || gap.terms.iter().enumerate();
     let evaluate = value_and_log_slope(forms, coefficients, names);
-    let (positive, has_negative) = if gap.is_constant() {
+    let positive = if gap.is_constant() {
         let is_positive =
             |term: &Term| term.coefficient.as_constant().is_some_and(|value| value.is_positive());
-        let positive = all()
-            .filter(|(_, term)| is_positive(term))
-            .map(|(index, term)| positive_term(index, term, coefficients, names));
-        let negative = all().any(|(_, term)| !is_positive(term));
-        (quote!(::core::iter::IntoIterator::into_iter([#(#positive),*])), quote!(#negative))
+        let positive = gap.terms.iter().enumerate().filter(|(_, term)| is_positive(term));
+        let positive = positive.map(|(index, term)| positive_term(index, term, coefficients, names));
+        quote!(::core::iter::IntoIterator::into_iter([#(#positive),*]))
     } else {
         let (terms, of) = (coefficients.terms(), names.generated("positive_terms"));
-        let uncertain = all().filter(|(_, term)| term.coefficient.certain_sign() != Some(Sign::NotNegative));
-        let signs: Vec<TokenStream> =
-            uncertain.map(|(index, _)| coefficients.times(index, &crate::number::Rational::one())).collect();
-        let has_negative = if signs.is_empty() { quote!(false) } else { quote!(#(#signs < #zero)||*) };
-        (quote!(#of([#(#terms),*])), has_negative)
+        quote!(#of([#(#terms),*]))
+    };
+    let has_negative = match coefficients.of_uncertain_sign() {
+        None => quote!(true),
+        Some(none) if none.is_empty() => quote!(false),
+        Some(uncertain) => quote!(#(#uncertain < #zero)||*),
     };
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     quote!(#invert(#load_integral, #limit, #positive, #has_negative, |#a| { #evaluate }))
@@ -202,13 +196,31 @@ fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &
     quote!(#function(#a, #depth, [#(#pairs),*]))
 }
 
-/// The method for slices of slopes and drops: powers at a are the same for all.
-fn slopes_and_drops(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+/// The method for slices of slopes and drops, where something is the same for all: the coefficients if they depend on
+/// fields, and the powers at a of what is not a `dense` sum.
+fn slopes_and_drops(
+    forms: &ClosedForms,
+    dense: Option<&TokenStream>,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> Option<TokenStream> {
     let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
-    let [a, places, values] = ["a", "places", "values"].map(local);
-    let (function, pairs) =
-        (names.generated("fill_slopes_and_drops"), pairs(&forms.load_integral, coefficients, names));
-    quote! {
+    let [a, r, depth, places, values] = ["a", "r", "depth", "places", "values"].map(local);
+    let fill = match dense {
+        Some(_) if preamble.is_empty() => return None,
+        Some(drop) => {
+            let function = names.generated("fill_by_functions");
+            let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names).code;
+            quote!(#function(#places, #values, |#r| { #slope }, |#depth| { #drop }))
+        }
+        None => {
+            let (function, pairs) =
+                (names.generated("fill_slopes_and_drops"), pairs(&forms.load_integral, coefficients, names));
+            quote!(#function(self, #a, #places, #values, [#(#pairs),*]))
+        }
+    };
+    Some(quote! {
+        #[inline]
         fn fill_slopes_and_drops(
             &self,
             #a: #scalar,
@@ -216,7 +228,7 @@ fn slopes_and_drops(forms: &ClosedForms, coefficients: &Coefficients<'_>, names:
             #values: (&mut [#scalar], &mut [#scalar]),
         ) {
             #preamble
-            #function(self, #a, #places, #values, [#(#pairs),*])
+            #fill
         }
-    }
+    })
 }

@@ -17,7 +17,6 @@ use quote::{ToTokens, format_ident, quote};
 use syn::GenericParam;
 
 use crate::closed_forms::ClosedForms;
-use crate::gap::coefficient::Sign;
 use crate::geometry::Geometry;
 use crate::reading::item::{FieldKind, Item};
 use coefficients::Coefficients;
@@ -100,7 +99,7 @@ pub(crate) fn solver(
     };
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
-    let shape = shape(geometry, &names);
+    let shape = shape(geometry, &coefficients, &names);
     let shared = coefficients.function();
     let header = implementation(item, &names);
     let beside = Operations::of_function(&shared);
@@ -223,11 +222,18 @@ fn bounded_generics(item: &Item, names: &Names<'_>) -> syn::Generics {
 }
 
 /// What quadrature has to know of the terms.
-fn shape(geometry: &Geometry, names: &Names<'_>) -> TokenStream {
+fn shape(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
     let is_smooth = terms.iter().all(|term| term.exponent.is_integer());
-    let is_positive = terms.iter().all(|term| term.coefficient.certain_sign() == Some(Sign::NotNegative));
+    let has_only_positive = match coefficients.of_uncertain_sign() {
+        None => quote!(false),
+        Some(none) if none.is_empty() => quote!(true),
+        Some(uncertain) => {
+            let preamble = coefficients.preamble();
+            quote!(#preamble #(#uncertain >= #constant(0.0f64))&&*)
+        }
+    };
     quote! {
         #[inline]
         fn highest_exponent(&self) -> #scalar { #constant(#highest) }
@@ -236,6 +242,6 @@ fn shape(geometry: &Geometry, names: &Names<'_>) -> TokenStream {
         fn is_smooth_at_centre(&self) -> bool { #is_smooth }
 
         #[inline]
-        fn has_only_positive_terms(&self) -> bool { #is_positive }
+        fn has_only_positive_terms(&self) -> bool { #has_only_positive }
     }
 }

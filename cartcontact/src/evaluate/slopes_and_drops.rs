@@ -32,16 +32,31 @@ pub(crate) fn fill_one_by_one<T: Scalar, P: GapProfile<T> + ?Sized>(
     (radii, depths): Places<'_, T>,
     (slopes, drops): SlopesAndDrops<'_, T>,
 ) {
-    for (((slope, drop), &radius), &depth) in slopes.iter_mut().zip(drops).zip(radii).zip(depths) {
-        *slope = profile.approach_slope(radius);
-        *drop = profile.load_integral_drop(a, depth);
-    }
+    let slope = |s: T| profile.approach_slope(s);
+    fill_by_functions((radii, depths), (&mut *slopes, drops), slope, |depth| {
+        profile.load_integral_drop(a, depth)
+    });
     if profile.highest_exponent() > T::constant(HIGH_POWER) {
-        for ((slope, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
+        for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
             // A short step inwards stands for the derivative.
             let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
-            *slope += (*slope - profile.approach_slope(radius - step)) * (rounding / step);
+            *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
         }
+    }
+}
+
+/// The slopes by a function of the radius, and the drops by one of the depth.
+#[inline(always)]
+pub fn fill_by_functions<T: Scalar>(
+    (radii, depths): Places<'_, T>,
+    (slopes, drops): SlopesAndDrops<'_, T>,
+    slope: impl Fn(T) -> T,
+    drop: impl Fn(T) -> T,
+) {
+    let values = slopes.iter_mut().zip(drops);
+    for ((slope_there, drop_there), (&radius, &depth)) in values.zip(radii.iter().zip(depths)) {
+        *slope_there = slope(radius);
+        *drop_there = drop(depth);
     }
 }
 
