@@ -47,19 +47,20 @@ impl<T: Scalar> Nodes<T> {
         L: Load<T>,
     {
         self.count = rule.len();
+        let nodes = ..rule.len();
         let zero = [T::zero(); MOST_NODES];
         let (mut depths, mut drops, mut decays) = (zero, zero, zero);
-        let rows = self.radii.iter_mut().zip(&mut depths).zip(&mut self.weights);
+        let (depths, drops, decays) = (&mut depths[nodes], &mut drops[nodes], &mut decays[nodes]);
+        let (radii, slopes) = (&mut self.radii[nodes], &mut self.slopes[nodes]);
+        let weights = &mut self.weights[nodes];
+        let rows = radii.iter_mut().zip(&mut *depths).zip(&mut *weights);
         for (((radius, depth), weight), (x, dx)) in rows.zip(rule.nodes(low, high)) {
             let node = place(x, dx);
             (*radius, *depth, *weight) = (node.s, node.depth, node.weight);
         }
-        let nodes = ..rule.len();
-        let places = (&self.radii[nodes], &depths[nodes]);
-        let (slopes, drops, decays) = (&mut self.slopes[nodes], &mut drops[nodes], &mut decays[nodes]);
-        stretch.contact.profile().fill_slopes_and_drops(stretch.high, places, (slopes, drops));
+        stretch.contact.profile().fill_slopes_and_drops(stretch.high, (radii, depths), (slopes, drops));
         stretch.fill_decays(drops, decays);
-        for ((weight, &slope), &decay) in self.weights.iter_mut().zip(&self.slopes).zip(&*decays) {
+        for ((weight, &slope), &decay) in weights.iter_mut().zip(&*slopes).zip(&*decays) {
             *weight = *weight * slope * decay;
         }
     }

@@ -97,12 +97,8 @@ where
     wide(
         #[inline(always)]
         || {
-            let mut nodes = Nodes::none();
-            nodes.take(stretch, rule, (start, end), |depth, weight| Node {
-                s: stretch.high - depth,
-                depth,
-                weight,
-            });
+            let (mut nodes, edge) = (Nodes::none(), stretch.high);
+            nodes.take(stretch, rule, (start, end), |depth, weight| Node { s: edge - depth, depth, weight });
             let is_steady = stretch.contact.profile().has_only_positive_terms() || nodes.are_steady();
             (nodes.increment(stretch.low), is_steady)
         },
