@@ -12,7 +12,7 @@ use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS, ThreeTerm, by_hand,
+    Ball, Blunt, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS, ThreeTerm, by_hand,
     contact, load_integrals, run_time, times,
 };
 
@@ -138,6 +138,9 @@ fn measured() -> Contact<f64, Patellofemoral, Knots> {
 
 #[library_benchmark]
 #[bench::constant_load(contact(Patellofemoral))]
+#[bench::fractional_powers(contact(Blunt))]
+#[bench::a_field(contact(Ball { radius: 20.0 }))]
+#[bench::polynomial(contact(run_time()))]
 #[bench::hundred_knots(measured())]
 fn cold_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
     contact.at(black_box(200.0)).map_or(0.0, |now| now.pressure(black_box(3.0)))

@@ -9,13 +9,19 @@ use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, Medium};
 use criterion::{Criterion, criterion_group, criterion_main};
 use gauss_quad::GaussLegendre;
-use scenes::{LOAD, Patellofemoral, RATE, STIFFNESS, contact, pressure_as_printed, pressure_at, run_time};
+use scenes::{
+    Ball, Blunt, LOAD, Patellofemoral, RATE, STIFFNESS, contact, pressure_as_printed, pressure_at, run_time,
+};
 
 fn pressure(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("pressure");
     group.bench_function("powf", |b| b.iter(|| black_box(3.7_f64).powf(black_box(1.0 / 6.0))));
     let generated = contact(Patellofemoral);
     group.bench_function("generated, constant load", |b| b.iter(|| pressure_at(&generated, 200.0, 3.0)));
+    let of_a_field = contact(Ball { radius: 20.0 });
+    group.bench_function("two terms with a field", |b| b.iter(|| pressure_at(&of_a_field, 200.0, 3.0)));
+    let fractional = contact(Blunt);
+    group.bench_function("fractional powers", |b| b.iter(|| pressure_at(&fractional, 200.0, 3.0)));
     let polynomial = contact(run_time());
     group.bench_function("Polynomial, constant load", |b| b.iter(|| pressure_at(&polynomial, 200.0, 3.0)));
     if let (Ok(slow), Ok(quick)) = (measured(RATE), measured(2.0)) {

@@ -34,6 +34,10 @@ pub(crate) struct RoundBall<T> {
     pub(crate) radius: T,
 }
 
+/// Powers that are not whole.
+#[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
+pub(crate) struct Blunt;
+
 /// The terms of [`Patellofemoral`].
 pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 
