@@ -31,117 +31,118 @@
 /// ```
 struct Patellofemoral;
 const _: () = {
-    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
+    use ::cartcontact::generated::root as __cartcontact;
+    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -168,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: ::cartcontact::Scalar>(
+    fn steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> ::cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::generated::Steepness<T> {
         let __s = __a * __a;
-        ::cartcontact::generated::Steepness {
-            power: ::cartcontact::generated::integer_power(__s, 3),
-            value: <T as ::cartcontact::Scalar>::constant(228.57142857142858f64) + __s,
-            first: <T as ::cartcontact::Scalar>::constant(171.42857142857142f64) + __s,
-            half_second: <T as ::cartcontact::Scalar>::constant(53.57142857142857f64)
-                + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * __s,
-            per_unit: <T as ::cartcontact::Scalar>::constant(109714.28571428571f64),
-            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: <T as __cartcontact::Scalar>::constant(228.57142857142858f64) + __s,
+            first: <T as __cartcontact::Scalar>::constant(171.42857142857142f64) + __s,
+            half_second: <T as __cartcontact::Scalar>::constant(53.57142857142857f64)
+                + (<T as __cartcontact::Scalar>::constant(0.4375f64)) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(109714.28571428571f64),
+            per_degree: <T as __cartcontact::Scalar>::constant(0.125f64),
         }
     }
     #[automatically_derived]
-    impl<T> ::cartcontact::GapProfile<T> for Patellofemoral
+    impl<T> __cartcontact::GapProfile<T> for Patellofemoral
     where
-        T: ::cartcontact::Scalar,
+        T: __cartcontact::Scalar,
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __r,
                 2u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.025f64),
-                    <T as ::cartcontact::Scalar>::constant(0.000109375f64),
+                    <T as __cartcontact::Scalar>::constant(0.025f64),
+                    <T as __cartcontact::Scalar>::constant(0.000109375f64),
                 ],
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.0125f64),
-                    <T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64),
+                    <T as __cartcontact::Scalar>::constant(0.0125f64),
+                    <T as __cartcontact::Scalar>::constant(3.6458333333333336e-5f64),
                 ],
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
             let __s = __a * __a;
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(0.00014583333333333335f64))
+            (<T as __cartcontact::Scalar>::constant(0.025f64)
+                + (<T as __cartcontact::Scalar>::constant(0.00014583333333333335f64))
                     * __s) * __a
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __a,
                 6u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64),
-                    <T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64),
+                    <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64),
+                    <T as __cartcontact::Scalar>::constant(9.114583333333334e-6f64),
                 ],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
-                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                    <T as __cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as __cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
                 ],
             )
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
             let __s = __a * __a;
-            (<T as ::cartcontact::Scalar>::constant(0.0125f64)
-                + (<T as ::cartcontact::Scalar>::constant(3.6458333333333336e-5f64))
+            (<T as __cartcontact::Scalar>::constant(0.0125f64)
+                + (<T as __cartcontact::Scalar>::constant(3.6458333333333336e-5f64))
                     * __s) * __s
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
             let __s = __a * __a;
-            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)
-                + (<T as ::cartcontact::Scalar>::constant(9.114583333333334e-6f64))
+            (<T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)
+                + (<T as __cartcontact::Scalar>::constant(9.114583333333334e-6f64))
                     * __s) * __s * __s * __s
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::even_pressure_kernel(
+            __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
-                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                    <T as __cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as __cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
                 ],
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::generated::quick_even_pressure_kernel(
                 __a,
                 __r,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
-                    <T as ::cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
+                    <T as __cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as __cartcontact::Scalar>::constant(3.0381944444444443e-6f64),
                 ],
             )
         }
@@ -150,49 +151,49 @@ const _: () = {
             &self,
             __load_integral: T,
             __limit: T,
-        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match SEEDS
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     |__a| steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    ::cartcontact::generated::elsewhere(move || {
-                        ::cartcontact::generated::invert(
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
-                                ::cartcontact::generated::PositiveTerm::of(
-                                    <T as ::cartcontact::Scalar>::constant(0.025f64),
-                                    <T as ::cartcontact::Scalar>::constant(2.0f64),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.025f64),
+                                    <T as __cartcontact::Scalar>::constant(2.0f64),
                                 ),
-                                ::cartcontact::generated::PositiveTerm::of(
-                                    <T as ::cartcontact::Scalar>::constant(0.000109375f64),
-                                    <T as ::cartcontact::Scalar>::constant(4.0f64),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.000109375f64),
+                                    <T as __cartcontact::Scalar>::constant(4.0f64),
                                 ),
                             ]),
                             false,
                             |__a| {
                                 let __x = __a * __a;
-                                let (__value, __slope) = ::cartcontact::generated::value_and_slope(
+                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
                                     __x,
                                     [
-                                        <T as ::cartcontact::Scalar>::constant(
+                                        <T as __cartcontact::Scalar>::constant(
                                             0.0020833333333333333f64,
                                         ),
-                                        <T as ::cartcontact::Scalar>::constant(
+                                        <T as __cartcontact::Scalar>::constant(
                                             9.114583333333334e-6f64,
                                         ),
                                     ],
                                 );
-                                let __log_slope = <T as ::cartcontact::Scalar>::constant(
+                                let __log_slope = <T as __cartcontact::Scalar>::constant(
                                     6.0f64,
                                 ) * __value
-                                    + <T as ::cartcontact::Scalar>::constant(2.0f64) * __x
+                                    + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
                                         * __slope;
                                 (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                             },
@@ -206,15 +207,15 @@ const _: () = {
             __load_integrals: &[T],
             __limit: T,
             __radii: &mut [T],
-        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     #[inline(always)]
                     |__a| steepness(__a, []),
-                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
                         __limit,
@@ -226,17 +227,17 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * ::cartcontact::generated::divided_difference(
+                    * __cartcontact::generated::divided_difference(
                         __a * __a,
                         __s * __s,
                         [
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(
                                 0.0020833333333333333f64,
                             ),
-                            <T as ::cartcontact::Scalar>::constant(
+                            <T as __cartcontact::Scalar>::constant(
                                 9.114583333333334e-6f64,
                             ),
                         ],
@@ -244,11 +245,11 @@ const _: () = {
         }
         #[inline]
         fn max_radius(&self) -> T {
-            <T as ::cartcontact::Scalar>::infinity()
+            <T as __cartcontact::Scalar>::infinity()
         }
         #[inline]
         fn highest_exponent(&self) -> T {
-            <T as ::cartcontact::Scalar>::constant(4.0f64)
+            <T as __cartcontact::Scalar>::constant(4.0f64)
         }
         #[inline]
         fn is_smooth_at_centre(&self) -> bool {

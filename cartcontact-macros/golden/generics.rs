@@ -25,6 +25,7 @@ where
     tag: &'a T,
 }
 const _: () = {
+    use ::cartcontact::generated::root as __cartcontact;
     #[allow(
         clippy::multiple_bound_locations,
         reason = "the struct may bound its parameter in place"
@@ -37,79 +38,79 @@ const _: () = {
     fn coefficients<'a, S: Copy, T>(__profile: &Any<'a, S, T>) -> [S; 2usize]
     where
         T: Clone,
-        S: ::cartcontact::Scalar,
+        S: __cartcontact::Scalar,
     {
         let __field_c = __profile.c;
         [
             __field_c,
-            ::cartcontact::generated::real_power(
+            __cartcontact::generated::real_power(
                 __field_c,
-                <S as ::cartcontact::Scalar>::constant(-0.5f64),
+                <S as __cartcontact::Scalar>::constant(-0.5f64),
             ),
         ]
     }
-    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
+    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<S: ::cartcontact::Scalar>(
+    fn steepness<S: __cartcontact::Scalar>(
         __a: S,
         [__c0,
         __c1,
         ]: [S; 2usize],
-    ) -> ::cartcontact::generated::Steepness<S> {
-        ::cartcontact::generated::power_sum_steepness(
+    ) -> __cartcontact::generated::Steepness<S> {
+        __cartcontact::generated::power_sum_steepness(
             __a,
             [
                 (
                     __c0
-                        * <S as ::cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        * <S as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    <S as __cartcontact::Scalar>::constant(6.0f64),
                 ),
                 (
                     __c1
-                        * <S as ::cartcontact::Scalar>::constant(0.08547008547008547f64),
-                    <S as ::cartcontact::Scalar>::constant(6.5f64),
+                        * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64),
+                    <S as __cartcontact::Scalar>::constant(6.5f64),
                 ),
             ],
         )
     }
     #[automatically_derived]
-    impl<'a, S: Copy, T> ::cartcontact::GapProfile<S> for Any<'a, S, T>
+    impl<'a, S: Copy, T> __cartcontact::GapProfile<S> for Any<'a, S, T>
     where
         T: Clone,
-        S: ::cartcontact::Scalar,
+        S: __cartcontact::Scalar,
     {
         #[inline]
         fn gap(&self, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __r,
                 [
-                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                 ],
             )
         }
         #[inline]
         fn approach(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
-                        __c0 * <S as ::cartcontact::Scalar>::constant(0.5f64),
-                        <S as ::cartcontact::Scalar>::constant(2.0f64),
+                        __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
+                        <S as __cartcontact::Scalar>::constant(2.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(2.5f64),
+                        <S as __cartcontact::Scalar>::constant(2.5f64),
                     ),
                 ],
             )
@@ -117,16 +118,16 @@ const _: () = {
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::quick_power_sum(
                 __a,
                 [
-                    (__c0, <S as ::cartcontact::Scalar>::constant(1.0f64)),
+                    (__c0, <S as __cartcontact::Scalar>::constant(1.0f64)),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(1.5f64),
+                        <S as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                 ],
             )
@@ -134,22 +135,22 @@ const _: () = {
         #[inline]
         fn load_integral(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
                         __c0
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        <S as __cartcontact::Scalar>::constant(6.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.5f64),
+                        <S as __cartcontact::Scalar>::constant(6.5f64),
                     ),
                 ],
             )
@@ -157,19 +158,19 @@ const _: () = {
         #[inline]
         fn log_kernel(&self, __x: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __x,
                 [
                     (
-                        __c0 * <S as ::cartcontact::Scalar>::constant(0.0625f64),
-                        <S as ::cartcontact::Scalar>::constant(4.0f64),
+                        __c0 * <S as __cartcontact::Scalar>::constant(0.0625f64),
+                        <S as __cartcontact::Scalar>::constant(4.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.04938271604938271f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(4.5f64),
+                        <S as __cartcontact::Scalar>::constant(4.5f64),
                     ),
                 ],
             )
@@ -177,19 +178,19 @@ const _: () = {
         #[inline]
         fn quick_approach(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (
-                        __c0 * <S as ::cartcontact::Scalar>::constant(0.5f64),
-                        <S as ::cartcontact::Scalar>::constant(2.0f64),
+                        __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
+                        <S as __cartcontact::Scalar>::constant(2.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(2.5f64),
+                        <S as __cartcontact::Scalar>::constant(2.5f64),
                     ),
                 ],
             )
@@ -197,22 +198,22 @@ const _: () = {
         #[inline]
         fn quick_load_integral(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (
                         __c0
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        <S as __cartcontact::Scalar>::constant(6.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.5f64),
+                        <S as __cartcontact::Scalar>::constant(6.5f64),
                     ),
                 ],
             )
@@ -220,24 +221,24 @@ const _: () = {
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::pressure_kernel(
+            __cartcontact::generated::pressure_kernel(
                 __a,
                 __r,
                 [
-                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                 ],
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::quick_pressure_kernel(
+            __cartcontact::generated::quick_pressure_kernel(
                 __a,
                 __r,
                 [
-                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                 ],
             )
         }
@@ -246,26 +247,26 @@ const _: () = {
             &self,
             __load_integral: S,
             __limit: S,
-        ) -> ::core::result::Result<S, ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             match SEEDS
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::EqualTerms::of(
+                    __cartcontact::generated::EqualTerms::of(
                         (
                             __c0
-                                * <S as ::cartcontact::Scalar>::constant(
+                                * <S as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            <S as ::cartcontact::Scalar>::constant(6.0f64),
+                            <S as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
                             __c1
-                                * <S as ::cartcontact::Scalar>::constant(
+                                * <S as __cartcontact::Scalar>::constant(
                                     0.08547008547008547f64,
                                 ),
-                            <S as ::cartcontact::Scalar>::constant(6.5f64),
+                            <S as __cartcontact::Scalar>::constant(6.5f64),
                         ),
                     ),
                     |__a| steepness(__a, [__c0, __c1]),
@@ -273,32 +274,32 @@ const _: () = {
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    ::cartcontact::generated::elsewhere(move || {
-                        ::cartcontact::generated::invert(
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert(
                             __load_integral,
                             __limit,
-                            ::cartcontact::generated::positive_terms([
-                                (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                                (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                            __cartcontact::generated::positive_terms([
+                                (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                                (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                             ]),
-                            __c0 < <S as ::cartcontact::Scalar>::constant(0.0f64),
+                            __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
                             |__a| {
-                                ::cartcontact::generated::power_sum_and_log_slope(
+                                __cartcontact::generated::power_sum_and_log_slope(
                                     __a,
                                     [
                                         (
                                             __c0
-                                                * <S as ::cartcontact::Scalar>::constant(
+                                                * <S as __cartcontact::Scalar>::constant(
                                                     0.08333333333333333f64,
                                                 ),
-                                            <S as ::cartcontact::Scalar>::constant(6.0f64),
+                                            <S as __cartcontact::Scalar>::constant(6.0f64),
                                         ),
                                         (
                                             __c1
-                                                * <S as ::cartcontact::Scalar>::constant(
+                                                * <S as __cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
-                                            <S as ::cartcontact::Scalar>::constant(6.5f64),
+                                            <S as __cartcontact::Scalar>::constant(6.5f64),
                                         ),
                                     ],
                                 )
@@ -313,31 +314,31 @@ const _: () = {
             __load_integrals: &[S],
             __limit: S,
             __radii: &mut [S],
-        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::EqualTerms::of(
+                    __cartcontact::generated::EqualTerms::of(
                         (
                             __c0
-                                * <S as ::cartcontact::Scalar>::constant(
+                                * <S as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            <S as ::cartcontact::Scalar>::constant(6.0f64),
+                            <S as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
                             __c1
-                                * <S as ::cartcontact::Scalar>::constant(
+                                * <S as __cartcontact::Scalar>::constant(
                                     0.08547008547008547f64,
                                 ),
-                            <S as ::cartcontact::Scalar>::constant(6.5f64),
+                            <S as __cartcontact::Scalar>::constant(6.5f64),
                         ),
                     ),
                     #[inline(always)]
                     |__a| steepness(__a, [__c0, __c1]),
-                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
                         __limit,
@@ -347,23 +348,23 @@ const _: () = {
         #[inline]
         fn load_integral_drop(&self, __a: S, __depth: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::power_sum_drop(
+            __cartcontact::generated::power_sum_drop(
                 __a,
                 __depth,
                 [
                     (
                         __c0
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        <S as __cartcontact::Scalar>::constant(6.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.5f64),
+                        <S as __cartcontact::Scalar>::constant(6.5f64),
                     ),
                 ],
             )
@@ -402,25 +403,25 @@ const _: () = {
         #[inline]
         fn max_radius(&self) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            match ::cartcontact::generated::checked_range(
+            match __cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                 ]),
                 ::core::option::Option::None,
             ) {
                 ::core::result::Result::Ok(__end) => __end,
                 ::core::result::Result::Err(_) => {
-                    <S as ::cartcontact::Scalar>::constant(0.0f64)
+                    <S as __cartcontact::Scalar>::constant(0.0f64)
                 }
             }
         }
-        fn check(&self) -> ::core::result::Result<(), ::cartcontact::ProfileError> {
+        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            match ::cartcontact::generated::checked_range(
+            match __cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                 ]),
                 ::core::option::Option::None,
             ) {
@@ -428,7 +429,7 @@ const _: () = {
                 ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({
                         let __field_c = self.c;
-                        ::cartcontact::generated::with_parameters(
+                        __cartcontact::generated::with_parameters(
                             __error,
                             &["c"],
                             [__field_c],
@@ -439,7 +440,7 @@ const _: () = {
         }
         #[inline]
         fn highest_exponent(&self) -> S {
-            <S as ::cartcontact::Scalar>::constant(2.5f64)
+            <S as __cartcontact::Scalar>::constant(2.5f64)
         }
         #[inline]
         fn is_smooth_at_centre(&self) -> bool {
@@ -455,14 +456,14 @@ const _: () = {
     impl<'a, S: Copy, T> Any<'a, S, T>
     where
         T: Clone,
-        S: ::cartcontact::Scalar,
+        S: __cartcontact::Scalar,
     {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms(&self) -> [(S, S); 2usize] {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             [
-                (__c0, <S as ::cartcontact::Scalar>::constant(2.0f64)),
-                (__c1, <S as ::cartcontact::Scalar>::constant(2.5f64)),
+                (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
             ]
         }
     }

@@ -31,136 +31,137 @@
 /// ```
 struct MixedSign;
 const _: () = {
-    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
+    use ::cartcontact::generated::root as __cartcontact;
+    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: ::cartcontact::Scalar>(
+    fn steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> ::cartcontact::generated::Steepness<T> {
-        ::cartcontact::generated::Steepness {
-            power: ::cartcontact::generated::integer_power(__a, 6),
-            value: <T as ::cartcontact::Scalar>::constant(250.0f64)
-                + (<T as ::cartcontact::Scalar>::constant(-20.571428571428573f64) + __a)
+    ) -> __cartcontact::generated::Steepness<T> {
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__a, 6),
+            value: <T as __cartcontact::Scalar>::constant(250.0f64)
+                + (<T as __cartcontact::Scalar>::constant(-20.571428571428573f64) + __a)
                     * __a,
-            first: <T as ::cartcontact::Scalar>::constant(187.5f64)
-                + (<T as ::cartcontact::Scalar>::constant(-18.0f64) + __a) * __a,
-            half_second: (<T as ::cartcontact::Scalar>::constant(58.59375f64)
-                + (<T as ::cartcontact::Scalar>::constant(-6.75f64)) * __a)
-                + (<T as ::cartcontact::Scalar>::constant(0.4375f64)) * (__a * __a),
-            per_unit: <T as ::cartcontact::Scalar>::constant(60000.0f64),
-            per_degree: <T as ::cartcontact::Scalar>::constant(0.125f64),
+            first: <T as __cartcontact::Scalar>::constant(187.5f64)
+                + (<T as __cartcontact::Scalar>::constant(-18.0f64) + __a) * __a,
+            half_second: (<T as __cartcontact::Scalar>::constant(58.59375f64)
+                + (<T as __cartcontact::Scalar>::constant(-6.75f64)) * __a)
+                + (<T as __cartcontact::Scalar>::constant(0.4375f64)) * (__a * __a),
+            per_unit: <T as __cartcontact::Scalar>::constant(60000.0f64),
+            per_degree: <T as __cartcontact::Scalar>::constant(0.125f64),
         }
     }
     #[automatically_derived]
-    impl<T> ::cartcontact::GapProfile<T> for MixedSign
+    impl<T> __cartcontact::GapProfile<T> for MixedSign
     where
-        T: ::cartcontact::Scalar,
+        T: __cartcontact::Scalar,
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            ::cartcontact::generated::precise_sum(
+            __cartcontact::generated::precise_sum(
                 __r,
                 2u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.05f64),
-                    <T as ::cartcontact::Scalar>::constant(-0.004f64),
-                    <T as ::cartcontact::Scalar>::constant(0.0002f64),
+                    <T as __cartcontact::Scalar>::constant(0.05f64),
+                    <T as __cartcontact::Scalar>::constant(-0.004f64),
+                    <T as __cartcontact::Scalar>::constant(0.0002f64),
                 ],
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            ::cartcontact::generated::precise_sum(
+            __cartcontact::generated::precise_sum(
                 __a,
                 2u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.025f64),
-                    <T as ::cartcontact::Scalar>::constant(-0.0016f64),
-                    <T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64),
+                    <T as __cartcontact::Scalar>::constant(0.025f64),
+                    <T as __cartcontact::Scalar>::constant(-0.0016f64),
+                    <T as __cartcontact::Scalar>::constant(6.666666666666667e-5f64),
                 ],
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.05f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.0048f64)
-                    + (<T as ::cartcontact::Scalar>::constant(0.0002666666666666667f64))
+            (<T as __cartcontact::Scalar>::constant(0.05f64)
+                + (<T as __cartcontact::Scalar>::constant(-0.0048f64)
+                    + (<T as __cartcontact::Scalar>::constant(0.0002666666666666667f64))
                         * __a) * __a) * __a
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            ::cartcontact::generated::precise_sum(
+            __cartcontact::generated::precise_sum(
                 __a,
                 6u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.004166666666666667f64),
-                    <T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64),
-                    <T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
+                    <T as __cartcontact::Scalar>::constant(0.004166666666666667f64),
+                    <T as __cartcontact::Scalar>::constant(-0.00034285714285714285f64),
+                    <T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
                 ],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            ::cartcontact::generated::precise_sum(
+            __cartcontact::generated::precise_sum(
                 __x,
                 4u32,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.003125f64),
-                    <T as ::cartcontact::Scalar>::constant(-0.00016f64),
-                    <T as ::cartcontact::Scalar>::constant(5.555555555555556e-6f64),
+                    <T as __cartcontact::Scalar>::constant(0.003125f64),
+                    <T as __cartcontact::Scalar>::constant(-0.00016f64),
+                    <T as __cartcontact::Scalar>::constant(5.555555555555556e-6f64),
                 ],
             )
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.0016f64)
-                    + (<T as ::cartcontact::Scalar>::constant(6.666666666666667e-5f64))
+            (<T as __cartcontact::Scalar>::constant(0.025f64)
+                + (<T as __cartcontact::Scalar>::constant(-0.0016f64)
+                    + (<T as __cartcontact::Scalar>::constant(6.666666666666667e-5f64))
                         * __a) * __a) * __a * __a
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.004166666666666667f64)
-                + (<T as ::cartcontact::Scalar>::constant(-0.00034285714285714285f64)
-                    + (<T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
+            (<T as __cartcontact::Scalar>::constant(0.004166666666666667f64)
+                + (<T as __cartcontact::Scalar>::constant(-0.00034285714285714285f64)
+                    + (<T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
                         * __a) * __a) * __a * __a * __a * __a * __a * __a
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::pressure_kernel(
+            __cartcontact::generated::pressure_kernel(
                 __a,
                 __r,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.05f64),
-                        <T as ::cartcontact::Scalar>::constant(2.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.05f64),
+                        <T as __cartcontact::Scalar>::constant(2.0f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(-0.004f64),
-                        <T as ::cartcontact::Scalar>::constant(3.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.004f64),
+                        <T as __cartcontact::Scalar>::constant(3.0f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0002f64),
-                        <T as ::cartcontact::Scalar>::constant(4.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0002f64),
+                        <T as __cartcontact::Scalar>::constant(4.0f64),
                     ),
                 ],
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::quick_whole_pressure_kernel(
+            __cartcontact::generated::quick_whole_pressure_kernel(
                 __a,
                 __r,
                 [
-                    <T as ::cartcontact::Scalar>::constant(0.0f64),
-                    <T as ::cartcontact::Scalar>::constant(0.0015625f64),
-                    <T as ::cartcontact::Scalar>::constant(-8e-5f64),
-                    <T as ::cartcontact::Scalar>::constant(2.777777777777778e-6f64),
+                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                    <T as __cartcontact::Scalar>::constant(0.0015625f64),
+                    <T as __cartcontact::Scalar>::constant(-8e-5f64),
+                    <T as __cartcontact::Scalar>::constant(2.777777777777778e-6f64),
                 ],
             )
         }
@@ -169,52 +170,52 @@ const _: () = {
             &self,
             __load_integral: T,
             __limit: T,
-        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match SEEDS
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     |__a| steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    ::cartcontact::generated::elsewhere(move || {
-                        ::cartcontact::generated::invert(
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
-                                ::cartcontact::generated::PositiveTerm::of(
-                                    <T as ::cartcontact::Scalar>::constant(0.05f64),
-                                    <T as ::cartcontact::Scalar>::constant(2.0f64),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.05f64),
+                                    <T as __cartcontact::Scalar>::constant(2.0f64),
                                 ),
-                                ::cartcontact::generated::PositiveTerm::of(
-                                    <T as ::cartcontact::Scalar>::constant(0.0002f64),
-                                    <T as ::cartcontact::Scalar>::constant(4.0f64),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.0002f64),
+                                    <T as __cartcontact::Scalar>::constant(4.0f64),
                                 ),
                             ]),
                             true,
                             |__a| {
                                 let __x = __a;
-                                let (__value, __slope) = ::cartcontact::generated::value_and_slope(
+                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
                                     __x,
                                     [
-                                        <T as ::cartcontact::Scalar>::constant(
+                                        <T as __cartcontact::Scalar>::constant(
                                             0.004166666666666667f64,
                                         ),
-                                        <T as ::cartcontact::Scalar>::constant(
+                                        <T as __cartcontact::Scalar>::constant(
                                             -0.00034285714285714285f64,
                                         ),
-                                        <T as ::cartcontact::Scalar>::constant(
+                                        <T as __cartcontact::Scalar>::constant(
                                             1.6666666666666667e-5f64,
                                         ),
                                     ],
                                 );
-                                let __log_slope = <T as ::cartcontact::Scalar>::constant(
+                                let __log_slope = <T as __cartcontact::Scalar>::constant(
                                     6.0f64,
                                 ) * __value
-                                    + <T as ::cartcontact::Scalar>::constant(1.0f64) * __x
+                                    + <T as __cartcontact::Scalar>::constant(1.0f64) * __x
                                         * __slope;
                                 (
                                     __value * __x * __x * __x * __x * __x * __x,
@@ -231,15 +232,15 @@ const _: () = {
             __load_integrals: &[T],
             __limit: T,
             __radii: &mut [T],
-        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     #[inline(always)]
                     |__a| steepness(__a, []),
-                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
                         __limit,
@@ -250,31 +251,31 @@ const _: () = {
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let __s = __a - __depth;
             __depth
-                * (::cartcontact::generated::divided_difference(
+                * (__cartcontact::generated::divided_difference(
                     __a,
                     __s,
                     [
-                        <T as ::cartcontact::Scalar>::constant(0.0f64),
-                        <T as ::cartcontact::Scalar>::constant(0.0f64),
-                        <T as ::cartcontact::Scalar>::constant(0.0f64),
-                        <T as ::cartcontact::Scalar>::constant(0.0f64),
-                        <T as ::cartcontact::Scalar>::constant(0.0f64),
-                        <T as ::cartcontact::Scalar>::constant(0.0f64),
-                        <T as ::cartcontact::Scalar>::constant(0.004166666666666667f64),
-                        <T as ::cartcontact::Scalar>::constant(
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.004166666666666667f64),
+                        <T as __cartcontact::Scalar>::constant(
                             -0.00034285714285714285f64,
                         ),
-                        <T as ::cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
+                        <T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
                     ],
                 ))
         }
         #[inline]
         fn max_radius(&self) -> T {
-            <T as ::cartcontact::Scalar>::constant(20.0f64)
+            <T as __cartcontact::Scalar>::constant(20.0f64)
         }
         #[inline]
         fn highest_exponent(&self) -> T {
-            <T as ::cartcontact::Scalar>::constant(4.0f64)
+            <T as __cartcontact::Scalar>::constant(4.0f64)
         }
         #[inline]
         fn is_smooth_at_centre(&self) -> bool {

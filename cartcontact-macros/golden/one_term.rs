@@ -32,93 +32,94 @@
 /// ```
 pub struct Paraboloid;
 const _: () = {
-    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
+    use ::cartcontact::generated::root as __cartcontact;
+    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -148,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: ::cartcontact::Scalar>(
+    fn steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> ::cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::generated::Steepness<T> {
         let __s = __a * __a;
-        ::cartcontact::generated::Steepness {
-            power: ::cartcontact::generated::integer_power(__s, 3),
-            value: <T as ::cartcontact::Scalar>::constant(1.0f64),
-            first: <T as ::cartcontact::Scalar>::constant(1.0f64),
-            half_second: <T as ::cartcontact::Scalar>::constant(0.4166666666666667f64),
-            per_unit: <T as ::cartcontact::Scalar>::constant(480.0f64),
-            per_degree: <T as ::cartcontact::Scalar>::constant(0.16666666666666666f64),
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: <T as __cartcontact::Scalar>::constant(1.0f64),
+            first: <T as __cartcontact::Scalar>::constant(1.0f64),
+            half_second: <T as __cartcontact::Scalar>::constant(0.4166666666666667f64),
+            per_unit: <T as __cartcontact::Scalar>::constant(480.0f64),
+            per_degree: <T as __cartcontact::Scalar>::constant(0.16666666666666666f64),
         }
     }
     #[automatically_derived]
-    impl<T> ::cartcontact::GapProfile<T> for Paraboloid
+    impl<T> __cartcontact::GapProfile<T> for Paraboloid
     where
-        T: ::cartcontact::Scalar,
+        T: __cartcontact::Scalar,
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __r,
                 2u32,
-                [<T as ::cartcontact::Scalar>::constant(0.025f64)],
+                [<T as __cartcontact::Scalar>::constant(0.025f64)],
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
-                [<T as ::cartcontact::Scalar>::constant(0.0125f64)],
+                [<T as __cartcontact::Scalar>::constant(0.0125f64)],
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            (<T as ::cartcontact::Scalar>::constant(0.025f64)) * __a
+            (<T as __cartcontact::Scalar>::constant(0.025f64)) * __a
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __a,
                 6u32,
-                [<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)],
+                [<T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
-                [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
+                [<T as __cartcontact::Scalar>::constant(0.0015625f64)],
             )
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
             let __s = __a * __a;
-            (<T as ::cartcontact::Scalar>::constant(0.0125f64)) * __s
+            (<T as __cartcontact::Scalar>::constant(0.0125f64)) * __s
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
             let __s = __a * __a;
-            (<T as ::cartcontact::Scalar>::constant(0.0020833333333333333f64)) * __s
+            (<T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)) * __s
                 * __s * __s
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::even_pressure_kernel(
+            __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
-                [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
+                [<T as __cartcontact::Scalar>::constant(0.0015625f64)],
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::generated::quick_even_pressure_kernel(
                 __a,
                 __r,
-                [<T as ::cartcontact::Scalar>::constant(0.0015625f64)],
+                [<T as __cartcontact::Scalar>::constant(0.0015625f64)],
             )
         }
         #[inline]
@@ -126,23 +127,23 @@ const _: () = {
             &self,
             __load_integral: T,
             __limit: T,
-        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match SEEDS
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     |__a| steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    ::cartcontact::generated::elsewhere(move || {
-                        ::cartcontact::generated::invert_one_term(
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert_one_term(
                             __load_integral,
-                            ::cartcontact::generated::PositiveTerm::of(
-                                <T as ::cartcontact::Scalar>::constant(0.025f64),
-                                <T as ::cartcontact::Scalar>::constant(2.0f64),
+                            __cartcontact::generated::PositiveTerm::of(
+                                <T as __cartcontact::Scalar>::constant(0.025f64),
+                                <T as __cartcontact::Scalar>::constant(2.0f64),
                             ),
                             __limit,
                         )
@@ -155,15 +156,15 @@ const _: () = {
             __load_integrals: &[T],
             __limit: T,
             __radii: &mut [T],
-        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     #[inline(always)]
                     |__a| steepness(__a, []),
-                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
                         __limit,
@@ -175,14 +176,14 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * ::cartcontact::generated::divided_difference(
+                    * __cartcontact::generated::divided_difference(
                         __a * __a,
                         __s * __s,
                         [
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(
                                 0.0020833333333333333f64,
                             ),
                         ],
@@ -190,11 +191,11 @@ const _: () = {
         }
         #[inline]
         fn max_radius(&self) -> T {
-            <T as ::cartcontact::Scalar>::infinity()
+            <T as __cartcontact::Scalar>::infinity()
         }
         #[inline]
         fn highest_exponent(&self) -> T {
-            <T as ::cartcontact::Scalar>::constant(2.0f64)
+            <T as __cartcontact::Scalar>::constant(2.0f64)
         }
         #[inline]
         fn is_smooth_at_centre(&self) -> bool {

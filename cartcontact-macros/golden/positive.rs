@@ -35,6 +35,7 @@ struct Worn {
     c: f64,
 }
 const _: () = {
+    use ::cartcontact::generated::root as __cartcontact;
     #[allow(
         clippy::multiple_bound_locations,
         reason = "the struct may bound its parameter in place"
@@ -46,67 +47,67 @@ const _: () = {
     #[inline]
     fn coefficients<T>(__profile: &Worn) -> [T; 2usize]
     where
-        T: ::cartcontact::Scalar,
+        T: __cartcontact::Scalar,
     {
-        let __field_radius = <T as ::cartcontact::Scalar>::constant(__profile.radius);
-        let __field_c = <T as ::cartcontact::Scalar>::constant(__profile.c);
+        let __field_radius = <T as __cartcontact::Scalar>::constant(__profile.radius);
+        let __field_c = <T as __cartcontact::Scalar>::constant(__profile.c);
         [
             __field_c,
-            <T as ::cartcontact::Scalar>::constant(0.125f64)
+            <T as __cartcontact::Scalar>::constant(0.125f64)
                 / ({
                     let __base = __field_radius;
                     __base * __base * __base
                 }),
         ]
     }
-    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
+    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: ::cartcontact::Scalar>(
+    fn steepness<T: __cartcontact::Scalar>(
         __a: T,
         [__c0,
         __c1,
         ]: [T; 2usize],
-    ) -> ::cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::generated::Steepness<T> {
         let __s = __a * __a;
-        ::cartcontact::generated::Steepness {
-            power: ::cartcontact::generated::integer_power(__s, 3),
-            value: __c0 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64)
-                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64))
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64))
                     * __s,
-            first: __c0 * <T as ::cartcontact::Scalar>::constant(0.5f64)
-                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.6666666666666666f64))
+            first: __c0 * <T as __cartcontact::Scalar>::constant(0.5f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(0.6666666666666666f64))
                     * __s,
-            half_second: __c0 * <T as ::cartcontact::Scalar>::constant(1.25f64)
-                + (__c1 * <T as ::cartcontact::Scalar>::constant(2.3333333333333335f64))
+            half_second: __c0 * <T as __cartcontact::Scalar>::constant(1.25f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(2.3333333333333335f64))
                     * __s,
-            per_unit: <T as ::cartcontact::Scalar>::constant(1.0f64),
-            per_degree: <T as ::cartcontact::Scalar>::constant(1.0f64),
+            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+            per_degree: <T as __cartcontact::Scalar>::constant(1.0f64),
         }
     }
     #[automatically_derived]
-    impl<T> ::cartcontact::GapProfile<T> for Worn
+    impl<T> __cartcontact::GapProfile<T> for Worn
     where
-        T: ::cartcontact::Scalar,
+        T: __cartcontact::Scalar,
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            ::cartcontact::generated::precise_even_sum(__r, 2u32, [__c0, __c1])
+            __cartcontact::generated::precise_even_sum(__r, 2u32, [__c0, __c1])
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
                 [
-                    __c0 * <T as ::cartcontact::Scalar>::constant(0.5f64),
-                    __c1 * <T as ::cartcontact::Scalar>::constant(0.3333333333333333f64),
+                    __c0 * <T as __cartcontact::Scalar>::constant(0.5f64),
+                    __c1 * <T as __cartcontact::Scalar>::constant(0.3333333333333333f64),
                 ],
             )
         }
@@ -115,32 +116,32 @@ const _: () = {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             let __s = __a * __a;
             (__c0
-                + (__c1 * <T as ::cartcontact::Scalar>::constant(1.3333333333333333f64))
+                + (__c1 * <T as __cartcontact::Scalar>::constant(1.3333333333333333f64))
                     * __s) * __a
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __a,
                 6u32,
                 [
                     __c0
-                        * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    __c1 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64),
+                        * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    __c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
                 ],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            ::cartcontact::generated::precise_even_sum(
+            __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
                 [
-                    __c0 * <T as ::cartcontact::Scalar>::constant(0.0625f64),
+                    __c0 * <T as __cartcontact::Scalar>::constant(0.0625f64),
                     __c1
-                        * <T as ::cartcontact::Scalar>::constant(0.027777777777777776f64),
+                        * <T as __cartcontact::Scalar>::constant(0.027777777777777776f64),
                 ],
             )
         }
@@ -148,41 +149,41 @@ const _: () = {
         fn quick_approach(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             let __s = __a * __a;
-            (__c0 * <T as ::cartcontact::Scalar>::constant(0.5f64)
-                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.3333333333333333f64))
+            (__c0 * <T as __cartcontact::Scalar>::constant(0.5f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(0.3333333333333333f64))
                     * __s) * __s
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             let __s = __a * __a;
-            (__c0 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64)
-                + (__c1 * <T as ::cartcontact::Scalar>::constant(0.08333333333333333f64))
+            (__c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64))
                     * __s) * __s * __s * __s
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            ::cartcontact::generated::even_pressure_kernel(
+            __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
                 [
-                    __c0 * <T as ::cartcontact::Scalar>::constant(0.0625f64),
+                    __c0 * <T as __cartcontact::Scalar>::constant(0.0625f64),
                     __c1
-                        * <T as ::cartcontact::Scalar>::constant(0.027777777777777776f64),
+                        * <T as __cartcontact::Scalar>::constant(0.027777777777777776f64),
                 ],
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            ::cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::generated::quick_even_pressure_kernel(
                 __a,
                 __r,
                 [
-                    __c0 * <T as ::cartcontact::Scalar>::constant(0.0625f64),
+                    __c0 * <T as __cartcontact::Scalar>::constant(0.0625f64),
                     __c1
-                        * <T as ::cartcontact::Scalar>::constant(0.027777777777777776f64),
+                        * <T as __cartcontact::Scalar>::constant(0.027777777777777776f64),
                 ],
             )
         }
@@ -191,26 +192,26 @@ const _: () = {
             &self,
             __load_integral: T,
             __limit: T,
-        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             match SEEDS
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::EqualTerms::of(
+                    __cartcontact::generated::EqualTerms::of(
                         (
                             __c0
-                                * <T as ::cartcontact::Scalar>::constant(
+                                * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            <T as ::cartcontact::Scalar>::constant(6.0f64),
+                            <T as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
                             __c1
-                                * <T as ::cartcontact::Scalar>::constant(
+                                * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            <T as ::cartcontact::Scalar>::constant(8.0f64),
+                            <T as __cartcontact::Scalar>::constant(8.0f64),
                         ),
                     ),
                     |__a| steepness(__a, [__c0, __c1]),
@@ -218,34 +219,34 @@ const _: () = {
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    ::cartcontact::generated::elsewhere(move || {
-                        ::cartcontact::generated::invert(
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert(
                             __load_integral,
                             __limit,
-                            ::cartcontact::generated::positive_terms([
-                                (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
-                                (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+                            __cartcontact::generated::positive_terms([
+                                (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                                (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                             ]),
                             false,
                             |__a| {
                                 let __x = __a * __a;
-                                let (__value, __slope) = ::cartcontact::generated::value_and_slope(
+                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
                                     __x,
                                     [
                                         __c0
-                                            * <T as ::cartcontact::Scalar>::constant(
+                                            * <T as __cartcontact::Scalar>::constant(
                                                 0.08333333333333333f64,
                                             ),
                                         __c1
-                                            * <T as ::cartcontact::Scalar>::constant(
+                                            * <T as __cartcontact::Scalar>::constant(
                                                 0.08333333333333333f64,
                                             ),
                                     ],
                                 );
-                                let __log_slope = <T as ::cartcontact::Scalar>::constant(
+                                let __log_slope = <T as __cartcontact::Scalar>::constant(
                                     6.0f64,
                                 ) * __value
-                                    + <T as ::cartcontact::Scalar>::constant(2.0f64) * __x
+                                    + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
                                         * __slope;
                                 (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                             },
@@ -259,31 +260,31 @@ const _: () = {
             __load_integrals: &[T],
             __limit: T,
             __radii: &mut [T],
-        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::EqualTerms::of(
+                    __cartcontact::generated::EqualTerms::of(
                         (
                             __c0
-                                * <T as ::cartcontact::Scalar>::constant(
+                                * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            <T as ::cartcontact::Scalar>::constant(6.0f64),
+                            <T as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
                             __c1
-                                * <T as ::cartcontact::Scalar>::constant(
+                                * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
-                            <T as ::cartcontact::Scalar>::constant(8.0f64),
+                            <T as __cartcontact::Scalar>::constant(8.0f64),
                         ),
                     ),
                     #[inline(always)]
                     |__a| steepness(__a, [__c0, __c1]),
-                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
                         __limit,
@@ -296,19 +297,19 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * ::cartcontact::generated::divided_difference(
+                    * __cartcontact::generated::divided_difference(
                         __a * __a,
                         __s * __s,
                         [
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
-                            <T as ::cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
                             __c0
-                                * <T as ::cartcontact::Scalar>::constant(
+                                * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
                             __c1
-                                * <T as ::cartcontact::Scalar>::constant(
+                                * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
                                 ),
                         ],
@@ -359,16 +360,16 @@ const _: () = {
         }
         #[inline]
         fn max_radius(&self) -> T {
-            ::cartcontact::generated::not_below_zero({
-                let __field_radius = <T as ::cartcontact::Scalar>::constant(self.radius);
-                <T as ::cartcontact::Scalar>::constant(0.5f64) * __field_radius
+            __cartcontact::generated::not_below_zero({
+                let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
+                <T as __cartcontact::Scalar>::constant(0.5f64) * __field_radius
             })
         }
-        fn check(&self) -> ::core::result::Result<(), ::cartcontact::ProfileError> {
+        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             if let ::core::result::Result::Err(__error) = {
-                let __field_radius = <T as ::cartcontact::Scalar>::constant(self.radius);
-                let __field_c = <T as ::cartcontact::Scalar>::constant(self.c);
-                ::cartcontact::generated::check_positive(
+                let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
+                let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
+                __cartcontact::generated::check_positive(
                     &["radius", "c"],
                     [__field_radius, __field_c],
                 )
@@ -376,26 +377,26 @@ const _: () = {
                 return ::core::result::Result::Err(__error);
             }
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            match ::cartcontact::generated::checked_range(
+            match __cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
-                    (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                    (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                 ]),
                 ::core::option::Option::Some({
-                    let __field_radius = <T as ::cartcontact::Scalar>::constant(
+                    let __field_radius = <T as __cartcontact::Scalar>::constant(
                         self.radius,
                     );
-                    <T as ::cartcontact::Scalar>::constant(0.5f64) * __field_radius
+                    <T as __cartcontact::Scalar>::constant(0.5f64) * __field_radius
                 }),
             ) {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({
-                        let __field_radius = <T as ::cartcontact::Scalar>::constant(
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
                             self.radius,
                         );
-                        let __field_c = <T as ::cartcontact::Scalar>::constant(self.c);
-                        ::cartcontact::generated::with_parameters(
+                        let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
+                        __cartcontact::generated::with_parameters(
                             __error,
                             &["radius", "c"],
                             [__field_radius, __field_c],
@@ -406,7 +407,7 @@ const _: () = {
         }
         #[inline]
         fn highest_exponent(&self) -> T {
-            <T as ::cartcontact::Scalar>::constant(4.0f64)
+            <T as __cartcontact::Scalar>::constant(4.0f64)
         }
         #[inline]
         fn is_smooth_at_centre(&self) -> bool {
@@ -420,11 +421,11 @@ const _: () = {
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl Worn {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
-        pub fn terms<T: ::cartcontact::Scalar>(&self) -> [(T, T); 2usize] {
+        pub fn terms<T: __cartcontact::Scalar>(&self) -> [(T, T); 2usize] {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
             [
-                (__c0, <T as ::cartcontact::Scalar>::constant(2.0f64)),
-                (__c1, <T as ::cartcontact::Scalar>::constant(4.0f64)),
+                (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
             ]
         }
     }

@@ -19,182 +19,183 @@
 ///
 struct RealPowers;
 const _: () = {
-    static SEEDS: ::cartcontact::generated::Seeds = ::cartcontact::generated::Seeds {
+    use ::cartcontact::generated::root as __cartcontact;
+    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: ::cartcontact::Scalar>(
+    fn steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> ::cartcontact::generated::Steepness<T> {
-        ::cartcontact::generated::power_sum_steepness(
+    ) -> __cartcontact::generated::Steepness<T> {
+        __cartcontact::generated::power_sum_steepness(
             __a,
             [
                 (
-                    <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                    <T as ::cartcontact::Scalar>::constant(5.5f64),
+                    <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                    <T as __cartcontact::Scalar>::constant(5.5f64),
                 ),
                 (
-                    <T as ::cartcontact::Scalar>::constant(0.00017077175697865354f64),
-                    <T as ::cartcontact::Scalar>::constant(7.25f64),
+                    <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
+                    <T as __cartcontact::Scalar>::constant(7.25f64),
                 ),
             ],
         )
     }
     #[automatically_derived]
-    impl<T> ::cartcontact::GapProfile<T> for RealPowers
+    impl<T> __cartcontact::GapProfile<T> for RealPowers
     where
-        T: ::cartcontact::Scalar,
+        T: __cartcontact::Scalar,
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __r,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.01f64),
-                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.01f64),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.002f64),
-                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                        <T as __cartcontact::Scalar>::constant(0.002f64),
+                        <T as __cartcontact::Scalar>::constant(3.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
+                        <T as __cartcontact::Scalar>::constant(3.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            ::cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        <T as ::cartcontact::Scalar>::constant(0.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
+                        <T as __cartcontact::Scalar>::constant(0.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        <T as ::cartcontact::Scalar>::constant(2.25f64),
+                        <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
+                        <T as __cartcontact::Scalar>::constant(2.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as ::cartcontact::Scalar>::constant(5.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as __cartcontact::Scalar>::constant(5.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(
+                        <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as ::cartcontact::Scalar>::constant(7.25f64),
+                        <T as __cartcontact::Scalar>::constant(7.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            ::cartcontact::generated::power_sum(
+            __cartcontact::generated::power_sum(
                 __x,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0008163265306122449f64),
-                        <T as ::cartcontact::Scalar>::constant(3.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.0008163265306122449f64),
+                        <T as __cartcontact::Scalar>::constant(3.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(7.256235827664399e-5f64),
-                        <T as ::cartcontact::Scalar>::constant(5.25f64),
+                        <T as __cartcontact::Scalar>::constant(7.256235827664399e-5f64),
+                        <T as __cartcontact::Scalar>::constant(5.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            ::cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
+                        <T as __cartcontact::Scalar>::constant(3.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            ::cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::quick_power_sum(
                 __a,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as ::cartcontact::Scalar>::constant(5.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as __cartcontact::Scalar>::constant(5.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(
+                        <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as ::cartcontact::Scalar>::constant(7.25f64),
+                        <T as __cartcontact::Scalar>::constant(7.25f64),
                     ),
                 ],
             )
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::pressure_kernel(
+            __cartcontact::generated::pressure_kernel(
                 __a,
                 __r,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.01f64),
-                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.01f64),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.002f64),
-                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                        <T as __cartcontact::Scalar>::constant(0.002f64),
+                        <T as __cartcontact::Scalar>::constant(3.25f64),
                     ),
                 ],
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            ::cartcontact::generated::quick_pressure_kernel(
+            __cartcontact::generated::quick_pressure_kernel(
                 __a,
                 __r,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.01f64),
-                        <T as ::cartcontact::Scalar>::constant(1.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.01f64),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.002f64),
-                        <T as ::cartcontact::Scalar>::constant(3.25f64),
+                        <T as __cartcontact::Scalar>::constant(0.002f64),
+                        <T as __cartcontact::Scalar>::constant(3.25f64),
                     ),
                 ],
             )
@@ -204,47 +205,47 @@ const _: () = {
             &self,
             __load_integral: T,
             __limit: T,
-        ) -> ::core::result::Result<T, ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match SEEDS
                 .radius(
                     __load_integral,
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     |__a| steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    ::cartcontact::generated::elsewhere(move || {
-                        ::cartcontact::generated::invert(
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
-                                ::cartcontact::generated::PositiveTerm::of(
-                                    <T as ::cartcontact::Scalar>::constant(0.01f64),
-                                    <T as ::cartcontact::Scalar>::constant(1.5f64),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.01f64),
+                                    <T as __cartcontact::Scalar>::constant(1.5f64),
                                 ),
-                                ::cartcontact::generated::PositiveTerm::of(
-                                    <T as ::cartcontact::Scalar>::constant(0.002f64),
-                                    <T as ::cartcontact::Scalar>::constant(3.25f64),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.002f64),
+                                    <T as __cartcontact::Scalar>::constant(3.25f64),
                                 ),
                             ]),
                             false,
                             |__a| {
-                                ::cartcontact::generated::power_sum_and_log_slope(
+                                __cartcontact::generated::power_sum_and_log_slope(
                                     __a,
                                     [
                                         (
-                                            <T as ::cartcontact::Scalar>::constant(
+                                            <T as __cartcontact::Scalar>::constant(
                                                 0.0007792207792207792f64,
                                             ),
-                                            <T as ::cartcontact::Scalar>::constant(5.5f64),
+                                            <T as __cartcontact::Scalar>::constant(5.5f64),
                                         ),
                                         (
-                                            <T as ::cartcontact::Scalar>::constant(
+                                            <T as __cartcontact::Scalar>::constant(
                                                 0.00017077175697865354f64,
                                             ),
-                                            <T as ::cartcontact::Scalar>::constant(7.25f64),
+                                            <T as __cartcontact::Scalar>::constant(7.25f64),
                                         ),
                                     ],
                                 )
@@ -259,15 +260,15 @@ const _: () = {
             __load_integrals: &[T],
             __limit: T,
             __radii: &mut [T],
-        ) -> ::core::result::Result<(), ::cartcontact::RadiusError> {
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    ::cartcontact::generated::OwnUnits,
+                    __cartcontact::generated::OwnUnits,
                     #[inline(always)]
                     |__a| steepness(__a, []),
-                    |__load_integral| ::cartcontact::GapProfile::radius_within(
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
                         __limit,
@@ -276,19 +277,19 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
-            ::cartcontact::generated::power_sum_drop(
+            __cartcontact::generated::power_sum_drop(
                 __a,
                 __depth,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as ::cartcontact::Scalar>::constant(5.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as __cartcontact::Scalar>::constant(5.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(
+                        <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as ::cartcontact::Scalar>::constant(7.25f64),
+                        <T as __cartcontact::Scalar>::constant(7.25f64),
                     ),
                 ],
             )
@@ -321,11 +322,11 @@ const _: () = {
         }
         #[inline]
         fn max_radius(&self) -> T {
-            <T as ::cartcontact::Scalar>::infinity()
+            <T as __cartcontact::Scalar>::infinity()
         }
         #[inline]
         fn highest_exponent(&self) -> T {
-            <T as ::cartcontact::Scalar>::constant(3.25f64)
+            <T as __cartcontact::Scalar>::constant(3.25f64)
         }
         #[inline]
         fn is_smooth_at_centre(&self) -> bool {

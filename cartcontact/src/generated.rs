@@ -1,5 +1,7 @@
 //! What generated code calls. Not part of the interface: it changes with the macro of the same version.
 
+// Generated code reaches everything through this: a wrong path to the crate then is one error.
+pub use crate as root;
 pub use crate::admissibility::{
     check_coefficients, check_positive, checked_range, inside_surfaces, not_below_zero,
 };

@@ -59,7 +59,11 @@ pub(crate) fn solver(
     geometry: &Geometry,
     krate: &TokenStream,
 ) -> TokenStream {
-    let names = Names { krate, scalar: scalar_of(item) };
+    // What follows a failed import causes no further errors.
+    let root = local("cartcontact").into_token_stream();
+    let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
+    let generated = Ident::new("generated", Span::call_site().located_at(place));
+    let names = Names { krate: &root, scalar: scalar_of(item) };
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
     let scalar = &names.scalar;
@@ -107,6 +111,7 @@ pub(crate) fn solver(
     quote! {
         #documented
         const _: () = {
+            use #krate::#generated::root as #root;
             #shared
             #beside_inversion
             #[automatically_derived]

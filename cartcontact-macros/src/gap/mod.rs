@@ -54,6 +54,14 @@ impl Gap {
         Some(Gap { terms })
     }
 
+    /// Reports the faults of what could be read of a gap. A constant is none: what could not be read may cancel it, as
+    /// in `1 - cos(r)`.
+    pub(crate) fn check_rest(polynomial: Polynomial, diagnostics: &mut Diagnostics) {
+        let powers = polynomial.into_terms().filter(|(exponent, _)| !exponent.is_zero());
+        let faults = powers.filter_map(|(exponent, monomial)| term(exponent, monomial).err());
+        faults.for_each(|(extent, message)| diagnostics.report(extent, message));
+    }
+
     /// The terms, unless one cannot be part of a gap. Every fault is reported.
     pub(crate) fn terms(polynomial: Polynomial, diagnostics: &mut Diagnostics) -> Option<Vec<Term>> {
         let mut terms = Some(Vec::new());

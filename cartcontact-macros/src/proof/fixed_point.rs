@@ -1,4 +1,4 @@
-//! Fixed-point numbers of any length, and the one thing that is done with many of them: the triangle of sums.
+//! Fixed-point numbers of any length, and what is done with many of them: the triangle of sums.
 //!
 //! Every row of the triangle holds the sums of neighbours in the row before,
 //!
@@ -8,29 +8,33 @@
 //!       v0+2v1+v2
 //! ```
 //!
-//! and its left and right edges are Σ_m C(r, m) v_m and Σ_m C(n−j, m) v_{j+m}. Taylor shifts, the change to
-//! Bernstein's basis and de Casteljau's division of an interval are all this.
+//! and its left and right edges are Σ_m C(r, m) v_m and Σ_m C(n−j, m) v_{j+m}. The change to Bernstein's basis and de
+//! Casteljau's division of an interval are this; Taylor shifts are sums of the same kind.
 //!
-//! Cargo does not optimise macros, so it is calls that take the time, and the arithmetic of big integers is made of
-//! them. Here digits of the same rank stand side by side, a sum is one addition of machine numbers, and carries wait
-//! for sixty rows.
+//! Cargo does not optimise macros, so it is calls and checks that take the time, and the arithmetic of big integers is
+//! made of them. Here digits of the same rank stand side by side, a sum is one addition of machine numbers in an array
+//! of known length, and carries wait for many rows.
 
 use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
 use num_traits::{One, Signed, Zero};
 
-/// Numbers in digits of 64 bits; all of a number's digits are from 0 to 2^64 but the highest, which has its sign.
+/// Numbers in digits of 96 bits; all of a number's digits are from 0 to 2^96 but the highest, which has its sign.
 #[derive(Clone)]
 pub(crate) struct Numbers {
-    /// The digits of all numbers by rank, the lowest first; there is one rank at least.
-    ranks: Vec<Vec<i128>>,
+    /// The digits of all numbers by rank, the lowest first; there is one rank at least. Zeros fill the last block.
+    ranks: Vec<Vec<Block>>,
+    count: usize,
 }
 
-const DIGIT: u32 = 64;
+const BLOCK: usize = 8;
+type Block = [i128; BLOCK];
+
+const DIGIT: u32 = 96;
 const MASK: i128 = (1 << DIGIT) - 1;
-/// A digit of 64 bits stays below 2^127 in so many rows.
-const ROWS_WITHOUT_CARRY: usize = 60;
+/// A digit of 96 bits stays below 2^127 in so many rows.
+const ROWS_WITHOUT_CARRY: usize = 30;
 /// What a highest digit may have before the rows of a triangle: they add one bit each.
 const HIGHEST_BITS: u32 = 62;
 
@@ -38,100 +42,140 @@ impl Numbers {
     pub(crate) fn new(values: &[BigInt]) -> Self {
         let longest = values.iter().map(BigInt::bits).max().unwrap_or(0);
         let count = (longest + u64::from(DIGIT - HIGHEST_BITS)) / u64::from(DIGIT) + 1;
-        let mut ranks = vec![vec![0; values.len()]; count as usize];
+        let mut numbers = Numbers::zeros(count as usize, values.len());
         for (index, value) in values.iter().enumerate() {
             let sign = if value.is_negative() { -1 } else { 1 };
-            for (rank, digit) in ranks.iter_mut().zip(value.iter_u64_digits()) {
-                rank[index] = sign * i128::from(digit);
+            let mut halves = value.iter_u32_digits();
+            for rank in &mut numbers.ranks {
+                let mut digit = || i128::from(halves.next().unwrap_or(0));
+                rank[index / BLOCK][index % BLOCK] = sign * (digit() | digit() << 32 | digit() << 64);
             }
         }
-        let mut numbers = Numbers { ranks };
         numbers.carry();
         numbers
     }
 
+    fn zeros(ranks: usize, count: usize) -> Self {
+        Numbers { ranks: vec![zeros(count); ranks], count }
+    }
+
     pub(crate) fn len(&self) -> usize {
-        self.ranks.first().map_or(0, Vec::len)
+        self.count
+    }
+
+    /// A bound of the bits that the longest number has.
+    pub(crate) fn length(&self) -> u64 {
+        let Some((highest, lower)) = self.ranks.split_last() else { return 0 };
+        let sizes =
+            highest.as_flattened().iter().map(|digit| i128::BITS - digit.unsigned_abs().leading_zeros());
+        u64::from(sizes.max().unwrap_or(0)) + lower.len() as u64 * u64::from(DIGIT)
     }
 
     pub(crate) fn value(&self, index: usize) -> BigInt {
         let Some((highest, lower)) = self.ranks.split_last() else { return BigInt::zero() };
-        let halves = lower.iter().flat_map(|rank| [rank[index] as u32, (rank[index] >> 32) as u32]);
-        (BigInt::from(highest[index]) << (lower.len() * DIGIT as usize))
-            + BigInt::new(Sign::Plus, halves.collect())
+        let mut thirds = Vec::with_capacity(3 * lower.len());
+        for rank in lower {
+            let digit = at(rank, index);
+            thirds.extend([digit as u32, (digit >> 32) as u32, (digit >> 64) as u32]);
+        }
+        (BigInt::from(at(highest, index)) << (lower.len() * DIGIT as usize)) + BigInt::new(Sign::Plus, thirds)
     }
 
     pub(crate) fn values(&self) -> Vec<BigInt> {
         (0..self.len()).map(|index| self.value(index)).collect()
     }
 
-    /// The sign of a number that is less than `error` units from the true one, if they must agree.
+    /// The sign of a number that is less than `error` < 2^30 units from the true one, if they must agree.
     pub(crate) fn sign(&self, index: usize, error: i128) -> Option<Ordering> {
         let mut leading: i128 = 0;
         for rank in self.ranks.iter().rev() {
             // All lower digits are less than one unit of it, and so is the error.
-            if leading.abs() >> 60 != 0 {
+            if leading.abs() >> 30 != 0 {
                 break;
             }
-            leading = (leading << DIGIT) + rank[index];
+            leading = (leading << DIGIT) + at(rank, index);
         }
         (leading.abs() >= error).then(|| leading.cmp(&0))
     }
 
     /// The left and the right edge of the triangle of sums.
     pub(crate) fn edges(mut self) -> [Numbers; 2] {
-        let count = self.len();
-        self.make_room(count.saturating_sub(1));
-        let mut left = vec![Vec::with_capacity(count); self.ranks.len()];
-        for row in 0..count {
-            if row % ROWS_WITHOUT_CARRY == ROWS_WITHOUT_CARRY - 1 {
-                self.carry();
+        self.make_room(self.count.saturating_sub(1));
+        let mut edges = [(); 2].map(|()| Numbers::zeros(self.ranks.len(), self.count));
+        let filled = self.filled_blocks();
+        for start in (0..self.count).step_by(ROWS_WITHOUT_CARRY) {
+            let rows = start..self.count.min(start + ROWS_WITHOUT_CARRY);
+            let [left, right] = &mut edges;
+            for ((rank, left), right) in self.ranks.iter_mut().zip(&mut left.ranks).zip(&mut right.ranks) {
+                for row in rows.clone() {
+                    let last = self.count - 1 - row;
+                    left[row / BLOCK][row % BLOCK] = rank[0][0];
+                    right[last / BLOCK][last % BLOCK] = rank[last / BLOCK][last % BLOCK];
+                    // What stands behind the last number of a row never comes into the triangle.
+                    add_neighbours(&mut rank[..filled.min(last / BLOCK + 1)]);
+                }
             }
-            for (rank, left) in self.ranks.iter_mut().zip(&mut left) {
-                left.push(rank[0]);
-                add_neighbours(&mut rank[..count - row]);
-            }
+            self.carry();
         }
-        let mut left = Numbers { ranks: left };
-        left.carry();
-        self.carry();
-        [left, self]
+        edges.iter_mut().for_each(Numbers::carry);
+        edges
+    }
+
+    /// The first so many Σ_m C(j+m, m) v_{j+m}, which are the coefficients of Σ v_j (1 + x)^j; zeros follow them.
+    ///
+    /// Number j is what j + 1 passes of sums from the end on leave there.
+    pub(crate) fn taylor_shift(mut self, wanted: usize) -> Numbers {
+        self.make_room(self.count);
+        let without_carry = passes_without_carry(self.count);
+        for start in (0..wanted).step_by(without_carry) {
+            for rank in &mut self.ranks {
+                for first in start..wanted.min(start + without_carry) {
+                    sum_from_the_end(rank, first);
+                }
+            }
+            self.carry();
+        }
+        for rank in &mut self.ranks {
+            rank.as_flattened_mut()[wanted..].fill(0);
+        }
+        self
     }
 
     /// Every number times 2^-steps, rounded down.
     pub(crate) fn shifted_down(&self, steps: impl Fn(usize) -> usize) -> Numbers {
         let Some((highest, lower)) = self.ranks.split_last() else { return self.clone() };
-        let count = self.len();
-        let mut ranks = vec![vec![0; count]; self.ranks.len()];
-        for index in 0..count {
+        let mut shifted = Numbers::zeros(self.ranks.len(), self.count);
+        for index in 0..self.count {
             let (ranks_down, bits) = (steps(index) / DIGIT as usize, steps(index) as u32 % DIGIT);
+            let (block, place, highest) = (index / BLOCK, index % BLOCK, at(highest, index));
             let digit = |rank: usize| match lower.get(rank) {
-                Some(lower) => lower[index],
-                None => (highest[index] >> ((rank - lower.len()) * DIGIT as usize).min(127)) & MASK,
+                Some(lower) => lower[block][place],
+                None => (highest >> ((rank - lower.len()) * DIGIT as usize).min(127)) & MASK,
             };
             let mut here = digit(ranks_down);
-            for (rank, target) in ranks.iter_mut().enumerate() {
+            for (rank, target) in shifted.ranks.iter_mut().enumerate() {
                 let above = digit(rank + ranks_down + 1);
-                target[index] = ((here >> bits) | (above << (DIGIT - bits))) & MASK;
+                target[block][place] = ((here >> bits) | (above << (DIGIT - bits))) & MASK;
                 here = above;
             }
-            if let Some(last) = ranks.last_mut() {
-                last[index] = highest[index] >> steps(index).min(127);
+            if let Some(last) = shifted.ranks.last_mut() {
+                last[block][place] = highest >> steps(index).min(127);
             }
         }
-        let mut shifted = Numbers { ranks };
         shifted.trim();
         shifted
     }
 
     /// v_i − 2 v_{i+1} + v_{i+2} for all i.
     pub(crate) fn second_differences(&self) -> Numbers {
-        let difference = |three: &[i128]| match three {
-            [left, middle, right] => left - 2 * middle + right,
-            _ => 0,
-        };
-        let ranks = self.ranks.iter().map(|rank| rank.windows(3).map(difference).collect());
-        let mut differences = Numbers { ranks: ranks.collect() };
+        let count = self.count.saturating_sub(2);
+        let mut differences = Numbers::zeros(self.ranks.len(), count);
+        for (rank, target) in self.ranks.iter().zip(&mut differences.ranks) {
+            for index in 0..count {
+                target[index / BLOCK][index % BLOCK] =
+                    at(rank, index) - 2 * at(rank, index + 1) + at(rank, index + 2);
+            }
+        }
         differences.carry();
         differences
     }
@@ -139,19 +183,31 @@ impl Numbers {
     fn carry(&mut self) {
         for rank in 1..self.ranks.len() {
             if let ([.., lower], [upper, ..]) = self.ranks.split_at_mut(rank) {
-                for (lower, upper) in lower.iter_mut().zip(upper) {
-                    *upper += *lower >> DIGIT;
-                    *lower &= MASK;
+                let (lower, upper) = (lower.as_flattened_mut(), upper.as_flattened_mut());
+                let mut index = 0;
+                while index < lower.len() {
+                    let digit = lower[index];
+                    if digit >> DIGIT != 0 {
+                        upper[index] += digit >> DIGIT;
+                        lower[index] = digit & MASK;
+                    }
+                    index += 1;
                 }
             }
         }
+    }
+
+    /// The number of blocks up to the last that is not zero.
+    fn filled_blocks(&self) -> usize {
+        let last = |rank: &Vec<Block>| rank.iter().rposition(|block| *block != [0; BLOCK]);
+        self.ranks.iter().filter_map(last).max().map_or(0, |last| last + 1)
     }
 
     /// Adds ranks until as many rows of a triangle cannot exceed the highest.
     fn make_room(&mut self, rows: usize) {
         let missing = (rows as u32 + HIGHEST_BITS).saturating_sub(i128::BITS - 2);
         for _ in 0..missing.div_ceil(DIGIT) {
-            self.ranks.push(vec![0; self.len()]);
+            self.ranks.push(zeros(self.count));
         }
         self.carry();
     }
@@ -159,12 +215,11 @@ impl Numbers {
     /// Removes ranks that only repeat signs.
     fn trim(&mut self) {
         while let [.., lower, upper] = self.ranks.as_mut_slice()
-            && lower
-                .iter()
-                .zip(upper.iter())
-                .all(|(lower, upper)| matches!((lower >> HIGHEST_BITS, upper), (0, 0) | (3, -1)))
+            && lower.as_flattened().iter().zip(upper.as_flattened()).all(|(lower, upper)| {
+                *lower >> HIGHEST_BITS == *upper & (MASK >> HIGHEST_BITS) && *upper >> 1 == *upper
+            })
         {
-            for (lower, upper) in lower.iter_mut().zip(upper) {
+            for (lower, upper) in lower.as_flattened_mut().iter_mut().zip(upper.as_flattened()) {
                 *lower += *upper << DIGIT;
             }
             self.ranks.pop();
@@ -172,13 +227,62 @@ impl Numbers {
     }
 }
 
-/// Adds to every number the one behind it. An index costs less than an iterator where nothing is optimised.
-fn add_neighbours(numbers: &mut [i128]) {
-    let mut next = 1;
-    while next < numbers.len() {
-        numbers[next - 1] += numbers[next];
-        next += 1;
+fn zeros(count: usize) -> Vec<Block> {
+    vec![[0; BLOCK]; count.div_ceil(BLOCK)]
+}
+
+fn at(rank: &[Block], index: usize) -> i128 {
+    rank[index / BLOCK][index % BLOCK]
+}
+
+/// Adds to every number the one behind it. Constant places in an array are not checked, even where nothing is
+/// optimised.
+fn add_neighbours(blocks: &mut [Block]) {
+    let mut behind = 0;
+    for block in blocks.iter_mut().rev() {
+        let first = block[0];
+        block[0] += block[1];
+        block[1] += block[2];
+        block[2] += block[3];
+        block[3] += block[4];
+        block[4] += block[5];
+        block[5] += block[6];
+        block[6] += block[7];
+        block[7] += behind;
+        behind = first;
     }
+}
+
+/// Adds to every number from `first` on all that are behind it.
+fn sum_from_the_end(blocks: &mut [Block], first: usize) {
+    let mut behind = 0;
+    let (before, after) = blocks.split_at_mut(first / BLOCK + 1);
+    for block in after.iter_mut().rev() {
+        block[7] += behind;
+        block[6] += block[7];
+        block[5] += block[6];
+        block[4] += block[5];
+        block[3] += block[4];
+        block[2] += block[3];
+        block[1] += block[2];
+        block[0] += block[1];
+        behind = block[0];
+    }
+    for number in before.as_flattened_mut()[first..].iter_mut().rev() {
+        *number += behind;
+        behind = *number;
+    }
+}
+
+/// After k passes number i is Σ_m C(m+k−1, m) v_{i+m}, and these binomials sum up to C(count, k) at most: the largest
+/// k for which that is below 2^30.
+fn passes_without_carry(count: usize) -> usize {
+    let (mut passes, mut growth) = (0, 1);
+    while growth >> 30 == 0 && passes < count {
+        growth = growth * (count - passes) as u64 / (passes + 1) as u64;
+        passes += 1;
+    }
+    if growth >> 30 == 0 { passes } else { passes - 1 }
 }
 
 /// C(n, 0), C(n, 1), …, C(n, n).
@@ -221,8 +325,23 @@ mod tests {
     }
 
     #[test]
+    fn taylor_shifts_are_sums_with_binomials() {
+        for count in [1, 2, 7, 64, 65, 150] {
+            let values = &numbers()[..count];
+            for wanted in [0, 1, 9, 64, 150].map(|wanted| count.min(wanted)) {
+                let shifted = Numbers::new(values).taylor_shift(wanted);
+                for index in 0..count {
+                    let term = |power: usize| &values[power] * &binomials(power)[index];
+                    let sum = (index..count).map(term).sum::<BigInt>();
+                    assert_eq!(shifted.value(index), if index < wanted { sum } else { BigInt::zero() });
+                }
+            }
+        }
+    }
+
+    #[test]
     fn shifts_round_down() {
-        for steps in [1, 63, 64, 65, 130, 199, 1000] {
+        for steps in [1, 63, 64, 65, 95, 96, 97, 130, 199, 1000] {
             let expected: Vec<BigInt> = numbers().iter().map(|value| value >> steps).collect();
             assert_eq!(Numbers::new(&numbers()).shifted_down(|_| steps).values(), expected, "{steps}");
         }

@@ -29,11 +29,6 @@ impl IntegerPolynomial {
         self.coefficients.len().saturating_sub(1)
     }
 
-    /// That of the longest coefficient, in bits.
-    pub(crate) fn length(&self) -> u64 {
-        self.coefficients.iter().map(BigInt::bits).max().unwrap_or(0)
-    }
-
     pub(crate) fn leading(&self) -> BigInt {
         self.coefficients.last().cloned().unwrap_or_default()
     }
@@ -110,20 +105,6 @@ impl IntegerPolynomial {
         sizes(false).any(|(size, power)| size >= start && size + power >= end)
     }
 
-    /// p(2^exponent x), times the power of two that makes the coefficients integers without a common factor 2.
-    pub(crate) fn stretched(mut self, exponent: i64) -> Self {
-        let degree = self.degree();
-        for (power, coefficient) in self.coefficients.iter_mut().enumerate() {
-            let steps = if exponent < 0 { degree - power } else { power };
-            *coefficient <<= exponent.unsigned_abs() * steps as u64;
-        }
-        let common = self.coefficients.iter().filter_map(BigInt::trailing_zeros).min().unwrap_or(0);
-        for coefficient in &mut self.coefficients {
-            *coefficient >>= common;
-        }
-        self
-    }
-
     /// A power of two above every positive root, as its exponent, for a positive leading coefficient.
     ///
     /// With B = 2 max (|c_i|/c_n)^(1/(n-i)) over the negative c_i, x >= B gives |c_i| x^i <= c_n x^n 2^(i-n), and the
@@ -189,12 +170,6 @@ mod tests {
 
     fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
         IntegerPolynomial::new(coefficients.iter().map(|&coefficient| coefficient.into()).collect())
-    }
-
-    #[test]
-    fn stretches() {
-        assert_eq!(polynomial(&[1, 1, 1]).stretched(2), polynomial(&[1, 4, 16]));
-        assert_eq!(polynomial(&[1, 1, 1]).stretched(-1), polynomial(&[4, 2, 1]));
     }
 
     #[test]

@@ -25,7 +25,7 @@ use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
 use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::part::{Part, with_digits};
+use crate::proof::part::{Part, Whole};
 
 /// Where the first root in a part is, in units of its length.
 #[derive(PartialEq, Eq)]
@@ -43,6 +43,21 @@ pub(crate) enum First {
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Undecided;
 
+/// From lower/2^bits to upper/2^bits of the part the slope changes its sign, if anywhere.
+pub(crate) struct Bracket {
+    lower: BigInt,
+    upper: BigInt,
+    bits: u64,
+    /// The next step divides it into 2^leap.
+    leap: u64,
+}
+
+impl Bracket {
+    pub(crate) fn whole() -> Self {
+        Bracket { lower: BigInt::zero(), upper: BigInt::one(), bits: 0, leap: 2 }
+    }
+}
+
 /// The point offset/2^bits of the part with the slope of the polynomial.
 struct Point {
     offset: BigInt,
@@ -52,7 +67,7 @@ struct Point {
 
 /// A polynomial that is convex over a part of the interval from 1 to 2, and positive at both ends.
 pub(crate) struct Convex<'a> {
-    exact: &'a IntegerPolynomial,
+    exact: &'a Whole<'a>,
     part: &'a Part,
     /// Less than a unit from the true ones.
     coefficients: Vec<BigInt>,
@@ -65,22 +80,22 @@ pub(crate) struct Convex<'a> {
 
 impl<'a> Convex<'a> {
     /// With so many digits behind those that the evaluation loses.
-    pub(crate) fn new(exact: &'a IntegerPolynomial, part: &'a Part, digits: u64) -> Self {
-        let degree = exact.degree() as u64;
+    pub(crate) fn new(exact: &'a Whole<'a>, part: &'a Part, digits: u64) -> Self {
+        let degree = exact.degree();
         let margin = degree + u64::from(u64::BITS - (degree + 1).leading_zeros()) + 3;
         let digits = digits + margin;
-        let coefficients = with_digits(exact.coefficients(), exact.length(), digits);
+        let coefficients = exact.coefficients(digits);
         let slope = coefficients.iter().enumerate().skip(1).map(|(power, value)| value * power).collect();
         Convex { exact, part, coefficients, slope, digits, margin }
     }
 
-    /// The first root.
-    pub(crate) fn first_root(&self) -> Result<First, Undecided> {
-        let [mut lower, mut upper] = [0, 1].map(|end| self.point(end.into(), 0));
+    /// The first root, from what is known about the minimum; what more is learnt stays if that is not enough.
+    pub(crate) fn first_root(&self, minimum: &mut Bracket) -> Result<First, Undecided> {
+        let [mut lower, mut upper] =
+            [&minimum.lower, &minimum.upper].map(|offset| self.point(offset.clone(), minimum.bits));
         if self.rises_at(&lower)? || !self.rises_at(&upper)? {
             return Ok(First::None);
         }
-        let mut leap = 2;
         // The polynomial falls at the lower point, or is flat, and rises at the upper one.
         loop {
             let value = self.at(&self.coefficients, &lower.offset, lower.bits);
@@ -90,7 +105,10 @@ impl<'a> Convex<'a> {
             if let Some(found) = self.found(&lower, &value)? {
                 return Ok(found);
             }
-            (lower, upper, leap) = self.narrowed(lower, upper, leap)?;
+            let leap;
+            (lower, upper, leap) = self.narrowed(lower, upper, minimum.leap)?;
+            *minimum =
+                Bracket { lower: lower.offset.clone(), upper: upper.offset.clone(), bits: lower.bits, leap };
         }
     }
 
@@ -132,16 +150,16 @@ impl<'a> Convex<'a> {
         (number.bits() > self.margin).then(|| number.cmp(&BigInt::zero()))
     }
 
-    /// The exact sign of a polynomial at offset/2^bits of the part, if its numbers are no longer than those computed
+    /// The exact sign of a polynomial at offset/2^bits of the part, if the numbers are no longer than those computed
     /// with.
     fn exact_sign(&self, polynomial: &IntegerPolynomial, offset: &BigInt, bits: u64) -> Option<Ordering> {
         let point = self.part.within(offset, bits, bits);
-        let is_short = polynomial.length() + point.bits * polynomial.degree() as u64 <= self.digits;
-        is_short.then(|| polynomial.value_at(&point.end(0), point.bits).cmp(&BigInt::zero()))
+        let is_short = self.exact.length + point.bits * self.exact.degree() <= self.digits;
+        is_short.then(|| self.exact.sign_of(polynomial, &point, 0))
     }
 
     fn rises_at(&self, point: &Point) -> Result<bool, Undecided> {
-        let exactly = || self.exact_sign(&self.exact.derivative(), &point.offset, point.bits);
+        let exactly = || self.exact_sign(&self.exact.polynomial.derivative(), &point.offset, point.bits);
         self.sign(&point.slope).or_else(exactly).map(Ordering::is_gt).ok_or(Undecided)
     }
 
@@ -154,7 +172,7 @@ impl<'a> Convex<'a> {
 
     /// What the value at a point where the polynomial falls or is flat says about the first root.
     fn found(&self, point: &Point, value: &BigInt) -> Result<Option<First>, Undecided> {
-        let exactly = || self.exact_sign(self.exact, &point.offset, point.bits);
+        let exactly = || self.exact_sign(self.exact.polynomial, &point.offset, point.bits);
         let found = match self.sign(value).or_else(exactly).ok_or(Undecided)? {
             Ordering::Greater => return Ok(None),
             Ordering::Less => First::Before,
@@ -185,7 +203,7 @@ mod tests {
     }
 
     fn first(polynomial: &IntegerPolynomial, digits: u64) -> Result<First, Undecided> {
-        Convex::new(polynomial, &Part::whole(), digits).first_root()
+        Convex::new(&Whole::new(polynomial, 0), &Part::whole(), digits).first_root(&mut Bracket::whole())
     }
 
     #[test]

@@ -4,12 +4,13 @@
 //! nearly all of which no sign depends on. Rounded to units of a power of two they stay short, and a sign is taken
 //! from them only if the error cannot change it.
 //!
-//! **Way.** With coefficients a_j = M c_j/C(n, j), where M makes all of them integers, those of p(f + w x) are those of
-//! p(f x) behind the right edge of their triangle of sums, times (w/f)^j; and its left edge is Bernstein's.
+//! **Way.** The coefficients c_j f^j of p(f x) give those of p(f + f x) by a Taylor shift, these times (w/f)^j are those
+//! of p(f + w x), and divided by C(n, j) they give Bernstein's as the left edge of a triangle of sums.
 //!
-//! **Error.** For f from 1 to 2, in units of a number with some digits more: cutting a_j and the power f^j < 2^j leaves
-//! 2^j + 1; the right edge less than 3^n; rounding the powers of w/f makes that at most (n + 1) 3^n, and the left edge
-//! (n + 1) 3^n (1 + w)^n. All of it is less than one unit of the result if there are [`guard`] digits more.
+//! **Error.** For f from 1 to 2, in units of a number with some digits more: cutting c_j and the power f^j < 2^j leaves
+//! 2^(j+1); the shift and the division less than 2 · 3^n, as C(i, j)/C(n, j) ≤ C(n−j, i−j); rounding the powers of w/f
+//! makes that at most (n + 3) 3^n, and the left edge (n + 3) 3^n (1 + w)^n. All of it is less than one unit of the
+//! result if there are [`guard`] digits more.
 
 use core::cmp::Ordering;
 
@@ -47,29 +48,35 @@ impl Part {
     }
 }
 
-/// A polynomial over the interval from 1 to 2.
-pub(crate) struct Whole {
-    pub(crate) polynomial: IntegerPolynomial,
-    /// c_j/C(n, j), times the least number that makes all of them integers.
-    scaled: Vec<BigInt>,
-    /// That of the longest coefficient c_j times that number, in bits.
-    length: u64,
+/// A polynomial over the interval from 2^exponent to 2^(exponent + 1), which stands for the one from 1 to 2.
+///
+/// Multiplied by a power of two its coefficients there, c_j 2^(exponent j), are integers, which are formed as far as
+/// they are needed only.
+pub(crate) struct Whole<'a> {
+    pub(crate) polynomial: &'a IntegerPolynomial,
+    pub(crate) exponent: i64,
+    binomials: Vec<BigInt>,
+    /// Below which power of two all c_j 2^(exponent j) lie.
+    top: i64,
+    /// That of the longest of the integers, in bits.
+    pub(crate) length: u64,
 }
 
 /// Digits that are lost on the way to Bernstein's basis over a part of width 2^-width: more than
-/// log2 (8 (n + 1) 3^n (1 + 2^-width)^n), as log2 3 < 1.59 and log2 (1 + w) < w + 0.09.
+/// log2 (8 (n + 3) 3^n (1 + 2^-width)^n), as log2 3 < 1.59 and log2 (1 + w) < w + 0.09.
 fn guard(degree: u64, width: u64) -> u64 {
     2 * degree + (degree >> width.min(63)) + 16
 }
 
-impl Whole {
-    pub(crate) fn new(polynomial: IntegerPolynomial) -> Self {
-        let multiple = common_multiple(polynomial.degree());
-        let coefficients = polynomial.coefficients().iter().zip(binomials(polynomial.degree()));
-        let scaled =
-            coefficients.map(|(coefficient, binomial)| coefficient * (&multiple / binomial)).collect();
-        let length = polynomial.length() + multiple.bits();
-        Whole { polynomial, scaled, length }
+impl<'a> Whole<'a> {
+    pub(crate) fn new(polynomial: &'a IntegerPolynomial, exponent: i64) -> Self {
+        let ends = polynomial.coefficients().iter().zip(0_i64..).filter_map(|(coefficient, power)| {
+            let lowest = coefficient.trailing_zeros()? as i64;
+            Some((lowest + exponent * power, coefficient.bits() as i64 + exponent * power))
+        });
+        let (bottom, top) = ends.reduce(|all, own| (all.0.min(own.0), all.1.max(own.1))).unwrap_or_default();
+        let binomials = binomials(polynomial.degree());
+        Whole { polynomial, exponent, binomials, top, length: (top - bottom) as u64 }
     }
 
     pub(crate) fn degree(&self) -> u64 {
@@ -78,7 +85,25 @@ impl Whole {
 
     /// The sign at the lower end of a part, or at its upper one.
     pub(crate) fn sign_at(&self, part: &Part, end: u32) -> Ordering {
-        self.polynomial.value_at(&part.end(end), part.bits).cmp(&BigInt::zero())
+        self.sign_of(self.polynomial, part, end)
+    }
+
+    /// The sign of another polynomial there.
+    pub(crate) fn sign_of(&self, polynomial: &IntegerPolynomial, part: &Part, end: u32) -> Ordering {
+        let exponent = self.exponent - part.bits as i64;
+        let offset = part.end(end) << exponent.max(0);
+        polynomial.value_at(&offset, exponent.min(0).unsigned_abs()).cmp(&BigInt::zero())
+    }
+
+    /// The coefficients, of which the longest has so many binary digits; what is below these is cut.
+    pub(crate) fn coefficients(&self, digits: u64) -> Vec<BigInt> {
+        let coefficients = self.polynomial.coefficients().iter().zip(0_i64..);
+        let with_digits =
+            coefficients.map(|(coefficient, power)| match self.exponent * power + digits as i64 - self.top {
+                missing @ 0.. => coefficient << missing,
+                excess => coefficient >> -excess,
+            });
+        with_digits.collect()
     }
 
     /// In Bernstein's basis, in units of which the longest coefficient of the whole has `digits` binary digits.
@@ -86,30 +111,26 @@ impl Whole {
         let guard = guard(self.degree(), part.width);
         let [left, _] = Numbers::new(&self.scaled_powers(part, digits + guard)).edges();
         // Undecided numbers are zero where the unit is finer than what all of them are multiples of.
-        let finest = self.length + self.degree() * part.bits;
-        let is_exact = digits > finest + u64::from(u64::BITS);
+        let multiple = || common_multiple(self.polynomial.degree()).bits();
+        let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
+        let is_exact = digits > finest && digits > finest + multiple();
         Bernstein { numbers: left.shifted_down(|_| guard as usize), error: 2, is_exact }
     }
 
     /// The coefficients in powers, divided by C(n, j).
     fn scaled_powers(&self, part: &Part, digits: u64) -> Vec<BigInt> {
-        let mut scaled = with_digits(&self.scaled, self.length, digits);
+        let mut powers = self.coefficients(digits);
         let start = part.end(0);
         let (short, bits) = shortened(&start, part.bits, digits);
-        multiply_by_powers(&mut scaled, &short, bits, digits);
-        let [_, right] = Numbers::new(&scaled).edges();
-        let mut shifted = right.values();
+        multiply_by_powers(&mut powers, &short, bits, digits);
+        // They are less than 2^digits 3^n after the shift; behind these the powers of w/f leave nothing of them.
+        let last = (digits + 2 * self.degree()).checked_div(part.width).unwrap_or(digits);
+        let wanted = powers.len().min(last as usize + 1);
+        let mut shifted = Numbers::new(&powers).taylor_shift(wanted).values();
         let ratio = (BigInt::one() << (part.bits - part.width + digits)) / start;
-        multiply_by_powers(&mut shifted, &ratio, digits, digits);
+        multiply_by_powers(&mut shifted[..wanted], &ratio, digits, digits);
+        shifted.iter_mut().zip(&self.binomials).for_each(|(number, binomial)| *number /= binomial);
         shifted
-    }
-}
-
-/// Numbers of which the longest has `length` bits, cut to `digits`.
-pub(crate) fn with_digits(numbers: &[BigInt], length: u64, digits: u64) -> Vec<BigInt> {
-    match digits.checked_sub(length) {
-        Some(missing) => numbers.iter().map(|number| number << missing).collect(),
-        None => numbers.iter().map(|number| number >> (length - digits)).collect(),
     }
 }
 
@@ -136,9 +157,9 @@ fn multiply_by_powers(numbers: &mut [BigInt], fraction: &BigInt, bits: u64, prec
     }
     let mut power = BigInt::one() << precision;
     for number in numbers {
-        if !number.is_zero() {
-            *number = (&*number * &power) >> precision;
-        }
+        // What is below the unit of the product is not worth a multiplication.
+        let excess = precision.saturating_sub(number.bits() + 2);
+        *number = (&*number * (&power >> excess)) >> (precision - excess);
         power = (power * fraction) >> bits;
     }
 }
@@ -176,6 +197,11 @@ impl Bernstein {
         [lower, upper].map(|numbers| Bernstein { numbers, error: self.error + 1, is_exact: false })
     }
 
+    /// A bound of the bits that the longest number has.
+    pub(crate) fn length(&self) -> u64 {
+        self.numbers.length()
+    }
+
     fn sign(&self, index: usize) -> Option<Ordering> {
         self.numbers.sign(index, self.error).or(self.is_exact.then_some(Ordering::Equal))
     }
@@ -202,32 +228,29 @@ impl Bernstein {
         signs.all(|sign| sign == Some(Ordering::Greater))
     }
 
-    /// Where all roots of the part may be, if that is a small piece of it: from offset/2^bits on, 2^(2-bits) long.
+    /// Where all roots of the part may be, if they are so many.
     ///
-    /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster. Roots that are
-    /// s away from their mean move these by about s², as s itself cancels: so the points agree in twice as many bits as
-    /// the piece may be shorter.
-    pub(crate) fn cluster(&self, multiplicity: usize) -> Option<(BigInt, u64)> {
+    /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster.
+    pub(crate) fn cluster(&self, multiplicity: usize) -> Cluster {
         let last = self.numbers.len() - 1;
-        let lower = self.newton(multiplicity, 0, 1)?;
-        let upper = (BigInt::one() << FINEST) - self.newton(multiplicity, last, last - 1)?;
-        let agreement = FINEST.checked_sub((&upper - &lower).bits())?;
-        let bits = (agreement / 2).checked_sub(MARGIN).filter(|bits| *bits >= SHORTEST)?;
-        let centre: BigInt = (lower + upper) >> (FINEST + 1 - bits);
-        let last: BigInt = (BigInt::one() << bits) - 4;
-        let offset: BigInt = centre - 2;
-        Some((offset.clamp(BigInt::zero(), last), bits))
+        let lower = self.newton(multiplicity, 0, 1);
+        let upper = (BigInt::one() << FINEST) - self.newton(multiplicity, last, last - 1);
+        Cluster { agreement: FINEST.saturating_sub((&upper - &lower).bits()), twice: lower + upper }
     }
 
-    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-FINEST of the part, if that
-    /// is inside.
-    fn newton(&self, multiplicity: usize, end: usize, neighbour: usize) -> Option<BigInt> {
+    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-FINEST of the part. It may
+    /// lead outside from an end amid the roots, or where the value is too small to be known: they are near this end
+    /// then, if anywhere.
+    fn newton(&self, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
+        if self.numbers.sign(end, self.error).is_none() {
+            return BigInt::zero();
+        }
         let (value, next) = (self.numbers.value(end), self.numbers.value(neighbour));
         let degree = self.numbers.len() - 1;
         let (step, fall) = (&value * multiplicity, (&value - next) * degree);
         let inside = !fall.is_zero() && (fall < BigInt::zero()) == (value < BigInt::zero());
-        let position = (step << FINEST) / if inside { fall } else { return None };
-        (position <= BigInt::one() << FINEST).then_some(position)
+        let position = (step << FINEST) / if inside { fall } else { return BigInt::zero() };
+        if position <= BigInt::one() << (FINEST + 1) { position } else { BigInt::zero() }
     }
 }
 
@@ -237,6 +260,38 @@ const FINEST: u64 = 1024;
 const MARGIN: u64 = 1;
 /// A piece that is not shorter by so many bits comes about by halving as well.
 const SHORTEST: u64 = 5;
+
+/// A place near which all roots of a part seem to be.
+pub(crate) struct Cluster {
+    /// Its estimates from the two ends differ by less than 2^-agreement of the part.
+    agreement: u64,
+    /// Their sum, in units of 2^-FINEST of the part.
+    twice: BigInt,
+}
+
+impl Cluster {
+    /// A piece as long as the estimates differ, from offset/2^bits on and 2^(2-bits) long: enough if it is other roots
+    /// that keep them apart, which are as far away as the part is long or farther.
+    ///
+    /// They would keep them apart by about 2^-width, so that a much closer agreement has another reason.
+    pub(crate) fn short_piece(&self, width: u64) -> Option<(BigInt, u64)> {
+        if self.agreement > 2 * width + 16 { None } else { self.piece(self.agreement) }
+    }
+
+    /// A longer one, with so many bits at most, for roots of the cluster that are s away from their mean: these move
+    /// the estimates by about s² only, as s itself cancels, so that the agreement has twice as many bits as s.
+    pub(crate) fn long_piece(&self, most_bits: u64) -> Option<(BigInt, u64)> {
+        self.piece((self.agreement / 2).min(most_bits))
+    }
+
+    fn piece(&self, bits: u64) -> Option<(BigInt, u64)> {
+        let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= SHORTEST)?;
+        let centre: BigInt = &self.twice >> (FINEST + 1 - bits);
+        let last: BigInt = (BigInt::one() << bits) - 4;
+        let offset: BigInt = centre - 2;
+        Some((offset.clamp(BigInt::zero(), last), bits))
+    }
+}
 
 impl SignChanges {
     /// Zeros aside; a sign that is not certain is taken as what makes the changes fewest, or most.
@@ -274,12 +329,12 @@ mod tests {
     use super::*;
 
     /// Coefficients of very different lengths and mixed signs.
-    fn whole(degree: usize) -> Whole {
+    fn polynomial(degree: usize) -> IntegerPolynomial {
         let coefficients = (0..=degree as u64).map(|power| {
             let size = BigInt::from(power * 7919 + 1) << (power * 37 % 101);
             if power % 3 == 1 { -size } else { size }
         });
-        Whole::new(IntegerPolynomial::new(coefficients.collect()))
+        IntegerPolynomial::new(coefficients.collect())
     }
 
     fn parts() -> Vec<Part> {
@@ -291,7 +346,7 @@ mod tests {
 
     /// Bernstein's coefficients by their definition over the whole, and by blossoming over a part: b_j is the mean of
     /// all products of the ends, so that for the power m it is Σ_i C(j, i) C(n−j, m−i)/C(n, m) upper^i lower^(m−i).
-    fn coefficient(whole: &Whole, part: &Part, j: usize) -> (BigInt, BigInt) {
+    fn coefficient(whole: &Whole<'_>, part: &Part, j: usize) -> (BigInt, BigInt) {
         let n = whole.polynomial.degree();
         let [lower, upper] = [0, 1].map(|end| part.end(end));
         let all = binomials(n);
@@ -308,12 +363,13 @@ mod tests {
     #[test]
     fn numbers_are_as_near_as_they_say() {
         for degree in [1, 5, 20] {
-            let whole = whole(degree);
-            let (digits, multiple) = (whole.length + 10, common_multiple(degree));
+            let polynomial = polynomial(degree);
+            let whole = Whole::new(&polynomial, 0);
+            let digits = whole.length + 10;
             let close = |local: &Bernstein, part: &Part| {
                 for j in 0..=degree {
                     let (value, unit) = coefficient(&whole, part, j);
-                    let difference: BigInt = local.numbers.value(j) * &unit - ((value * &multiple) << 10_u32);
+                    let difference: BigInt = local.numbers.value(j) * &unit - (value << 10_u32);
                     assert!(
                         difference.magnitude() < (unit * local.error).magnitude(),
                         "{degree}: {part:?}, {j}"
@@ -355,12 +411,15 @@ mod tests {
         };
         let roots =
             [[5_000_001, -3_000_000], [5_000_000, -3_000_000], [4_999_998, -3_000_000], [1 << 40, -1]];
-        let whole = Whole::new(IntegerPolynomial::new(roots.into_iter().fold(vec![BigInt::one()], factor)));
-        let Some((offset, bits)) = whole.over(&Part::whole(), 300).cluster(3) else { unreachable!() };
+        let polynomial = IntegerPolynomial::new(roots.into_iter().fold(vec![BigInt::one()], factor));
+        let whole = Whole::new(&polynomial, 0);
+        let Some((offset, bits)) = whole.over(&Part::whole(), 300).cluster(3).long_piece(u64::MAX) else {
+            unreachable!()
+        };
         let piece = Part::whole().within(&offset, bits, bits - 2);
         let changes = whole.over(&piece, 300).sign_changes(|end| whole.sign_at(&piece, end)).1;
         assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
-        assert_eq!(whole.over(&Part::whole(), 300).cluster(2), None);
+        assert_eq!(whole.over(&Part::whole(), 300).cluster(2).long_piece(u64::MAX), None);
     }
 
     #[test]

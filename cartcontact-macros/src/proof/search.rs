@@ -29,7 +29,7 @@ use num_bigint::BigInt;
 use crate::proof::common_divisor::square_free;
 use crate::proof::first_root::{FirstRoot, Place};
 use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::minimum::{Convex, First, Undecided};
+use crate::proof::minimum::{Bracket, Convex, First, Undecided};
 use crate::proof::part::{Bernstein, Part, SignChanges, Whole};
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
@@ -54,8 +54,8 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
         if exponent.unsigned_abs().saturating_mul(polynomial.degree() as u64) > MAXIMUM_LENGTH {
             return Err(TooIntricate);
         }
-        let whole = Whole::new(polynomial.clone().stretched(exponent));
-        if let Some(place) = (Search { whole, exponent }).first_place()? {
+        let whole = Whole::new(&polynomial, exponent);
+        if let Some(place) = (Search { whole }).first_place()? {
             return Ok(Some(FirstRoot::new(polynomial, place)));
         }
     }
@@ -63,9 +63,8 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
 }
 
 /// The search for the first root from 2^exponent to 2^(exponent + 1).
-struct Search {
-    whole: Whole,
-    exponent: i64,
+struct Search<'a> {
+    whole: Whole<'a>,
 }
 
 /// A part of the interval with the polynomial over it.
@@ -73,14 +72,22 @@ struct Candidate {
     part: Part,
     local: Bernstein,
     digits: u64,
+    missed: Missed,
 }
 
-impl Search {
+/// An interval 2^-width long was too short for a cluster of so many roots.
+#[derive(Clone, Copy)]
+struct Missed {
+    count: usize,
+    width: u64,
+}
+
+impl Search<'_> {
     fn first_place(&self) -> Result<Option<Place>, TooIntricate> {
         let (part, digits) = (Part::whole(), self.few_digits());
         let local = self.whole.over(&part, digits);
-        let mut ahead = vec![Candidate { part, local, digits }];
-        while let Some(front) = ahead.pop() {
+        let mut ahead = vec![Candidate { part, local, digits, missed: Missed { count: 0, width: 0 } }];
+        while let Some(mut front) = ahead.pop() {
             let (start, changes) = front.local.sign_changes(|end| self.whole.sign_at(&front.part, end));
             match changes {
                 _ if start == Some(Ordering::Equal) => {
@@ -92,11 +99,11 @@ impl Search {
                 }
                 SignChanges { least, most } if least != most => ahead.push(self.with_more_digits(front)?),
                 SignChanges { most: 2, .. } if front.local.is_convex() => {
-                    if let Some(place) = self.beside_minimum(&front.part, front.digits)? {
+                    if let Some(place) = self.beside_minimum(&front.part, front.spent_digits())? {
                         return Ok(Some(place));
                     }
                 }
-                SignChanges { most: count, .. } => match self.around_cluster(&front, count)? {
+                SignChanges { most: count, .. } => match self.around_cluster(&mut front, count)? {
                     Some(closer) => ahead.push(closer),
                     None => ahead.extend(front.halves()),
                 },
@@ -122,11 +129,38 @@ impl Search {
 
     /// A small interval around all roots of the front, if it keeps its sign changes.
     ///
+    /// Where one was too small before, the next is tried halfway, in bits.
+    fn around_cluster(&self, front: &mut Candidate, count: usize) -> Result<Option<Candidate>, TooIntricate> {
+        let cluster = front.local.cluster(count);
+        let width = front.part.width;
+        let (short, longest) = match front.missed {
+            Missed { count: missed, width: too_small } if missed == count => {
+                (None, too_small.saturating_sub(width) / 2)
+            }
+            _ => (cluster.short_piece(width), u64::MAX),
+        };
+        for (offset, bits) in short.into_iter().chain(cluster.long_piece(longest)) {
+            let part = front.part.within(&offset, bits, bits - 2);
+            let missed = Missed { count, width: part.width };
+            if let Some(closer) = self.with_changes(count, part, front)? {
+                return Ok(Some(closer));
+            }
+            front.missed = missed;
+        }
+        Ok(None)
+    }
+
+    /// A part, if it has so many sign changes.
+    ///
     /// A cluster of k roots makes values of the size of the width to the power k.
-    fn around_cluster(&self, front: &Candidate, count: usize) -> Result<Option<Candidate>, TooIntricate> {
-        let Some((offset, bits)) = front.local.cluster(count) else { return Ok(None) };
-        let part = front.part.within(&offset, bits, bits - 2);
-        let mut digits = front.digits.max(self.few_digits() + count as u64 * part.width);
+    fn with_changes(
+        &self,
+        count: usize,
+        part: Part,
+        front: &Candidate,
+    ) -> Result<Option<Candidate>, TooIntricate> {
+        let smaller = count as u64 * (part.width - front.part.width);
+        let mut digits = front.digits.max(front.spent_digits() + smaller + self.few_digits());
         loop {
             let local = self.whole.over(&part, digits);
             let (start, SignChanges { least, most }) =
@@ -135,7 +169,7 @@ impl Search {
                 return Ok(None);
             }
             if least == count {
-                return Ok(Some(Candidate { part, local, digits }));
+                return Ok(Some(Candidate { part, local, digits, missed: front.missed }));
             }
             digits = self.more(digits)?;
         }
@@ -143,9 +177,9 @@ impl Search {
 
     /// The first root of a polynomial that is convex over a part and positive at both ends.
     fn beside_minimum(&self, part: &Part, digits: u64) -> Result<Option<Place>, TooIntricate> {
-        let mut more = self.few_digits();
+        let (mut more, mut minimum) = (self.few_digits(), Bracket::whole());
         let first = loop {
-            match Convex::new(&self.whole.polynomial, part, digits + more).first_root() {
+            match Convex::new(&self.whole, part, digits + more).first_root(&mut minimum) {
                 Ok(first) => break first,
                 Err(Undecided) if digits + more > MAXIMUM_DIGITS => return Err(TooIntricate),
                 Err(Undecided) => more *= 2,
@@ -167,25 +201,31 @@ impl Search {
 
     /// At offset/2^bits of the interval.
     fn at(&self, offset: &BigInt, bits: u64) -> Place {
-        Place::At { offset: offset.clone(), exponent: self.exponent - bits as i64 }
+        Place::At { offset: offset.clone(), exponent: self.whole.exponent - bits as i64 }
     }
 
     /// From the beginning of a part to upper/2^bits.
     fn between(&self, part: &Part, upper: &BigInt, bits: u64) -> Place {
         let lower = part.end(0) << (bits - part.bits);
-        Place::Between { lower, upper: upper.clone(), exponent: self.exponent - bits as i64 }
+        Place::Between { lower, upper: upper.clone(), exponent: self.whole.exponent - bits as i64 }
     }
 }
 
 impl Candidate {
+    /// Those that are zero in all numbers.
+    fn spent_digits(&self) -> u64 {
+        self.digits.saturating_sub(self.local.length())
+    }
+
     /// The upper half and, to be looked at first, the lower one.
     fn halves(self) -> [Candidate; 2] {
-        let Candidate { part, digits, .. } = self;
+        let Candidate { part, digits, missed, .. } = self;
         let [lower, upper] = self.local.halves();
         [(1, upper), (0, lower)].map(|(offset, local)| Candidate {
             part: part.within(&offset.into(), 1, 1),
             local,
             digits,
+            missed,
         })
     }
 }

@@ -4,6 +4,7 @@
 //! or `-`, so one compilation reports the faults of all terms. Every call consumes a token or ends its loop, and
 //! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
 
+use num_traits::One;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
@@ -89,8 +90,26 @@ impl<'a> Parser<'a> {
             return base;
         }
         let exponent = self.deeper(Self::factor);
+        self.refuse_halved_exponent(&base, &exponent);
         let extent = Extent::between(base.extent, exponent.extent);
         Expression { kind: Kind::Power(Box::new(base), Box::new(exponent)), extent }
+    }
+
+    /// `r^1/2` is (r^1)/2, for which nobody writes the exponent.
+    fn refuse_halved_exponent(&mut self, base: &Expression, exponent: &Expression) {
+        if let (Kind::Number(one), [TokenTree::Punct(slash), TokenTree::Literal(divisor), ..]) =
+            (&exponent.kind, self.rest)
+            && one.is_one()
+            && slash.as_char() == '/'
+        {
+            let base = if let Kind::Name(name) = &base.kind { name.to_string() } else { "(...)".to_owned() };
+            let place = Extent::between(exponent.extent, divisor.span().into());
+            let message = format!(
+                "this is read as `({base}^1)/{divisor}`; write `{base}/{divisor}` if that is meant, or the exponent in \
+                 parentheses, `{base}^(1/{divisor})`"
+            );
+            self.diagnostics.report(place, message);
+        }
     }
 
     fn atom(&mut self) -> Expression {
@@ -283,6 +302,11 @@ impl<'a> Parser<'a> {
         let next = self.rest.first()?;
         if matches!(next, TokenTree::Punct(_)) {
             return None;
+        }
+        // Which parentheses are read is said where they are.
+        if matches!(next, TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket))
+        {
+            return Some(false);
         }
         let place = Extent::between(self.previous, next.span().into());
         if let TokenTree::Ident(word) = next {
