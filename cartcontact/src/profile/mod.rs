@@ -127,7 +127,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`).
+    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a positive
+    /// number is one below every radius.
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
 
     /// The contact radii of many load integrals, in mm; `radii[i]` belongs to `load_integrals[i]`.
