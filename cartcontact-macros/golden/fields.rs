@@ -24,7 +24,7 @@
 /// ```text
 /// gap                   3 ×, 1 + of double words
 /// approach              3 ×, 1 + of double words
-/// slope of the approach 4 × or ÷, 1 + or −
+/// slope of the approach 3 ×, 1 + of double words
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
 /// pressure kernel       7 ×, 5 + of double words
@@ -114,10 +114,14 @@ const _: () = {
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            let __s = __a * __a;
-            (__c0
-                + (__c1 * <T as crate::renamed::Scalar>::constant(1.3333333333333333f64))
-                    * __s) * __a
+            crate::renamed::generated::precise_even_sum(
+                __a,
+                1u32,
+                [
+                    __c0,
+                    __c1 * <T as crate::renamed::Scalar>::constant(1.3333333333333333f64),
+                ],
+            )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
@@ -157,6 +161,14 @@ const _: () = {
             (__c0 * <T as crate::renamed::Scalar>::constant(0.5f64)
                 + (__c1 * <T as crate::renamed::Scalar>::constant(0.3333333333333333f64))
                     * __s) * __s
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0
+                + (__c1 * <T as crate::renamed::Scalar>::constant(1.3333333333333333f64))
+                    * __s) * __a
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {

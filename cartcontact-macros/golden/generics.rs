@@ -117,7 +117,7 @@ const _: () = {
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::quick_power_sum(
+            ::cartcontact::generated::power_sum(
                 __a,
                 [
                     (__c0, <S as ::cartcontact::Scalar>::constant(1.0f64)),
@@ -190,6 +190,23 @@ const _: () = {
                                 0.4444444444444444f64,
                             ),
                         <S as ::cartcontact::Scalar>::constant(2.5f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            ::cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (__c0, <S as ::cartcontact::Scalar>::constant(1.0f64)),
+                    (
+                        __c1
+                            * <S as ::cartcontact::Scalar>::constant(
+                                1.1111111111111112f64,
+                            ),
+                        <S as ::cartcontact::Scalar>::constant(1.5f64),
                     ),
                 ],
             )

@@ -83,7 +83,7 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            ::cartcontact::generated::quick_power_sum(
+            ::cartcontact::generated::power_sum(
                 __a,
                 [
                     (
@@ -143,6 +143,22 @@ const _: () = {
                     (
                         <T as ::cartcontact::Scalar>::constant(0.0007619047619047619f64),
                         <T as ::cartcontact::Scalar>::constant(3.25f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            ::cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.008571428571428572f64),
+                        <T as ::cartcontact::Scalar>::constant(0.5f64),
+                    ),
+                    (
+                        <T as ::cartcontact::Scalar>::constant(0.002476190476190476f64),
+                        <T as ::cartcontact::Scalar>::constant(2.25f64),
                     ),
                 ],
             )

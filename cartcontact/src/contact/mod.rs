@@ -298,7 +298,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     fn keeps_digits(&self, force: T, radius: T, load_integral: T) -> bool {
         let square = radius * radius;
         let power = square * square;
-        let slope = self.profile.approach_slope(radius);
+        let slope = self.profile.quick_approach_slope(radius);
         let has_power = (power >= smallest_normal()) & power.is_finite();
         let has_slope = is_normal(load_integral / radius, power) & slope.is_finite();
         let has_increments = (power * slope * radius).is_finite();

@@ -25,13 +25,13 @@ impl<T: Scalar> Node<T> {
     /// A power sⁿ multiplies the rounding by n. Where that is much, a short step inwards stands for the derivative.
     #[inline(always)]
     fn approach_slope<P: GapProfile<T>>(&self, profile: &P, edge: T) -> T {
-        let slope = profile.approach_slope(self.s);
+        let slope = profile.quick_approach_slope(self.s);
         if profile.highest_exponent() <= T::constant(HIGH_POWER) {
             return slope;
         }
         let rounding = (edge - self.s) - self.depth;
         let step = self.s * T::constant(1.0 / 4096.0);
-        slope + (slope - profile.approach_slope(self.s - step)) * (rounding / step)
+        slope + (slope - profile.quick_approach_slope(self.s - step)) * (rounding / step)
     }
 }
 
