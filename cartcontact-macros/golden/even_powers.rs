@@ -24,7 +24,7 @@
 /// ```text
 /// gap                   3 ×, 1 + of double words
 /// approach              3 ×, 1 + of double words
-/// slope of the approach 3 × or ÷, 1 + or −
+/// slope of the approach 3 ×, 1 + of double words
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
 /// pressure kernel       7 ×, 5 + of double words
@@ -83,10 +83,14 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            let __s = __a * __a;
-            (<T as __cartcontact::Scalar>::constant(0.025f64)
-                + (<T as __cartcontact::Scalar>::constant(0.00014583333333333335f64))
-                    * __s) * __a
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                1u32,
+                [
+                    <T as __cartcontact::Scalar>::constant(0.025f64),
+                    <T as __cartcontact::Scalar>::constant(0.00014583333333333335f64),
+                ],
+            )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
@@ -116,6 +120,13 @@ const _: () = {
             (<T as __cartcontact::Scalar>::constant(0.0125f64)
                 + (<T as __cartcontact::Scalar>::constant(3.6458333333333336e-5f64))
                     * __s) * __s
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            let __s = __a * __a;
+            (<T as __cartcontact::Scalar>::constant(0.025f64)
+                + (<T as __cartcontact::Scalar>::constant(0.00014583333333333335f64))
+                    * __s) * __a
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {

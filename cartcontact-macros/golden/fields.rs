@@ -24,7 +24,7 @@
 /// ```text
 /// gap                   3 ×, 1 + of double words
 /// approach              3 ×, 1 + of double words
-/// slope of the approach 4 × or ÷, 1 + or −
+/// slope of the approach 3 ×, 1 + of double words
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
 /// pressure kernel       7 ×, 5 + of double words
@@ -114,10 +114,14 @@ const _: () = {
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            let __s = __a * __a;
-            (__c0
-                + (__c1 * <T as __cartcontact::Scalar>::constant(1.3333333333333333f64))
-                    * __s) * __a
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                1u32,
+                [
+                    __c0,
+                    __c1 * <T as __cartcontact::Scalar>::constant(1.3333333333333333f64),
+                ],
+            )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
@@ -152,6 +156,14 @@ const _: () = {
             (__c0 * <T as __cartcontact::Scalar>::constant(0.5f64)
                 + (__c1 * <T as __cartcontact::Scalar>::constant(0.3333333333333333f64))
                     * __s) * __s
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let __s = __a * __a;
+            (__c0
+                + (__c1 * <T as __cartcontact::Scalar>::constant(1.3333333333333333f64))
+                    * __s) * __a
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
@@ -324,14 +336,14 @@ const _: () = {
             __values: (&mut [T], &mut [T]),
         ) {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            crate::renamed::generated::fill_by_functions(
+            __cartcontact::generated::fill_by_functions(
                 __places,
                 __values,
                 |__r| {
                     let __s = __r * __r;
                     (__c0
                         + (__c1
-                            * <T as crate::renamed::Scalar>::constant(
+                            * <T as __cartcontact::Scalar>::constant(
                                 1.3333333333333333f64,
                             )) * __s) * __r
                 },
@@ -339,19 +351,19 @@ const _: () = {
                     let __s = __a - __depth;
                     __depth
                         * ((__a + __s)
-                            * crate::renamed::generated::divided_difference(
+                            * __cartcontact::generated::divided_difference(
                                 __a * __a,
                                 __s * __s,
                                 [
-                                    <T as crate::renamed::Scalar>::constant(0.0f64),
-                                    <T as crate::renamed::Scalar>::constant(0.0f64),
-                                    <T as crate::renamed::Scalar>::constant(0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(0.0f64),
                                     __c0
-                                        * <T as crate::renamed::Scalar>::constant(
+                                        * <T as __cartcontact::Scalar>::constant(
                                             0.08333333333333333f64,
                                         ),
                                     __c1
-                                        * <T as crate::renamed::Scalar>::constant(
+                                        * <T as __cartcontact::Scalar>::constant(
                                             0.08333333333333333f64,
                                         ),
                                 ],
@@ -423,8 +435,8 @@ const _: () = {
         #[inline]
         fn has_only_positive_terms(&self) -> bool {
             let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            __c0 >= <T as crate::renamed::Scalar>::constant(0.0f64)
-                && __c1 >= <T as crate::renamed::Scalar>::constant(0.0f64)
+            __c0 >= <T as __cartcontact::Scalar>::constant(0.0f64)
+                && __c1 >= <T as __cartcontact::Scalar>::constant(0.0f64)
         }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]

@@ -118,7 +118,7 @@ const _: () = {
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            __cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::power_sum(
                 __a,
                 [
                     (__c0, <S as __cartcontact::Scalar>::constant(1.0f64)),
@@ -191,6 +191,23 @@ const _: () = {
                                 0.4444444444444444f64,
                             ),
                         <S as __cartcontact::Scalar>::constant(2.5f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: S) -> S {
+            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            __cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (__c0, <S as __cartcontact::Scalar>::constant(1.0f64)),
+                    (
+                        __c1
+                            * <S as __cartcontact::Scalar>::constant(
+                                1.1111111111111112f64,
+                            ),
+                        <S as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                 ],
             )
@@ -377,7 +394,7 @@ const _: () = {
             __values: (&mut [S], &mut [S]),
         ) {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            ::cartcontact::generated::fill_slopes_and_drops(
+            __cartcontact::generated::fill_slopes_and_drops(
                 self,
                 __a,
                 __places,
@@ -385,17 +402,17 @@ const _: () = {
                 [
                     (
                         __c0
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.0f64),
+                        <S as __cartcontact::Scalar>::constant(6.0f64),
                     ),
                     (
                         __c1
-                            * <S as ::cartcontact::Scalar>::constant(
+                            * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as ::cartcontact::Scalar>::constant(6.5f64),
+                        <S as __cartcontact::Scalar>::constant(6.5f64),
                     ),
                 ],
             )
@@ -449,7 +466,7 @@ const _: () = {
         #[inline]
         fn has_only_positive_terms(&self) -> bool {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            __c0 >= <S as ::cartcontact::Scalar>::constant(0.0f64)
+            __c0 >= <S as __cartcontact::Scalar>::constant(0.0f64)
         }
     }
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]

@@ -24,7 +24,7 @@
 /// ```text
 /// gap                   4 ×, 2 + of double words
 /// approach              4 ×, 2 + of double words
-/// slope of the approach 3 × or ÷, 2 + or −
+/// slope of the approach 3 ×, 2 + of double words
 /// load integral         8 ×, 2 + of double words
 /// log kernel            6 ×, 2 + of double words
 /// pressure kernel       a routine of the run-time crate
@@ -88,10 +88,15 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            (<T as __cartcontact::Scalar>::constant(0.05f64)
-                + (<T as __cartcontact::Scalar>::constant(-0.0048f64)
-                    + (<T as __cartcontact::Scalar>::constant(0.0002666666666666667f64))
-                        * __a) * __a) * __a
+            __cartcontact::generated::precise_sum(
+                __a,
+                1u32,
+                [
+                    <T as __cartcontact::Scalar>::constant(0.05f64),
+                    <T as __cartcontact::Scalar>::constant(-0.0048f64),
+                    <T as __cartcontact::Scalar>::constant(0.0002666666666666667f64),
+                ],
+            )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
@@ -123,6 +128,13 @@ const _: () = {
                 + (<T as __cartcontact::Scalar>::constant(-0.0016f64)
                     + (<T as __cartcontact::Scalar>::constant(6.666666666666667e-5f64))
                         * __a) * __a) * __a * __a
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            (<T as __cartcontact::Scalar>::constant(0.05f64)
+                + (<T as __cartcontact::Scalar>::constant(-0.0048f64)
+                    + (<T as __cartcontact::Scalar>::constant(0.0002666666666666667f64))
+                        * __a) * __a) * __a
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {

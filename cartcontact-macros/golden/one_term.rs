@@ -25,7 +25,7 @@
 /// ```text
 /// gap                   2 ×, 0 + of double words
 /// approach              2 ×, 0 + of double words
-/// slope of the approach 1 × or ÷, 0 + or −
+/// slope of the approach 2 ×, 0 + of double words
 /// load integral         4 ×, 0 + of double words
 /// log kernel            3 ×, 0 + of double words
 /// pressure kernel       5 ×, 2 + of double words
@@ -77,7 +77,11 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            (<T as __cartcontact::Scalar>::constant(0.025f64)) * __a
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                1u32,
+                [<T as __cartcontact::Scalar>::constant(0.025f64)],
+            )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
@@ -99,6 +103,10 @@ const _: () = {
         fn quick_approach(&self, __a: T) -> T {
             let __s = __a * __a;
             (<T as __cartcontact::Scalar>::constant(0.0125f64)) * __s
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            (<T as __cartcontact::Scalar>::constant(0.025f64)) * __a
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {

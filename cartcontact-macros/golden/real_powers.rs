@@ -84,7 +84,7 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
+            __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
@@ -144,6 +144,22 @@ const _: () = {
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
                         <T as __cartcontact::Scalar>::constant(3.25f64),
+                    ),
+                ],
+            )
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            __cartcontact::generated::quick_power_sum(
+                __a,
+                [
+                    (
+                        <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
+                        <T as __cartcontact::Scalar>::constant(0.5f64),
+                    ),
+                    (
+                        <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
+                        <T as __cartcontact::Scalar>::constant(2.25f64),
                     ),
                 ],
             )
@@ -301,21 +317,21 @@ const _: () = {
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            ::cartcontact::generated::fill_slopes_and_drops(
+            __cartcontact::generated::fill_slopes_and_drops(
                 self,
                 __a,
                 __places,
                 __values,
                 [
                     (
-                        <T as ::cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as ::cartcontact::Scalar>::constant(5.5f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as __cartcontact::Scalar>::constant(5.5f64),
                     ),
                     (
-                        <T as ::cartcontact::Scalar>::constant(
+                        <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as ::cartcontact::Scalar>::constant(7.25f64),
+                        <T as __cartcontact::Scalar>::constant(7.25f64),
                     ),
                 ],
             )

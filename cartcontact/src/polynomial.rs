@@ -110,7 +110,8 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
 
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        raised_power_sum(a, -1, self.map(|c, n| (two * c * (n / (n + two)), n)))
+        let weight = |c, n| DoubleWord::product(two * c, n).over(DoubleWord::sum(n, two));
+        weighted_power_sum(a, -1, self.map(|c, n| (weight(c, n), n)))
     }
 
     fn load_integral(&self, a: T) -> T {
@@ -132,6 +133,11 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     fn quick_approach(&self, a: T) -> T {
         let two = T::constant(2.0);
         quick_power_sum(a, self.map(|c, n| (two * c / (n + two), n)))
+    }
+
+    fn quick_approach_slope(&self, a: T) -> T {
+        let two = T::constant(2.0);
+        raised_power_sum(a, -1, self.map(|c, n| (two * c * (n / (n + two)), n)))
     }
 
     fn quick_load_integral(&self, a: T) -> T {

@@ -41,12 +41,7 @@ pub const GAP: Allowance = allow("gap", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// δ₀(a).
 pub const APPROACH: Allowance = allow("approach", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// δ₀′(a).
-pub const APPROACH_SLOPE: Allowance = allow(
-    "approach slope",
-    [4.0, 4.0],
-    [3.1, 1.7],
-    "memory integrals evaluate it at every node, so it is in plain arithmetic: two roundings per power of r or r²",
-);
+pub const APPROACH_SLOPE: Allowance = allow("approach slope", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// J(a).
 pub const LOAD_INTEGRAL: Allowance = allow("load integral", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// J(a) − J(a − depth), relative to the same difference for the sizes of the terms.

@@ -151,6 +151,26 @@ fn geometries_must_open_and_stay_open() {
     refused(result, |e| matches!(e, ProfileError::NotAdmissible { .. }), "14.5");
 }
 
+#[test]
+fn a_limit_that_is_none_holds_no_radius() {
+    for case in cases() {
+        let polynomial = case.polynomial();
+        for profile in [case.double, &polynomial as &dyn GapProfile<f64>] {
+            let load_integrals = [profile.load_integral(0.5); 200];
+            let mut radii = [0.0; 200];
+            for limit in [f64::NAN, f64::NEG_INFINITY, -1.0, 0.0] {
+                let is_beyond = |e: &RadiusError| matches!(e, RadiusError::BeyondRange { .. });
+                refused(profile.radius_within(load_integrals[0], limit), is_beyond, &limit.to_string());
+                refused(
+                    profile.radii_within(&load_integrals, limit, &mut radii),
+                    is_beyond,
+                    &limit.to_string(),
+                );
+            }
+        }
+    }
+}
+
 /// A ball whose radius comes from a measurement.
 #[gap_profile(r^2 / (2 * radius) - r^4 / (8 * radius^3), max_radius = limit)]
 struct Ball {

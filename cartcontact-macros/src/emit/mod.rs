@@ -68,14 +68,14 @@ pub(crate) fn solver(
     let coefficients = Coefficients::new(item, geometry, &names);
     let scalar = &names.scalar;
 
-    // The slope is what memory integrals evaluate at every node.
-    let sums: [(_, _, _, power_sum::Form); 7] = [
+    let sums: [(_, _, _, power_sum::Form); 8] = [
         ("gap", "r", &forms.gap, power_sum::value),
         ("approach", "a", &forms.approach, power_sum::value),
-        ("approach_slope", "a", &forms.approach_slope, power_sum::quick_value),
+        ("approach_slope", "a", &forms.approach_slope, power_sum::value),
         ("load_integral", "a", &forms.load_integral, power_sum::value),
         ("log_kernel", "x", &forms.log_kernel, power_sum::value),
         ("quick_approach", "a", &forms.approach, power_sum::quick_value),
+        ("quick_approach_slope", "a", &forms.approach_slope, power_sum::quick_value),
         ("quick_load_integral", "a", &forms.load_integral, power_sum::quick_value),
     ];
     let mut operations: Vec<Operations> = Vec::new();

@@ -244,16 +244,28 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     #[inline]
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.common_radius_at(t).map_or_else(|| self.checked_radius_at(t), Ok)
+        self.common_radius_at(t, || !self.recedes_until(t)).map_or_else(|| self.checked_radius_at(t), Ok)
     }
 
-    /// The contact radius, if all numbers on the way to it are of common size.
+    /// [`radius_at`](Self::radius_at) a time until which the edge does not [recede](Self::recedes_until).
+    pub(crate) fn covered_radius_at(&self, t: T) -> Result<T, ContactError> {
+        self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
+    }
+
+    /// Whether the load falls too fast up to a time.
     #[inline(always)]
-    fn common_radius_at(&self, t: T) -> Option<T> {
+    pub(crate) fn recedes_until(&self, t: T) -> bool {
+        self.load.recession(self.medium.chi(), t).is_some()
+    }
+
+    /// The contact radius, if all numbers on the way to it are of common size and the history is one that the solution
+    /// covers.
+    #[inline(always)]
+    fn common_radius_at(&self, t: T, is_covered: impl FnOnce() -> bool) -> Option<T> {
         let (sizes, chi, loading) = (CommonSizes::new(), self.medium.chi(), self.loading(t));
         let load_integral = loading.hereditary * self.per_stiffness;
         let is_common = sizes.contain_rate(chi) & sizes.contain_load(t, loading, load_integral);
-        if !is_common || self.load.recession(chi, t).is_some() {
+        if !is_common || !is_covered() {
             return None;
         }
         self.radius_of(load_integral).ok().filter(|&radius| sizes.contain(radius))
@@ -286,7 +298,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     fn keeps_digits(&self, force: T, radius: T, load_integral: T) -> bool {
         let square = radius * radius;
         let power = square * square;
-        let slope = self.profile.approach_slope(radius);
+        let slope = self.profile.quick_approach_slope(radius);
         let has_power = (power >= smallest_normal()) & power.is_finite();
         let has_slope = is_normal(load_integral / radius, power) & slope.is_finite();
         let has_increments = (power * slope * radius).is_finite();

@@ -76,7 +76,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// Whether the load has fallen too fast: up to the last of the times, if up to any.
     fn recedes(&self) -> bool {
         let last = self.times.iter().fold(T::zero(), |last, &time| if time > last { time } else { last });
-        self.contact.load.recession(self.contact.medium.chi(), last).is_some()
+        self.contact.recedes_until(last)
     }
 
     fn take_radii(&mut self) -> bool {

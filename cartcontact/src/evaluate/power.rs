@@ -51,15 +51,12 @@ pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T), IntoIt
 #[inline]
 pub(crate) fn weighted_power_sum<T: Scalar>(
     x: T,
-    lowest: u32,
+    lowest: i32,
     terms: impl Iterator<Item = (DoubleWord<T>, T)> + Clone,
 ) -> T {
-    let term = |(c, n)| (0..lowest).fold(double_term(c, x, n), |term, _| term.times_word(x));
+    let term = |(c, n)| double_term(c, x, n, lowest);
     let sum = terms.clone().map(term).fold(DoubleWord::of(T::zero()), DoubleWord::plus);
-    sum.rounded_or(|| {
-        let sum = quick_power_sum(x, terms.map(|(c, n)| (c.rounded(), n)));
-        (0..lowest).fold(sum, |sum, _| sum * x)
-    })
+    sum.rounded_or(|| raised_power_sum(x, lowest, terms.map(|(c, n)| (c.rounded(), n))))
 }
 
 /// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
@@ -196,22 +193,25 @@ pub(crate) fn raised_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
     if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n, k) }
 }
 
-/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
-pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
+/// c x^(n+k) in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
+pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T, k: i32) -> DoubleWord<T> {
     let (whole, fraction) = parts(n);
-    let quick = || quick_term(c.rounded(), x, n, 0);
-    if whole < 0 || x.is_zero() {
+    let whole = whole + k;
+    let quick = || quick_term(c.rounded(), x, n, k);
+    if x.is_zero() {
         return DoubleWord::of(quick());
     }
-    let k = whole as u32;
-    let even = if k < 2 {
+    let degree = whole.max(0) as u32;
+    let even = if degree < 2 {
         c
     } else {
-        let half = DoubleWord::of(x).power(k / 2);
+        let half = DoubleWord::of(x).power(degree / 2);
         half.times(c).times(half)
     };
-    let power = if k & 1 == 1 { even.times_word(x) } else { even };
+    let power = if degree & 1 == 1 { even.times_word(x) } else { even };
     let term = power.times(double_fractional_power(x, fraction));
+    // Only slopes of gaps with an exponent below 1.
+    let term = (whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)));
     if term.rounded().is_finite() { term } else { DoubleWord::of(quick()) }
 }
 

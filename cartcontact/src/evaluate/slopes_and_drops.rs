@@ -33,7 +33,7 @@ pub(crate) fn fill_one_by_one<T: Scalar, P: GapProfile<T> + ?Sized>(
     (radii, depths): Places<'_, T>,
     (slopes, drops): SlopesAndDrops<'_, T>,
 ) {
-    let slope = |s: T| profile.approach_slope(s);
+    let slope = |s: T| profile.quick_approach_slope(s);
     fill_by_functions((radii, depths), (&mut *slopes, drops), slope, |depth| {
         profile.load_integral_drop(a, depth)
     });

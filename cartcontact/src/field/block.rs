@@ -87,7 +87,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
         for &time in &times[..most] {
-            let radius = contact.radius_at(time)?;
+            let radius = contact.covered_radius_at(time)?;
             let before = self.edge_before(self.count);
             let start = contact.moment(before.time, before.radius);
             let (transition, _) = march(contact, start, (time, radius), before.radius);

@@ -63,6 +63,10 @@ where
     L: Load<T>,
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
+    // Once for all: to search a history takes a load of a user's own as long as many rows.
+    if times.last().is_some_and(|&last| contact.recedes_until(last)) {
+        times.iter().try_for_each(|&time| contact.radius_at(time).map(drop))?;
+    }
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
     let mut block = Block::after(Edge { time: first.time(), radius: first.radius() });

@@ -37,7 +37,7 @@ const COSINES: [f64; DEGREE / 2 + 1] = [
 type Coefficients<T> = [T; DEGREE + 1];
 
 /// The force during a step, and what follows from it.
-pub(super) struct ForceSeries<T> {
+pub(crate) struct ForceSeries<T> {
     duration: T,
     /// χ times the duration.
     folds: T,
@@ -46,10 +46,11 @@ pub(super) struct ForceSeries<T> {
     slope: Coefficients<T>,
     /// The mean force from ξ to the end.
     mean: Coefficients<T>,
-    /// How many coefficients are more than rounding.
+    /// How many coefficients are more than rounding, and the size of the largest.
     length: usize,
-    /// The force at the end.
-    last: T,
+    size: T,
+    /// The forces at the nodes, from the end to the start.
+    forces: [T; DEGREE + 1],
     /// By how much the hereditary load grows in all.
     gain: T,
     /// The most by which the hereditary load grows in an e-folding.
@@ -66,8 +67,18 @@ struct Local<T> {
 }
 
 impl<T: Scalar> ForceSeries<T> {
-    /// The series of a load between two times without a knot between them.
-    pub(super) fn of<L: Load<T>>(load: &L, (start, end): (T, T), chi: T) -> Self {
+    /// The first node in time, which are counted from the end.
+    pub(crate) const START: usize = DEGREE;
+
+    /// The series of a load between two times without a knot between them, with what holds for all of the step.
+    pub(super) fn of<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
+        let mut series = Self::between(load, times, chi);
+        series.survey();
+        series
+    }
+
+    /// [`of`](Self::of) without what holds for all of the step.
+    pub(crate) fn between<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
         let duration = end - start;
         let forces: Coefficients<T> = core::array::from_fn(|place| {
             let before_end = duration * (T::one() - T::constant(cosine(place))) * T::constant(0.5);
@@ -79,29 +90,28 @@ impl<T: Scalar> ForceSeries<T> {
         let length = force.iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1);
         let (slope, mean) = (derivative(&force[..length]), mean_to_the_end(&force[..length]));
         let (folds, none) = (chi * duration, T::zero());
-        let mut series = Self {
+        Self {
             duration,
             folds,
             force,
             slope,
             mean,
             length,
-            last: forces[0],
+            size,
+            forces,
             gain: none,
             highest_rate: none,
             falls: false,
-        };
-        series.survey(&forces);
-        series
+        }
     }
 
     /// Notes what holds for all of the step.
-    fn survey(&mut self, forces: &Coefficients<T>) {
-        for (place, &force) in forces.iter().enumerate() {
+    fn survey(&mut self) {
+        for (place, &force) in self.forces.iter().enumerate() {
             let here = self.at(T::constant(cosine(place)));
             self.highest_rate = self.highest_rate.max(self.rate(&here));
             // From the end to the start.
-            let later = forces[place.saturating_sub(1)];
+            let later = self.forces[place.saturating_sub(1)];
             self.falls |= force > later * (T::one() + T::default_epsilon() * T::constant(8.0));
         }
         self.gain = self.shortfall(self.folds).0;
@@ -112,15 +122,82 @@ impl<T: Scalar> ForceSeries<T> {
         self.folds
     }
 
+    /// The force at the end.
+    fn last(&self) -> T {
+        self.forces[0]
+    }
+
     /// ∫F over the step, and by how much it may be off for what the series leaves out.
-    pub(super) fn impulse(&self) -> (T, T) {
+    pub(crate) fn impulse(&self) -> (T, T) {
         let mean = self.at(-T::one()).mean;
         (self.duration * mean, self.duration * self.rest())
     }
 
     /// Whether the step is too long for the series.
-    pub(super) fn is_rough(&self) -> bool {
+    pub(crate) fn is_rough(&self) -> bool {
         self.rest() > self.force[0].abs() * T::default_epsilon().sqrt()
+    }
+
+    /// Whether the coefficients do not decrease, so that the series only meets the force at the nodes.
+    pub(crate) fn is_unresolved(&self) -> bool {
+        let varying = self.force[1..].iter().fold(T::zero(), |sum, c| sum + c.abs());
+        let rounding = self.size * T::default_epsilon() * T::constant(16.0);
+        self.rest() > varying * T::constant(1.0 / 1024.0) + rounding
+    }
+
+    /// The most by which the hereditary load can fall within the step, as far as the coefficients tell: it does not if
+    /// this is not above zero.
+    pub(crate) fn deepest_dip(&self) -> T {
+        let half_folds = self.folds * T::constant(0.5);
+        let growth = self.slope.iter().zip(&self.force).map(|(&slope, &force)| slope + half_folds * force);
+        let least =
+            growth.enumerate().fold(T::zero(), |least, (k, g)| if k == 0 { g } else { least - g.abs() });
+        let left_out = self.rest() * T::constant((DEGREE * DEGREE) as f64);
+        T::constant(2.0) * (left_out - least)
+    }
+
+    /// By how much a [dip](Self::deepest_dip) may come from the rounding of forces, N³ ε of them.
+    pub(crate) fn noise(&self) -> T {
+        self.size * T::default_epsilon() * T::constant((DEGREE * DEGREE * DEGREE) as f64)
+    }
+
+    /// By how much the hereditary load grows from a node to the end.
+    pub(crate) fn growth_since(&self, node: usize) -> T {
+        let x = T::constant(cosine(node));
+        let since = self.folds * (T::one() - x) * T::constant(0.5);
+        (self.last() - self.forces[node]) + since * self.at(x).mean
+    }
+
+    /// By how much [`growth_since`](Self::growth_since) may be off for what the series leaves out.
+    pub(crate) fn uncertainty(&self) -> T {
+        self.folds * self.rest()
+    }
+
+    /// The time of a node, if the step ends at `end`.
+    pub(crate) fn time(&self, node: usize, end: T) -> T {
+        self.time_at(T::constant(cosine(node)), end)
+    }
+
+    fn time_at(&self, x: T, end: T) -> T {
+        end - self.duration * (T::one() - x) * T::constant(0.5)
+    }
+
+    /// When the hereditary load turns, next to the node at which it is highest of all.
+    pub(crate) fn time_of_turn(&self, highest: usize, end: T) -> T {
+        let half = T::constant(0.5);
+        let position = |node: usize| T::constant(cosine(node));
+        let (mut rising, mut falling) =
+            (position((highest + 1).min(DEGREE)), position(highest.saturating_sub(1)));
+        for _ in 0..60 {
+            let middle = (rising + falling) * half;
+            let here = self.at(middle);
+            if here.slope + self.folds * half * here.force > T::zero() {
+                rising = middle;
+            } else {
+                falling = middle;
+            }
+        }
+        self.time_at(rising, end)
     }
 
     /// The size of the last coefficients, which is more than that of all behind them if they fall.
@@ -133,7 +210,7 @@ impl<T: Scalar> ForceSeries<T> {
     pub(super) fn shortfall(&self, folds: T) -> (T, T) {
         let share = folds / self.folds;
         let here = self.at(T::one() - share - share);
-        (self.last - here.force + folds * here.mean, self.rate(&here))
+        (self.last() - here.force + folds * here.mean, self.rate(&here))
     }
 
     /// How long before the end the hereditary load was smaller by `deficit`.
@@ -148,7 +225,7 @@ impl<T: Scalar> ForceSeries<T> {
     fn folds_since(&self, deficit: T) -> T {
         let margin = self.folds * T::constant(1.0 / 64.0);
         let (mut low, mut high) = (-margin, self.folds + margin);
-        let noise = (self.last.abs() + deficit.abs()) * T::default_epsilon();
+        let noise = (self.last().abs() + deficit.abs()) * T::default_epsilon();
         let mut folds = if self.gain > T::zero() { self.folds * (deficit / self.gain) } else { T::zero() };
         folds = folds.max(low).min(high);
         for _ in 0..60 {

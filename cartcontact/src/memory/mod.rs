@@ -25,6 +25,7 @@ mod time_form;
 use crate::Scalar;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain};
+pub(crate) use force_series::ForceSeries;
 pub(crate) use march::{faded_folds, march, surplus_that_counts};
 pub(crate) use stretch::age_along_line;
 

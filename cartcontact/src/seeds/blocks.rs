@@ -132,7 +132,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
             let seed = units.of_geometry(single(seed));
             *radius = evaluate(seed).step(seed, load_integral);
         }
-        // Mostly there is no limit; and nothing here is NaN.
-        found && (!limit.is_finite() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
+        // Mostly there is no limit; a limit that is not a number holds nothing.
+        found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
     }
 }

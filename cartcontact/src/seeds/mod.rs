@@ -81,9 +81,9 @@ impl Seeds {
         let digits = digits(y);
         let seed = units.of_geometry(single(cubic(self.row(digits), digits)));
         let radius = evaluate(seed).step(seed, load_integral);
-        // No comparison where the limit is infinite; and nothing here is NaN.
-        let is_beyond = radius > limit;
-        (!is_beyond).then_some(radius)
+        // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
+        let is_within = radius <= limit || limit == T::infinity();
+        is_within.then_some(radius)
     }
 
     fn holds<T: Scalar>(&self) -> bool {

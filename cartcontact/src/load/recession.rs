@@ -1,0 +1,167 @@
+//! When a load of any kind first falls so fast that the edge of the contact recedes.
+//!
+//! The edge recedes while the hereditary load Y = F + χ ∫F falls. Between knots the load is followed in panels, in
+//! which its force is a [polynomial](crate::memory::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one
+//! too, Σ gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. A panel is
+//!
+//! - one on which Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
+//! - one on which it falls if at a node it is below its highest so far by more than rounding;
+//! - otherwise halved, until what can still hide between the nodes is rounding.
+//!
+//! That the nodes miss nothing is seen from the coefficients, which must decrease, and from the impulse, which the load
+//! knows by itself: a dip between nodes, or a swing that happens to look smooth at them, has an area.
+//!
+//! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
+//! so the search ends.
+
+use super::Load;
+use crate::Scalar;
+use crate::memory::ForceSeries;
+use crate::scalar::smallest_normal;
+
+/// How often panels are halved at most because of their impulse, which may simply be that of another load, or when they
+/// are short already.
+const MOST_DOUBTS: u32 = 1024;
+
+/// The time from which the hereditary load falls, if it does up to `t` by more than rounding.
+pub(super) fn first<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<T> {
+    let zero = T::zero();
+    let mut search =
+        Search { load, chi, time: zero, impulse: zero, highest: zero, fallen: zero, doubts: MOST_DOUBTS };
+    while search.time < t {
+        let knot = load.next_knot(search.time).filter(|&knot| search.time < knot && knot < t);
+        let found = search.follow(knot.unwrap_or(t)).or_else(|| search.jump());
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
+}
+
+/// A history on its way.
+struct Search<'a, T, L: ?Sized> {
+    load: &'a L,
+    chi: T,
+    time: T,
+    /// ∫F up to now.
+    impulse: T,
+    /// When the hereditary load was highest so far, and by how much it is lower now.
+    highest: T,
+    fallen: T,
+    /// How many more panels may be halved that are short, or because of their impulse.
+    doubts: u32,
+}
+
+/// What a panel tells.
+enum Finding<T> {
+    /// The hereditary load falls from a time on.
+    Falls(T),
+    /// It does not; when it was highest, and by how much it is lower at the end.
+    Rises(T, T),
+    /// It may fall between the nodes.
+    Unclear(T, T),
+}
+
+impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
+    /// Continues to a time before which there is no knot.
+    fn follow(&mut self, end: T) -> Option<T> {
+        let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
+        let mut step = end - self.time;
+        let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
+        let short = (step * T::constant(1.0 / 131_072.0)).max(least);
+        while self.time < end {
+            let stop = if self.time + step + least < end { self.time + step } else { end };
+            step = stop - self.time;
+            let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
+            let impulse = self.load.impulse(stop);
+            // Half of it is no less than `short`.
+            let is_short = step <= short + short;
+            if !is_short && self.misses(&force, impulse) {
+                step *= half;
+                continue;
+            }
+            let hereditary = self.load.force_before(stop) + self.chi * impulse;
+            let rounding = hereditary * epsilon * T::constant(8.0);
+            let finding = self.examine(&force, stop, rounding);
+            let is_vague = match finding {
+                // A rough series does not tell since when.
+                Finding::Falls(_) => force.is_rough() && !is_short,
+                Finding::Unclear(..) => !is_short || (step > least + least && self.doubts()),
+                Finding::Rises(..) => false,
+            };
+            if is_vague {
+                step *= half;
+                continue;
+            }
+            (self.highest, self.fallen) = match finding {
+                Finding::Falls(since) => return Some(since),
+                Finding::Rises(highest, fallen) | Finding::Unclear(highest, fallen) => (highest, fallen),
+            };
+            (self.time, self.impulse) = (stop, impulse);
+            step += step;
+        }
+        None
+    }
+
+    /// Passes a jump of the load.
+    fn jump(&mut self) -> Option<T> {
+        let (before, after) = (self.load.force_before(self.time), self.load.force(self.time));
+        let rounding = (before + self.chi * self.impulse) * T::default_epsilon() * T::constant(8.0);
+        let fallen = self.fallen + (before - after);
+        if fallen > T::zero() {
+            self.fallen = fallen;
+        } else {
+            (self.highest, self.fallen) = (self.time, T::zero());
+        }
+        (fallen > rounding).then_some(self.highest)
+    }
+
+    /// Whether the nodes of a panel miss what the load does between them.
+    fn misses(&mut self, force: &ForceSeries<T>, impulse: T) -> bool {
+        if force.is_unresolved() {
+            return true;
+        }
+        let (of_series, uncertainty) = force.impulse();
+        let epsilon = T::default_epsilon();
+        let rounding = of_series * epsilon.sqrt() + impulse * epsilon * T::constant(64.0);
+        (impulse - self.impulse - of_series).abs() > uncertainty + rounding && self.doubts()
+    }
+
+    /// Whether one more panel may be halved.
+    fn doubts(&mut self) -> bool {
+        let may_doubt = self.doubts > 0;
+        self.doubts = self.doubts.saturating_sub(1);
+        may_doubt
+    }
+
+    /// Follows the hereditary load from node to node.
+    fn examine(&self, force: &ForceSeries<T>, end: T, rounding: T) -> Finding<T> {
+        let zero = T::zero();
+        let dip = force.deepest_dip();
+        let gain = force.growth_since(ForceSeries::<T>::START);
+        if dip <= zero && self.fallen <= gain {
+            return Finding::Rises(end, zero);
+        }
+        let rounding = rounding + force.uncertainty();
+        let mut fallen = self.fallen;
+        // The node at which the hereditary load is highest; none while it was higher before the panel.
+        let mut highest = fallen.is_zero().then_some(ForceSeries::<T>::START);
+        let mut growth = gain;
+        for node in (0..ForceSeries::<T>::START).rev() {
+            let now = force.growth_since(node);
+            fallen -= growth - now;
+            growth = now;
+            if fallen <= zero {
+                (highest, fallen) = (Some(node), zero);
+            } else if fallen > rounding {
+                return Finding::Falls(highest.map_or(self.highest, |node| force.time_of_turn(node, end)));
+            }
+        }
+        let highest = highest.map_or(self.highest, |node| force.time(node, end));
+        if dip > rounding + force.noise() {
+            Finding::Unclear(highest, fallen)
+        } else {
+            Finding::Rises(highest, fallen)
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! A load of a user's own that falls faster than the contact can follow is noticed, and no other is refused.
+
+use core::f64::consts::PI;
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, ContactError, Medium, Polynomial};
+use tests::loads::{Rise, Swing, through};
+
+const CHI: f64 = 0.02;
+
+/// Since when the edge recedes, of a load asked for at a time.
+fn since(load: &dyn Load<f64>, chi: f64, t: f64) -> Option<f64> {
+    let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"));
+    match contact.at(t) {
+        Ok(_) => None,
+        Err(ContactError::Receding { time, since }) => {
+            assert!(time == t && since < t, "{time}, {since}");
+            Some(since)
+        }
+        Err(error) => unreachable!("{error}"),
+    }
+}
+
+fn assert_near(found: Option<f64>, expected: f64, tolerance: f64) {
+    assert!(found.is_some_and(|found| (found - expected).abs() <= tolerance), "{found:?}, {expected}");
+}
+
+/// A load that begins at zero and swings: 50 (1 − cos ωt).
+struct Gait {
+    frequency: f64,
+}
+
+impl Load<f64> for Gait {
+    fn force(&self, t: f64) -> f64 {
+        let half = (self.frequency * t / 2.0).sin();
+        100.0 * half * half
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        50.0 * (t - (self.frequency * t).sin() / self.frequency)
+    }
+}
+
+#[test]
+fn gait_recedes_in_its_first_cycle_however_late_it_is_asked_for() {
+    for frequency in [1e-4, 0.005, 0.02, 0.3, 7.0] {
+        // ω sin ωt + χ (1 − cos ωt) = 0.
+        let turn = 2.0 * (PI - f64::atan2(frequency, CHI)) / frequency;
+        for after in [1.01, 1.3, 2.0, 10.0, 1e3, 1e5_f64] {
+            // The search takes no steps below 2^−17 of the time.
+            if frequency * turn * after < 1e5 {
+                assert_near(since(&Gait { frequency }, CHI, turn * after), turn, 1e-6 * turn);
+            }
+        }
+        assert_eq!(since(&Gait { frequency }, CHI, turn * 0.999_999), None);
+    }
+    assert!(since(&Gait { frequency: 0.005 }, CHI, 1000.0 / CHI).is_some());
+}
+
+/// 100 + A sin ωt recedes where A √(ω² + χ²) > 100 χ.
+fn swing(frequency: f64, excess: f64) -> Swing {
+    let amplitude = 100.0 * CHI / frequency.hypot(CHI) * (1.0 + excess);
+    Swing { mean: 100.0, amplitude, frequency }
+}
+
+#[test]
+fn swings_are_told_apart_by_their_amplitude() {
+    for share in [0.01, 0.3, 1.0, 2.5, 17.0, 60.0] {
+        let frequency = share * CHI;
+        // The first time at which F′ + χ F is least.
+        let steepest = (PI + f64::atan2(CHI, frequency)) / frequency;
+        for folds in [1.0, 10.0, 123.0, 1e3, 1e4] {
+            let t = folds / CHI;
+            assert_eq!(since(&swing(frequency, -1e-6), CHI, t), None, "{share}, {folds}");
+            assert_eq!(since(&swing(frequency, -0.5), CHI, t), None, "{share}, {folds}");
+            for excess in [1e-3, 0.1] {
+                if swing(frequency, excess).amplitude > 100.0 {
+                    continue;
+                }
+                let turn = steepest - f64::acos(1.0 / (1.0 + excess)) / frequency;
+                let end = steepest + (steepest - turn);
+                let found = since(&swing(frequency, excess), CHI, t);
+                if t > end {
+                    assert_near(found, turn, 1e-5 / frequency);
+                } else if t < turn {
+                    assert_eq!(found, None, "{share}, {folds}");
+                }
+            }
+        }
+    }
+}
+
+/// A load of 100 with a short dip: 100 − D cos² within half a width of a time.
+struct Dip {
+    depth: f64,
+    time: f64,
+    width: f64,
+}
+
+impl Dip {
+    /// The phase from the middle of the dip, at most π/2.
+    fn phase(&self, t: f64) -> f64 {
+        (PI * ((t - self.time) / self.width)).clamp(-PI / 2.0, PI / 2.0)
+    }
+}
+
+impl Load<f64> for Dip {
+    fn force(&self, t: f64) -> f64 {
+        100.0 - self.depth * self.phase(t).cos().powi(2)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        let lost = |phase: f64| self.depth * self.width / PI * (phase / 2.0 + (2.0 * phase).sin() / 4.0);
+        100.0 * t - (lost(self.phase(t)) - lost(self.phase(0.0)))
+    }
+}
+
+#[test]
+fn a_dip_between_samples_is_noticed_by_its_impulse() {
+    for share in [1e-1, 1e-2, 1e-3, 1e-4] {
+        for folds in [1.0, 30.0, 1e3] {
+            let t = folds / CHI;
+            for place in [0.123_456, 0.517, 0.9] {
+                let (time, width) = (place * t, share * t);
+                let dip = |depth| Dip { depth, time, width };
+                // F′ is at most D π over the width.
+                let harmless = 0.9 * CHI * (100.0 - 50.0) * width / PI;
+                assert_eq!(since(&dip(harmless.min(50.0)), CHI, t), None, "{share}, {folds}, {place}");
+                if harmless < 10.0 {
+                    let found = since(&dip(50.0), CHI, t);
+                    let early = time - width / 2.0;
+                    assert!(found.is_some_and(|s| s >= early - 1e-6 * t && s < time), "{found:?}, {early}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_decay_may_be_as_fast_as_the_memory() {
+    let decay = |rate: f64| Rise { start: 100.0, rise: -100.0, rate };
+    for folds in [1e-6, 0.1, 1.0, 30.0, 300.0] {
+        let t = folds / CHI;
+        for admissible in [1.0, 1.0 - 1e-15, 1.0 - 1e-9, 0.999, 0.5] {
+            assert_eq!(since(&decay(CHI * admissible), CHI, t), None, "{folds}, {admissible}");
+        }
+        for excess in [1e-8, 1e-3, 1.0, 30.0] {
+            // Rounding hides a fall of 8 ε.
+            if excess * folds.min(1.0) > 1e-14 {
+                assert_near(since(&decay(CHI * (1.0 + excess)), CHI, t), 0.0, 0.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_may_fall_without_drainage() {
+    let load = swing(0.3, 0.0);
+    assert_eq!(since(&load, 0.0, 0.499 * PI / 0.3), None);
+    assert_near(since(&load, 0.0, 0.6 * PI / 0.3), 0.5 * PI / 0.3, 1e-6);
+    let rise = Rise { start: 10.0, rise: 90.0, rate: 0.3 };
+    assert_eq!(since(&rise, 0.0, 1e6), None);
+}
+
+/// A load that leaves everything to the provided methods but its knots.
+struct Searched<'a>(&'a dyn Load<f64>);
+
+impl Load<f64> for Searched<'_> {
+    fn force(&self, t: f64) -> f64 {
+        self.0.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.0.impulse(t)
+    }
+
+    fn force_before(&self, t: f64) -> f64 {
+        self.0.force_before(t)
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        self.0.next_knot(t)
+    }
+}
+
+#[test]
+fn straight_loads_are_judged_as_they_judge_themselves() {
+    let histories = [
+        through(&[(0.0, 100.0), (12.5, 80.0), (100.0, 80.0)]),
+        through(&[(0.0, 100.0), (12.4, 80.0), (100.0, 80.0)]),
+        through(&[(0.0, 0.0), (50.0, 100.0), (100.0, 0.0)]),
+        through(&[(0.0, 100.0), (5.0, 100.0), (5.0, 99.0), (5.1, 200.0)]),
+        through(&[(0.0, 100.0), (60.0, 40.0), (70.0, 40.0), (70.0, 70.0), (75.0, 60.0)]),
+    ];
+    for load in &histories {
+        for t in [1.0, 5.0, 12.45, 20.0, 66.0, 99.0, 1e4] {
+            let (own, found) = (load.recession(CHI, t), Searched(load).recession(CHI, t));
+            assert_eq!(own.is_some(), found.is_some(), "{load:?}, {t}: {own:?}, {found:?}");
+            assert!(
+                own.zip(found).is_none_or(|(own, found)| (own - found).abs() < 1e-5),
+                "{own:?}, {found:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn many_times_name_the_first_that_is_too_late() {
+    let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(gap, medium, Gait { frequency: 0.3 });
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let turn = 2.0 * (PI - f64::atan2(0.3, CHI)) / 0.3;
+    let times: Vec<f64> = (1..400).map(|step| f64::from(step) * 0.1).collect();
+    let first = times.iter().copied().find(|&time| time > turn);
+    let mut values = vec![0.0; times.len()];
+    for result in [contact.pressure_field(&times, &[0.0], &mut values), contact.radii(&times, &mut values)] {
+        let Err(ContactError::Receding { time, since }) = result else { unreachable!("{result:?}") };
+        assert_eq!(Some(time), first);
+        assert_near(Some(since), turn, 1e-6 * turn);
+    }
+}
+
+/// A load that is not a number, or whose impulse belongs to another.
+struct Wrong {
+    force: f64,
+    impulse: f64,
+}
+
+impl Load<f64> for Wrong {
+    fn force(&self, t: f64) -> f64 {
+        if t > 1.0 { self.force } else { 100.0 }
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.impulse * t
+    }
+}
+
+#[test]
+fn the_search_ends_for_loads_that_are_none() {
+    for value in [f64::NAN, f64::INFINITY, -1.0, 0.0, 100.0, 1e300] {
+        let found = Wrong { force: value, impulse: 100.0 }.recession(CHI, 1e4);
+        assert_eq!(found.is_some(), value < 100.0, "{value}: {found:?}");
+        let _ = Wrong { force: 100.0, impulse: value }.recession(CHI, 1e4);
+    }
+}
+
+#[test]
+fn single_precision_notices_as_well() {
+    let fall =
+        PiecewiseLinear::new([(0.0_f32, 100.0), (50.0, 0.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+    struct Single<L>(L);
+    impl<L: Load<f32>> Load<f32> for Single<L> {
+        fn force(&self, t: f32) -> f32 {
+            self.0.force(t)
+        }
+        fn impulse(&self, t: f32) -> f32 {
+            self.0.impulse(t)
+        }
+    }
+    assert_eq!(Single(&fall).recession(0.1, 39.9), None);
+    assert!(Single(&fall).recession(0.1, 45.0).is_some_and(|since| (since - 40.0).abs() < 0.1));
+}
