@@ -39,7 +39,8 @@ impl FirstRoot {
     ///
     /// Both sides are raised to `denominator`. Halving the interval decides unless they are equal, and equal they are
     /// if the polynomial shares a root in the interval with x^denominator - number^numerator, which has one positive
-    /// root.
+    /// root. Halving takes long if the two are nearly equal; a number that need not be raised is then decided by the
+    /// sign of the polynomial.
     pub(crate) fn compare_to_power(
         &mut self,
         number: &Rational,
@@ -52,7 +53,7 @@ impl FirstRoot {
             let (up, down) = (exponent.max(0) as u64, exponent.min(0).unsigned_abs());
             ((Pow::pow(offset, denominator) * power.denom()) << up).cmp(&(power.numer() << down))
         };
-        let mut checked = false;
+        let (mut checked, mut halvings) = (false, 0);
         loop {
             let (lower, upper, exponent) = match &self.place {
                 Place::At { offset, exponent } => return compare(offset, *exponent),
@@ -68,6 +69,11 @@ impl FirstRoot {
                 return Ordering::Equal;
             }
             checked = true;
+            if denominator == 1 && halvings == PATIENCE {
+                // No root lies below this one, so the polynomial is positive on its left.
+                return self.polynomial.sign_at_fraction(&power);
+            }
+            halvings += 1;
             self.halve();
         }
     }
@@ -121,6 +127,9 @@ impl FirstRoot {
         (offset.bits() as i64).saturating_add(*exponent)
     }
 }
+
+/// So many halvings cost about as much as the exact sign at a fraction.
+const PATIENCE: u32 = 100;
 
 /// The bits by which an interval is longer than the unit that its middle is rounded to.
 const ROOM: u64 = 3;

@@ -1,5 +1,7 @@
 //! Dense polynomials with integer coefficients: the exact operations that isolating a root takes.
 
+use core::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -65,6 +67,16 @@ impl IntegerPolynomial {
         coefficients.fold(BigInt::zero(), |value, (coefficient, steps)| {
             value * offset + (coefficient << (bits * steps))
         })
+    }
+
+    /// The sign at a fraction, by Horner's rule with all terms brought to the power of its denominator.
+    pub(crate) fn sign_at_fraction(&self, fraction: &Rational) -> Ordering {
+        let (mut value, mut unit) = (BigInt::zero(), BigInt::one());
+        for coefficient in self.coefficients.iter().rev() {
+            value = value * fraction.numer() + coefficient * &unit;
+            unit *= fraction.denom();
+        }
+        value.cmp(&BigInt::zero())
     }
 
     /// How often the sign changes along the coefficients, zeros aside. Descartes: there are as many positive roots,
@@ -164,9 +176,8 @@ pub(crate) fn from_terms<'a>(
 
 #[cfg(test)]
 mod tests {
-    use core::cmp::Ordering;
-
     use super::*;
+    use crate::number::fraction;
 
     fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
         IntegerPolynomial::new(coefficients.iter().map(|&coefficient| coefficient.into()).collect())
@@ -185,6 +196,14 @@ mod tests {
             assert!(!positive || values == [Ordering::Greater; 2]);
         }
         assert!(polynomial.stays_positive_between_powers(-4) && polynomial.stays_positive_between_powers(11));
+    }
+
+    #[test]
+    fn signs_at_fractions_are_exact() {
+        let product = polynomial(&[-6, 1, 12]);
+        let signs = [(2, 3), (-3, 4), (666_667, 1_000_000), (0, 1)]
+            .map(|(numerator, denominator)| product.sign_at_fraction(&fraction(numerator, denominator)));
+        assert_eq!(signs, [Ordering::Equal, Ordering::Equal, Ordering::Greater, Ordering::Less]);
     }
 
     #[test]

@@ -75,7 +75,7 @@ struct Candidate {
     missed: Missed,
 }
 
-/// An interval 2^-width long was too short for a cluster of so many roots.
+/// An interval 2^-width long did not have all of so many roots.
 #[derive(Clone, Copy)]
 struct Missed {
     count: usize,
@@ -129,13 +129,14 @@ impl Search<'_> {
 
     /// A small interval around all roots of the front, if it keeps its sign changes.
     ///
-    /// Where one was too small before, the next is tried halfway, in bits.
+    /// Where one has missed some of them, the next is tried halfway, in bits; unless they turn out to fit into an
+    /// interval as short, so that it was in the wrong place.
     fn around_cluster(&self, front: &mut Candidate, count: usize) -> Result<Option<Candidate>, TooIntricate> {
         let cluster = front.local.cluster(count);
         let width = front.part.width;
         let (short, longest) = match front.missed {
-            Missed { count: missed, width: too_small } if missed == count => {
-                (None, too_small.saturating_sub(width) / 2)
+            Missed { count: missed, width: too_small } if missed == count && width < too_small => {
+                (None, (too_small - width) / 2)
             }
             _ => (cluster.short_piece(width), u64::MAX),
         };

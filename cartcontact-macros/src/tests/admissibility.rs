@@ -124,6 +124,17 @@ fn a_touching_root_ends_the_range() {
     assert!(everywhere(&planted(&[pair("2.5", "1e-30")])));
 }
 
+/// delta0' = 2 a (1 - a/2 + 1e-600 a^64): the range ends about 4e-581 beyond 2, or as much before it.
+#[test]
+fn a_root_next_to_the_end_of_the_range_is_told_apart() {
+    for (sign, holds) in [(1, true), (-1, false)] {
+        let mut q = vec![Rational::zero(); 65];
+        q[..2].clone_from_slice(&[exact("1"), exact("-0.5")]);
+        q[64] = integer(10).pow(-600) * integer(sign);
+        assert_eq!(up_to(&with_slope(&q, "1"), "2"), holds);
+    }
+}
+
 #[test]
 fn ends_of_all_magnitudes_are_found() {
     for (end, remedy) in [("1e-250", "9.999999e-251"), ("123456789", "1.234567e8"), ("1e250", "9.999999e249")]
