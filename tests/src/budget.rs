@@ -113,7 +113,7 @@ pub const BALANCE: Allowance = allow(
 pub const BALANCE_OF_OTHER_LOADS: Allowance = allow(
     "force balance of other loads",
     [45.0, 45.0],
-    [31.0, 31.0],
+    [40.0, 40.0],
     "as the balance, and under a load that swings what drained in each of dozens of steps is rounded",
 );
 

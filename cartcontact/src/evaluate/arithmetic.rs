@@ -88,7 +88,7 @@ impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
     }
     #[inline]
     fn term(c: Self, x: T, n: T) -> Self {
-        double_term(c, x, n, 0)
+        double_term(c, x, n)
     }
     #[inline]
     fn plus(self, other: Self) -> Self {

@@ -121,10 +121,10 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if force.is_unresolved() {
             return true;
         }
-        let (of_series, uncertainty) = force.impulse();
         let epsilon = T::default_epsilon();
-        let rounding = of_series * epsilon.sqrt() + impulse * epsilon * T::constant(64.0);
-        (impulse - self.impulse - of_series).abs() > uncertainty + rounding && self.doubts()
+        let gain = impulse - self.impulse;
+        let rounding = gain * epsilon.sqrt() + impulse * epsilon * T::constant(64.0);
+        force.misses(gain, rounding) && self.doubts()
     }
 
     /// Whether one more panel may be halved.

@@ -133,6 +133,13 @@ impl<T: Scalar> ForceSeries<T> {
         (self.duration * mean, self.duration * self.rest())
     }
 
+    /// Whether the load has another impulse over the step, by more than rounding: the nodes then miss what it does
+    /// between them.
+    pub(crate) fn misses(&self, impulse: T, rounding: T) -> bool {
+        let (of_series, uncertainty) = self.impulse();
+        (impulse - of_series).abs() > uncertainty + rounding
+    }
+
     /// Whether the step is too long for the series.
     pub(crate) fn is_rough(&self) -> bool {
         self.rest() > self.force[0].abs() * T::default_epsilon().sqrt()
@@ -198,6 +205,13 @@ impl<T: Scalar> ForceSeries<T> {
             }
         }
         self.time_at(rising, end)
+    }
+
+    /// Whether the series leaves out more than what rounds: forces, and the times up to `end` that they are of.
+    pub(super) fn is_loose(&self, end: T) -> bool {
+        let change = self.slope.iter().fold(T::zero(), |sum, c| sum + c.abs());
+        let forces = self.size * T::constant(64.0);
+        self.rest() > (forces + change * (end / self.duration)) * T::default_epsilon()
     }
 
     /// The size of the last coefficients, which is more than that of all behind them if they fall.

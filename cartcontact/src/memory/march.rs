@@ -9,8 +9,8 @@
 //!
 //! **Loads that are not straight.** Between knots such a load is followed in steps, within which its force is a
 //! [polynomial](super::force_series). A step is taken in one piece and in two halves; if the force is no polynomial, or
-//! the two do not agree, it is shortened to its first half, otherwise the next is twice as long. The halves are kept.
-//! No step is shorter than 2^−20 of the time between knots, so the march ends.
+//! has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
+//! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
 
 use super::force_series::ForceSeries;
 use super::run::{MOST_PIECES, Run};
@@ -19,6 +19,9 @@ use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece};
 use crate::{GapProfile, Scalar};
+
+/// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
+const MOST_DOUBTS: u32 = 256;
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
 /// moment at its end.
@@ -231,12 +234,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let half = T::constant(0.5);
         let shortest = (end - self.now.time) * T::constant(1.0 / 1_048_576.0);
         let mut step = end - self.now.time;
+        let mut doubts = MOST_DOUBTS;
         while self.now.time < end {
             let start = self.now.time;
             // The last step must not leave a rest that is too short to divide.
             let stop = if start + step + shortest < end { start + step } else { end };
             let force = self.force_series(stop);
-            if force.is_rough() && step > shortest {
+            let is_doubtful = doubts > 0 && self.misses(&force, stop);
+            if (force.is_rough() || is_doubtful) && step > shortest {
+                doubts -= u32::from(is_doubtful);
                 step = (step * half).max(shortest);
                 continue;
             }
@@ -263,6 +269,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// The force from now to the end of a step.
     fn force_series(&self, end: T) -> ForceSeries<T> {
         ForceSeries::of(self.contact.load(), (self.now.time, end), self.contact.medium().chi())
+    }
+
+    /// Whether the nodes of a step miss what the load does between them.
+    fn misses(&self, force: &ForceSeries<T>, end: T) -> bool {
+        let impulse = self.contact.load().impulse(end);
+        force.is_loose(end)
+            || force.misses(impulse - self.now.impulse, impulse * T::default_epsilon() * T::constant(64.0))
     }
 
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {

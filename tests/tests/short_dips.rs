@@ -1,0 +1,67 @@
+//! A load of a user's own may dip for a moment within a long history, where no sample need meet it.
+
+use cartcontact::load::Load;
+use cartcontact::{Contact, ContactError, Medium, Polynomial};
+use tests::budget;
+use tests::measure::Errors;
+
+const CHI: f64 = 0.02;
+
+/// 100 − D/cosh²((t − time)/width), whose knots, if it tells them, are no kinks but where it varies.
+struct Dip {
+    depth: f64,
+    time: f64,
+    width: f64,
+    has_knots: bool,
+}
+
+impl Load<f64> for Dip {
+    fn force(&self, t: f64) -> f64 {
+        100.0 - self.depth / ((t - self.time) / self.width).cosh().powi(2)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        let lost = ((t - self.time) / self.width).tanh() + (self.time / self.width).tanh();
+        100.0 * t - self.depth * self.width * lost
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        let knots = [-9.0, -3.0, -1.5, 0.0, 1.5, 3.0, 9.0].map(|place| self.time + place * self.width);
+        knots.into_iter().find(|&knot| self.has_knots && knot > t)
+    }
+}
+
+const SHARES: [f64; 3] = [0.0, 0.5, 0.9];
+
+fn pressures(load: &Dip, t: f64) -> Result<[f64; 3], ContactError> {
+    let gap = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)]).map_err(ContactError::Profile)?;
+    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(gap, medium, load)?;
+    let now = contact.at(t)?;
+    Ok(SHARES.map(|share| now.pressure(share * now.radius())))
+}
+
+#[test]
+fn a_short_dip_counts_whether_or_not_its_time_is_told() -> Result<(), ContactError> {
+    let mut errors = Errors::of(budget::BALANCE_OF_OTHER_LOADS);
+    for folds in [1.0, 20.0, 1000.0] {
+        for age in [0.2, 1.0, 3.0_f64] {
+            for width in [1.0, 0.1, 1e-2, 1e-3, 1e-4].map(|folds| folds / 6.0) {
+                if folds < age + 6.0 * width {
+                    continue;
+                }
+                // F′ is at most 0.77 D over the width; χ F is 2.
+                let depth = 50.0 * width;
+                let dip = |has_knots| Dip { depth, time: (folds - age) / CHI, width: width / CHI, has_knots };
+                let (found, expected) =
+                    (pressures(&dip(false), folds / CHI)?, pressures(&dip(true), folds / CHI)?);
+                for (place, (found, expected)) in found.into_iter().zip(expected).enumerate() {
+                    let at = (folds, age, width, SHARES[place]);
+                    errors.add(found, expected, 1.0, &at);
+                }
+            }
+        }
+    }
+    errors.check();
+    Ok(())
+}
