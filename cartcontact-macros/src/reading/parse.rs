@@ -90,26 +90,29 @@ impl<'a> Parser<'a> {
             return base;
         }
         let exponent = self.deeper(Self::factor);
-        self.refuse_halved_exponent(&base, &exponent);
+        if let Some((place, message)) = self.halved_exponent(&base, &exponent) {
+            return self.fault(place, message);
+        }
         let extent = Extent::between(base.extent, exponent.extent);
         Expression { kind: Kind::Power(Box::new(base), Box::new(exponent)), extent }
     }
 
-    /// `r^1/2` is (r^1)/2, for which nobody writes the exponent.
-    fn refuse_halved_exponent(&mut self, base: &Expression, exponent: &Expression) {
-        if let (Kind::Number(one), [TokenTree::Punct(slash), TokenTree::Literal(divisor), ..]) =
+    /// What is wrong with `r^1/2`: it is (r^1)/2, for which nobody writes the exponent.
+    fn halved_exponent(&self, base: &Expression, exponent: &Expression) -> Option<(Extent, String)> {
+        let (Kind::Number(one), [TokenTree::Punct(slash), TokenTree::Literal(divisor), ..]) =
             (&exponent.kind, self.rest)
-            && one.is_one()
-            && slash.as_char() == '/'
-        {
-            let base = if let Kind::Name(name) = &base.kind { name.to_string() } else { "(...)".to_owned() };
-            let place = Extent::between(exponent.extent, divisor.span().into());
-            let message = format!(
-                "this is read as `({base}^1)/{divisor}`; write `{base}/{divisor}` if that is meant, or the exponent in \
-                 parentheses, `{base}^(1/{divisor})`"
-            );
-            self.diagnostics.report(place, message);
+        else {
+            return None;
+        };
+        if !one.is_one() || slash.as_char() != '/' {
+            return None;
         }
+        let base = if let Kind::Name(name) = &base.kind { name.to_string() } else { "(...)".to_owned() };
+        let message = format!(
+            "this is read as `({base}^1)/{divisor}`; write `{base}/{divisor}` if that is meant, or the exponent in \
+             parentheses, `{base}^(1/{divisor})`"
+        );
+        Some((Extent::between(exponent.extent, divisor.span().into()), message))
     }
 
     fn atom(&mut self) -> Expression {
