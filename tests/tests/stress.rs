@@ -51,6 +51,8 @@ fn what_was_found_once_stays_mended() {
         (7, 46_195),
         // A held load on a gap of r⁶⁴, whose slope multiplies the rounding of radii.
         (3, 152_193),
+        // An approach in f32 whose terms cancel, so that it moves 6 times as much as a radius off by 3 ulp.
+        (20_261_122, 606_995),
     ];
     for (seed, case) in found {
         let campaign = Campaign { seed };

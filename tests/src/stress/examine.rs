@@ -191,12 +191,8 @@ impl<T: Precision> Examination<'_, T> {
         let found = now.radius().value();
         let condition = condition::of_radius(&here);
         let is_mixed = self.scene.terms.iter().any(|(c, _)| *c < T::zero());
-        self.measure(
-            Quantity::Radius,
-            found,
-            a,
-            if is_mixed { condition * condition::MIXED_SIGNS } else { condition },
-        );
+        let of_radius = if is_mixed { condition * condition::MIXED_SIGNS } else { condition };
+        self.measure(Quantity::Radius, found, a, of_radius);
         if !(found > 0.0 && found.is_finite()) {
             self.findings
                 .fault(Fault::NotANumber, &format_args!("radius {found:e} instead of {:e}", a.value()));
@@ -207,7 +203,8 @@ impl<T: Precision> Examination<'_, T> {
             Quantity::ContactApproach,
             now.approach().value(),
             here.approach.value,
-            condition * (1.0 + degree),
+            // It is that of the radius found, which may be off by all that is allowed for one.
+            of_radius * (1.0 + degree),
         );
         self.kernels(now);
         // Pressures remember all radii on the way, of which the flattest is the least certain.
