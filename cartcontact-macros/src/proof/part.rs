@@ -114,7 +114,7 @@ impl<'a> Whole<'a> {
         let multiple = || common_multiple(self.polynomial.degree()).bits();
         let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
         let is_exact = digits > finest && digits > finest + multiple();
-        Bernstein { numbers: left.shifted_down(|_| guard as usize), error: 2, is_exact }
+        Bernstein { numbers: left.shifted_down(&|_| guard as usize), error: 2, is_exact }
     }
 
     /// The coefficients in powers, divided by C(n, j).
@@ -191,10 +191,11 @@ impl Bernstein {
     pub(crate) fn halves(self) -> [Bernstein; 2] {
         let degree = self.numbers.len().saturating_sub(1);
         let [left, right] = self.numbers.edges();
-        let lower = left.shifted_down(|index| index);
-        let upper = right.shifted_down(|index| degree - index);
+        let lower = left.shifted_down(&|index| index);
+        let upper = right.shifted_down(&|index| degree - index);
         // Halves have finer multiples, so that the exact ones must be computed anew.
-        [lower, upper].map(|numbers| Bernstein { numbers, error: self.error + 1, is_exact: false })
+        let half = |numbers| Bernstein { numbers, error: self.error + 1, is_exact: false };
+        [half(lower), half(upper)]
     }
 
     /// A bound of the bits that the longest number has.
@@ -208,7 +209,7 @@ impl Bernstein {
 
     /// The sign at the lower end, if it is certain, and the changes along the coefficients. The first and the last of
     /// them are asked for if they alone are not certain.
-    pub(crate) fn sign_changes(&self, exactly: impl Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
+    pub(crate) fn sign_changes(&self, exactly: &dyn Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
         let mut signs: Vec<Option<Ordering>> =
             (0..self.numbers.len()).map(|index| self.sign(index)).collect();
         if let [first, between @ .., last] = signs.as_mut_slice()
@@ -417,7 +418,7 @@ mod tests {
             unreachable!()
         };
         let piece = Part::whole().within(&offset, bits, bits - 2);
-        let changes = whole.over(&piece, 300).sign_changes(|end| whole.sign_at(&piece, end)).1;
+        let changes = whole.over(&piece, 300).sign_changes(&|end| whole.sign_at(&piece, end)).1;
         assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
         assert_eq!(whole.over(&Part::whole(), 300).cluster(2).long_piece(u64::MAX), None);
     }
