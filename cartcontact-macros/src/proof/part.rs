@@ -121,14 +121,14 @@ impl<'a> Whole<'a> {
     fn scaled_powers(&self, part: &Part, digits: u64) -> Vec<BigInt> {
         let mut powers = self.coefficients(digits);
         let start = part.end(0);
-        let (short, bits) = shortened(&start, part.bits, digits);
-        multiply_by_powers(&mut powers, &short, bits, digits);
+        let (short, bits) = shortened(&start, part.bits, digits.max(part.width));
+        multiply_by_powers(&mut powers, digits, &|power| (power * &short) >> bits);
         // They are less than 2^digits 3^n after the shift; behind these the powers of w/f leave nothing of them.
         let last = (digits + 2 * self.degree()).checked_div(part.width).unwrap_or(digits);
         let wanted = powers.len().min(last as usize + 1);
         let mut shifted = Numbers::new(&powers).taylor_shift(wanted).values();
-        let ratio = (BigInt::one() << (part.bits - part.width + digits)) / start;
-        multiply_by_powers(&mut shifted[..wanted], &ratio, digits, digits);
+        // Around a cluster f is much shorter than its reciprocal, and so is this division than a multiplication.
+        multiply_by_powers(&mut shifted[..wanted], digits, &|power| (power << (bits - part.width)) / &short);
         shifted.iter_mut().zip(&self.binomials).for_each(|(number, binomial)| *number /= binomial);
         shifted
     }
@@ -150,17 +150,18 @@ fn shortened(offset: &BigInt, bits: u64, most: u64) -> (BigInt, u64) {
     (offset >> excess, bits - excess)
 }
 
-/// Multiplies number j by fraction/2^bits to the power j, in units of 2^-precision.
-fn multiply_by_powers(numbers: &mut [BigInt], fraction: &BigInt, bits: u64, precision: u64) {
-    if *fraction == BigInt::one() << bits {
+/// Multiplies number j by a fraction to the power j, in units of 2^-precision; `next` multiplies by the fraction.
+fn multiply_by_powers(numbers: &mut [BigInt], precision: u64, next: &dyn Fn(&BigInt) -> BigInt) {
+    let one = BigInt::one() << precision;
+    let mut power = next(&one);
+    if power == one {
         return;
     }
-    let mut power = BigInt::one() << precision;
-    for number in numbers {
+    for number in numbers.iter_mut().skip(1) {
         // What is below the unit of the product is not worth a multiplication.
         let excess = precision.saturating_sub(number.bits() + 2);
         *number = (&*number * (&power >> excess)) >> (precision - excess);
-        power = (power * fraction) >> bits;
+        power = next(&power);
     }
 }
 
