@@ -44,11 +44,11 @@ impl ClosedForms {
         let two = integer(2);
         let plus = |n: &Rational, k: i32| n + integer(k);
         Self {
-            gap: PowerSum::of(gap, 0, |_| Rational::one()),
-            approach: PowerSum::of(gap, 0, |n| &two / plus(n, 2)),
-            approach_slope: PowerSum::of(gap, -1, |n| &two * n / plus(n, 2)),
-            load_integral: PowerSum::of(gap, 4, |n| n / (plus(n, 2) * plus(n, 4))),
-            log_kernel: PowerSum::of(gap, 2, |n| (plus(n, 2) * plus(n, 2)).recip()),
+            gap: PowerSum::of(gap, 0, &|_| Rational::one()),
+            approach: PowerSum::of(gap, 0, &|n| &two / plus(n, 2)),
+            approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
+            load_integral: PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4))),
+            log_kernel: PowerSum::of(gap, 2, &|n| (plus(n, 2) * plus(n, 2)).recip()),
         }
     }
 }
@@ -65,7 +65,7 @@ impl PowerSum {
     }
 
     /// The sum with the exponents n + `shift` and the weights that `weight` gives for n.
-    fn of(gap: &Gap, shift: i32, weight: impl Fn(&Rational) -> Rational) -> Self {
+    fn of(gap: &Gap, shift: i32, weight: &dyn Fn(&Rational) -> Rational) -> Self {
         let summands = gap.terms.iter().enumerate().map(|(term, Term { exponent, .. })| Summand {
             term,
             weight: weight(exponent),

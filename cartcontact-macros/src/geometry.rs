@@ -63,10 +63,8 @@ pub(crate) fn geometry(
     let (powers, truncation) =
         expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     let gap = Gap::new(powers, written.extent, diagnostics)?;
-    item.mark_used(
-        |field| uses(&gap, &range, truncation.as_ref()).any(|value| value.depends_on(field)),
-        diagnostics,
-    );
+    let values = values(&gap, &range, truncation.as_ref());
+    item.mark_used(|field| values.iter().any(|value| value.depends_on(field)), diagnostics);
     if let Some(positive) = &attribute.positive {
         positive.check_used(item, diagnostics);
     }
@@ -104,16 +102,14 @@ fn wanted(range: &Range, place: Option<Extent>) -> Wanted<'_> {
     }
 }
 
-fn uses<'a>(
-    gap: &'a Gap,
-    range: &'a Range,
-    truncation: Option<&'a Truncation>,
-) -> impl Iterator<Item = &'a Coefficient> {
-    let limit = match range {
-        Range::Symbolic(limit) => Some(limit),
-        _ => None,
-    };
-    let surfaces = truncation.into_iter().flat_map(|truncation| &truncation.unchecked);
-    let of_surfaces = surfaces.flat_map(|surface| [&surface.radius, &surface.shape]);
-    gap.terms.iter().map(|term| &term.coefficient).chain(limit).chain(of_surfaces)
+/// All that may depend on fields.
+fn values<'a>(gap: &'a Gap, range: &'a Range, truncation: Option<&'a Truncation>) -> Vec<&'a Coefficient> {
+    let mut values: Vec<&Coefficient> = gap.terms.iter().map(|term| &term.coefficient).collect();
+    if let Range::Symbolic(limit) = range {
+        values.push(limit);
+    }
+    for surface in truncation.map_or(&[][..], |truncation| &truncation.unchecked) {
+        values.extend([&surface.radius, &surface.shape]);
+    }
+    values
 }

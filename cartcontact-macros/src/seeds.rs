@@ -52,7 +52,7 @@ pub(crate) struct Seeds {
 impl Seeds {
     /// The load integrals at both ends of the table.
     pub(crate) fn range(&self) -> [f64; 2] {
-        [self.first, self.first + self.rows.len() as i32].map(lower_end)
+        [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
     }
 
     /// The rows where the solver looks for them, with their coefficients in its order: that of index k is at k − 4
@@ -72,33 +72,31 @@ impl Seeds {
 
 /// The table of a geometry, if its rows are near enough to the radius.
 pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Seeds> {
-    let exponents: Option<Vec<f64>> =
-        load_integral.summands.iter().map(|summand| summand.exponent.to_f64()).collect();
-    if geometry.gap.is_constant() {
-        of_constants(geometry, load_integral, exponents?)
-    } else {
-        of_two_terms(exponents?)
+    let gap = &geometry.gap;
+    let is_constant = gap.is_constant();
+    // Two terms with any coefficients, in units of the radius at which they are equal and of their value there, have 1.
+    if !is_constant && load_integral.summands.len() != 2 {
+        return None;
     }
+    let mut terms = Vec::new();
+    for summand in &load_integral.summands {
+        let coefficient = if is_constant { summand.constant(gap)?.to_f64()? } else { 1.0 };
+        terms.push((coefficient, summand.exponent.to_f64()?));
+    }
+    let load_integral = LoadIntegral::new(terms);
+    let top = if is_constant { top(geometry, &load_integral)? } else { OCTAVES_ABOVE_EQUALITY };
+    load_integral.seeds(top)
 }
 
-fn of_constants(geometry: &Geometry, load_integral: &PowerSum, exponents: Vec<f64>) -> Option<Seeds> {
-    let gap = &geometry.gap;
+/// The octave at which the table ends, for constant coefficients.
+fn top(geometry: &Geometry, load_integral: &LoadIntegral) -> Option<i32> {
     let end = match &geometry.range {
         Range::Limited(end) => end.to_f64()?,
         Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
     };
-    let coefficients: Option<Vec<f64>> =
-        load_integral.summands.iter().map(|summand| summand.constant(gap)?.to_f64()).collect();
-    let load_integral = LoadIntegral::new(coefficients?.into_iter().zip(exponents).collect());
-    let steepest = load_integral.at(length(gap)?.min(end)).value.log2().floor();
+    let steepest = load_integral.at(length(&geometry.gap)?.min(end)).value.log2().floor();
     let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
-    load_integral.seeds(steepest as i32 + OCTAVES_ABOVE)
-}
-
-/// Two terms with any coefficients, in units of the radius at which they are equal and of their value there.
-fn of_two_terms(exponents: Vec<f64>) -> Option<Seeds> {
-    let terms: Vec<(f64, f64)> = exponents.into_iter().map(|exponent| (1.0, exponent)).collect();
-    (terms.len() == 2).then(|| LoadIntegral::new(terms))?.seeds(OCTAVES_ABOVE_EQUALITY)
+    Some(steepest as i32 + OCTAVES_ABOVE)
 }
 
 /// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
@@ -224,11 +222,9 @@ impl LoadIntegral {
     fn row(&self, index: i32, (low, high): (f64, f64)) -> Option<[f32; 4]> {
         let unit = 2f64.powi(index.div_euclid(ROWS_PER_OCTAVE));
         let between = |share: f64| low * (high / low).powf(share);
-        let points = [0.961_94, 0.691_34, 0.308_66, 0.038_06].map(|share| {
-            let a = between(share);
-            (self.at(a).value / unit, a)
-        });
-        let row = interpolate(points).map(|coefficient| coefficient as f32);
+        let radii = [0.961_94, 0.691_34, 0.308_66, 0.038_06].map(between);
+        let fractions = radii.map(|a| self.at(a).value / unit);
+        let row = interpolate(fractions, radii).map(|coefficient| coefficient as f32);
         let passes = |share: f64| {
             let a = between(share);
             let at = self.at(a);
@@ -248,9 +244,8 @@ fn value(row: [f32; 4], y: f64) -> f32 {
 }
 
 /// The coefficients of the cubic through four points (u, a), by divided differences.
-fn interpolate(points: [(f64, f64); 4]) -> [f64; 4] {
-    let nodes = points.map(|(u, _)| u);
-    let mut differences = points.map(|(_, a)| a);
+fn interpolate(nodes: [f64; 4], values: [f64; 4]) -> [f64; 4] {
+    let mut differences = values;
     for order in 1..4 {
         for index in (order..4).rev() {
             differences[index] =
@@ -259,11 +254,11 @@ fn interpolate(points: [(f64, f64); 4]) -> [f64; 4] {
     }
     // Newton's form multiplied out, from the innermost bracket.
     let mut cubic = [0.0; 4];
-    for (node, difference) in nodes.into_iter().zip(differences).rev() {
+    for index in (0..4).rev() {
         for power in (1..4).rev() {
-            cubic[power] = cubic[power - 1] - node * cubic[power];
+            cubic[power] = cubic[power - 1] - nodes[index] * cubic[power];
         }
-        cubic[0] = difference - node * cubic[0];
+        cubic[0] = differences[index] - nodes[index] * cubic[0];
     }
     cubic
 }
@@ -308,9 +303,9 @@ mod tests {
 
     #[test]
     fn cubics_are_reproduced() {
-        let points = [1.0, 1.1, 1.2, 1.5].map(|u: f64| (u, 3.0 - u + 2.0 * u.powi(3)));
+        let nodes = [1.0, 1.1, 1.2, 1.5];
         let expected = [3.0, -1.0, 0.0, 2.0];
-        let found = interpolate(points);
+        let found = interpolate(nodes, nodes.map(|u| 3.0 - u + 2.0 * u * u * u));
         assert!(found.iter().zip(expected).all(|(c, e)| (c - e).abs() < 1e-11), "{found:?}");
     }
 

@@ -85,12 +85,15 @@ impl Neglected {
         for (exponent, monomial) in shape.powers.terms() {
             powers.add(exponent.clone(), monomial.coefficient.as_constant()?);
         }
-        let surfaces = shape.surfaces.iter().map(|surface| Series::new(surface, radius, highest_order));
-        let surfaces = surfaces.collect::<Option<Result<Vec<Series>, BeyondRim>>>()?;
-        Some(surfaces.map(|surfaces| {
-            let sums = (0..count(highest_order)).map(|index| Bounds::of(&surfaces, index)).collect();
-            Neglected { powers, surfaces, sums, highest_order, radius: radius.clone() }
-        }))
+        let mut surfaces = Vec::new();
+        for surface in &shape.surfaces {
+            match Series::new(surface, radius, highest_order)? {
+                Ok(series) => surfaces.push(series),
+                Err(beyond) => return Some(Err(beyond)),
+            }
+        }
+        let sums = (0..count(highest_order)).map(|index| Bounds::of(&surfaces, index)).collect();
+        Some(Ok(Neglected { powers, surfaces, sums, highest_order, radius: radius.clone() }))
     }
 
     /// Whether |E| ≤ ε Φ on the whole range.

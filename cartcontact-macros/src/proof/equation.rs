@@ -41,18 +41,18 @@ struct Equation {
 impl Equation {
     fn new(terms: &[(Rational, Rational)]) -> Result<Self, &'static str> {
         let lowest = terms.first().map_or_else(Rational::zero, |(exponent, _)| exponent.clone());
-        let shifted = || terms.iter().map(|(exponent, _)| exponent - &lowest);
-        let step = shifted().fold(Rational::zero(), |step, exponent| common_step(&step, &exponent));
-        let degrees = shifted().map(|exponent| (exponent / &step).to_usize());
-        let degrees: Option<Vec<usize>> = degrees.collect();
-        match (degrees, step.numer().to_u32(), step.denom().to_u32()) {
-            (Some(degrees), Some(numerator), Some(denominator))
-                if denominator <= MAXIMUM_DENOMINATOR
-                    && degrees.iter().all(|degree| *degree <= MAXIMUM_DEGREE) =>
-            {
-                let coefficients = terms.iter().map(|(_, coefficient)| coefficient);
-                let polynomial = from_terms(degrees.into_iter().zip(coefficients));
-                Ok(Equation { polynomial, numerator, denominator })
+        let mut step = Rational::zero();
+        for (exponent, _) in terms {
+            step = common_step(&step, &(exponent - &lowest));
+        }
+        let powers = terms.iter().map(|(exponent, coefficient)| {
+            let degree = ((exponent - &lowest) / &step).to_usize()?;
+            (degree <= MAXIMUM_DEGREE).then_some((degree, coefficient))
+        });
+        let powers: Option<Vec<(usize, &Rational)>> = powers.collect();
+        match (powers, step.numer().to_u32(), step.denom().to_u32()) {
+            (Some(powers), Some(numerator), Some(denominator)) if denominator <= MAXIMUM_DENOMINATOR => {
+                Ok(Equation { polynomial: from_terms(&powers), numerator, denominator })
             }
             _ => Err(
                 "a gap with a negative term needs exponents with a small common denominator to be proved; round \

@@ -45,8 +45,7 @@ impl IntegerPolynomial {
     }
 
     pub(crate) fn derivative(&self) -> Self {
-        let terms = self.coefficients.iter().enumerate().skip(1);
-        IntegerPolynomial::new(terms.map(|(power, coefficient)| coefficient * power).collect())
+        IntegerPolynomial::new(derivative(&self.coefficients))
     }
 
     /// Divided by the greatest common divisor of its coefficients.
@@ -156,17 +155,21 @@ impl IntegerPolynomial {
     }
 }
 
+/// The coefficients of the derivative.
+pub(crate) fn derivative(coefficients: &[BigInt]) -> Vec<BigInt> {
+    coefficients.iter().enumerate().skip(1).map(|(power, coefficient)| coefficient * power).collect()
+}
+
 /// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.
-pub(crate) fn from_terms<'a>(
-    terms: impl Iterator<Item = (usize, &'a Rational)> + Clone,
-) -> IntegerPolynomial {
-    let denominator = terms.clone().fold(BigInt::one(), |common, (_, coefficient)| {
-        let shared = common_factor(&common, coefficient.denom());
-        common * (coefficient.denom() / shared)
-    });
-    let degree = terms.clone().map(|(power, _)| power).max().unwrap_or(0);
+pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
+    let (mut denominator, mut degree) = (BigInt::one(), 0);
+    for &(power, coefficient) in terms {
+        let shared = common_factor(&denominator, coefficient.denom());
+        denominator *= coefficient.denom() / shared;
+        degree = degree.max(power);
+    }
     let mut coefficients = vec![BigInt::zero(); degree + 1];
-    for (power, coefficient) in terms {
+    for &(power, coefficient) in terms {
         if let Some(slot) = coefficients.get_mut(power) {
             *slot += coefficient.numer() * (&denominator / coefficient.denom());
         }

@@ -24,7 +24,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use crate::proof::integer_polynomial::IntegerPolynomial;
+use crate::proof::integer_polynomial::{IntegerPolynomial, derivative};
 use crate::proof::part::{Part, Whole};
 
 /// Where the first root in a part is, in units of its length.
@@ -85,14 +85,14 @@ impl<'a> Convex<'a> {
         let margin = degree + u64::from(u64::BITS - (degree + 1).leading_zeros()) + 3;
         let digits = digits + margin;
         let coefficients = exact.coefficients(digits);
-        let slope = coefficients.iter().enumerate().skip(1).map(|(power, value)| value * power).collect();
+        let slope = derivative(&coefficients);
         Convex { exact, part, coefficients, slope, digits, margin }
     }
 
     /// The first root, from what is known about the minimum; what more is learnt stays if that is not enough.
     pub(crate) fn first_root(&self, minimum: &mut Bracket) -> Result<First, Undecided> {
-        let [mut lower, mut upper] =
-            [&minimum.lower, &minimum.upper].map(|offset| self.point(offset.clone(), minimum.bits));
+        let mut lower = self.point(minimum.lower.clone(), minimum.bits);
+        let mut upper = self.point(minimum.upper.clone(), minimum.bits);
         if self.rises_at(&lower)? || !self.rises_at(&upper)? {
             return Ok(First::None);
         }

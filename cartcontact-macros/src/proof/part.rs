@@ -114,21 +114,21 @@ impl<'a> Whole<'a> {
         let multiple = || common_multiple(self.polynomial.degree()).bits();
         let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
         let is_exact = digits > finest && digits > finest + multiple();
-        Bernstein { numbers: left.shifted_down(|_| guard as usize), error: 2, is_exact }
+        Bernstein { numbers: left.shifted_down(&|_| guard as usize), error: 2, is_exact }
     }
 
     /// The coefficients in powers, divided by C(n, j).
     fn scaled_powers(&self, part: &Part, digits: u64) -> Vec<BigInt> {
         let mut powers = self.coefficients(digits);
         let start = part.end(0);
-        let (short, bits) = shortened(&start, part.bits, digits);
-        multiply_by_powers(&mut powers, &short, bits, digits);
+        let (short, bits) = shortened(&start, part.bits, digits.max(part.width));
+        multiply_by_powers(&mut powers, digits, &|power| (power * &short) >> bits);
         // They are less than 2^digits 3^n after the shift; behind these the powers of w/f leave nothing of them.
         let last = (digits + 2 * self.degree()).checked_div(part.width).unwrap_or(digits);
         let wanted = powers.len().min(last as usize + 1);
         let mut shifted = Numbers::new(&powers).taylor_shift(wanted).values();
-        let ratio = (BigInt::one() << (part.bits - part.width + digits)) / start;
-        multiply_by_powers(&mut shifted[..wanted], &ratio, digits, digits);
+        // Around a cluster f is much shorter than its reciprocal, and so is this division than a multiplication.
+        multiply_by_powers(&mut shifted[..wanted], digits, &|power| (power << (bits - part.width)) / &short);
         shifted.iter_mut().zip(&self.binomials).for_each(|(number, binomial)| *number /= binomial);
         shifted
     }
@@ -150,17 +150,18 @@ fn shortened(offset: &BigInt, bits: u64, most: u64) -> (BigInt, u64) {
     (offset >> excess, bits - excess)
 }
 
-/// Multiplies number j by fraction/2^bits to the power j, in units of 2^-precision.
-fn multiply_by_powers(numbers: &mut [BigInt], fraction: &BigInt, bits: u64, precision: u64) {
-    if *fraction == BigInt::one() << bits {
+/// Multiplies number j by a fraction to the power j, in units of 2^-precision; `next` multiplies by the fraction.
+fn multiply_by_powers(numbers: &mut [BigInt], precision: u64, next: &dyn Fn(&BigInt) -> BigInt) {
+    let one = BigInt::one() << precision;
+    let mut power = next(&one);
+    if power == one {
         return;
     }
-    let mut power = BigInt::one() << precision;
-    for number in numbers {
+    for number in numbers.iter_mut().skip(1) {
         // What is below the unit of the product is not worth a multiplication.
         let excess = precision.saturating_sub(number.bits() + 2);
         *number = (&*number * (&power >> excess)) >> (precision - excess);
-        power = (power * fraction) >> bits;
+        power = next(&power);
     }
 }
 
@@ -191,10 +192,11 @@ impl Bernstein {
     pub(crate) fn halves(self) -> [Bernstein; 2] {
         let degree = self.numbers.len().saturating_sub(1);
         let [left, right] = self.numbers.edges();
-        let lower = left.shifted_down(|index| index);
-        let upper = right.shifted_down(|index| degree - index);
+        let lower = left.shifted_down(&|index| index);
+        let upper = right.shifted_down(&|index| degree - index);
         // Halves have finer multiples, so that the exact ones must be computed anew.
-        [lower, upper].map(|numbers| Bernstein { numbers, error: self.error + 1, is_exact: false })
+        let half = |numbers| Bernstein { numbers, error: self.error + 1, is_exact: false };
+        [half(lower), half(upper)]
     }
 
     /// A bound of the bits that the longest number has.
@@ -208,7 +210,7 @@ impl Bernstein {
 
     /// The sign at the lower end, if it is certain, and the changes along the coefficients. The first and the last of
     /// them are asked for if they alone are not certain.
-    pub(crate) fn sign_changes(&self, exactly: impl Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
+    pub(crate) fn sign_changes(&self, exactly: &dyn Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
         let mut signs: Vec<Option<Ordering>> =
             (0..self.numbers.len()).map(|index| self.sign(index)).collect();
         if let [first, between @ .., last] = signs.as_mut_slice()
@@ -417,7 +419,7 @@ mod tests {
             unreachable!()
         };
         let piece = Part::whole().within(&offset, bits, bits - 2);
-        let changes = whole.over(&piece, 300).sign_changes(|end| whole.sign_at(&piece, end)).1;
+        let changes = whole.over(&piece, 300).sign_changes(&|end| whole.sign_at(&piece, end)).1;
         assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
         assert_eq!(whole.over(&Part::whole(), 300).cluster(2).long_piece(u64::MAX), None);
     }

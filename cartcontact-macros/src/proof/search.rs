@@ -88,7 +88,7 @@ impl Search<'_> {
         let local = self.whole.over(&part, digits);
         let mut ahead = vec![Candidate { part, local, digits, missed: Missed { count: 0, width: 0 } }];
         while let Some(mut front) = ahead.pop() {
-            let (start, changes) = front.local.sign_changes(|end| self.whole.sign_at(&front.part, end));
+            let (start, changes) = front.local.sign_changes(&|end| self.whole.sign_at(&front.part, end));
             match changes {
                 _ if start == Some(Ordering::Equal) => {
                     return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
@@ -165,7 +165,7 @@ impl Search<'_> {
         loop {
             let local = self.whole.over(&part, digits);
             let (start, SignChanges { least, most }) =
-                local.sign_changes(|end| self.whole.sign_at(&part, end));
+                local.sign_changes(&|end| self.whole.sign_at(&part, end));
             if start == Some(Ordering::Equal) || most < count {
                 return Ok(None);
             }
@@ -222,11 +222,8 @@ impl Candidate {
     fn halves(self) -> [Candidate; 2] {
         let Candidate { part, digits, missed, .. } = self;
         let [lower, upper] = self.local.halves();
-        [(1, upper), (0, lower)].map(|(offset, local)| Candidate {
-            part: part.within(&offset.into(), 1, 1),
-            local,
-            digits,
-            missed,
-        })
+        let half =
+            |offset: u32, local| Candidate { part: part.within(&offset.into(), 1, 1), local, digits, missed };
+        [half(1, upper), half(0, lower)]
     }
 }

@@ -130,7 +130,7 @@ impl Attribute {
                 return diagnostics.report(name.span(), message);
             }
             self.lacks_option = true;
-            let remedy = match closest(&name.to_string(), OPTIONS.map(str::to_owned).into_iter()) {
+            let remedy = match closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect()) {
                 Some(option) => format!("did you mean `{option}`?"),
                 None => {
                     "there are `upper`, `lower`, `max_radius`, `order`, `tolerance`, `positive` and `crate`"

@@ -123,8 +123,13 @@ impl Item {
         }
     }
 
+    pub(crate) fn field_names(&self) -> Vec<String> {
+        self.fields.iter().map(|field| field.ident.to_string()).collect()
+    }
+
     fn remedy(&self, name: &Ident) -> String {
-        let known = self.fields.iter().map(|field| field.ident.to_string()).chain(["r".to_owned()]);
+        let mut known = self.field_names();
+        known.push("r".to_owned());
         let closest = closest(&name.to_string(), known).map(|known| format!("did you mean `{known}`?"));
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
@@ -191,8 +196,9 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
 }
 
 /// The known name that differs from this one by a third of its letters at most, and by the fewest.
-pub(crate) fn closest(name: &str, known: impl Iterator<Item = String>) -> Option<String> {
-    let with_distance = known.map(|known| (distance(&name.to_lowercase(), &known.to_lowercase()), known));
+pub(crate) fn closest(name: &str, known: Vec<String>) -> Option<String> {
+    let with_distance =
+        known.into_iter().map(|known| (distance(&name.to_lowercase(), &known.to_lowercase()), known));
     with_distance.min().filter(|(distance, known)| 3 * distance <= known.len()).map(|(_, known)| known)
 }
 

@@ -231,7 +231,7 @@ impl<'a> Parser<'a> {
                 return self.fault(place, wrong_arguments(known));
             }
             ("pow" | "powi" | "powf", [base, exponent]) => {
-                let [base, exponent] = [base, exponent].map(|part| written(part));
+                let (base, exponent) = (written(base), written(exponent));
                 let message = format!("a power is written with `^`; write `{base}^{exponent}`");
                 let place = Extent::between(self.previous, group.span().into());
                 return self.fault(place, message);
@@ -399,7 +399,7 @@ fn wrong_arguments(surface: &str) -> &'static str {
 }
 
 fn not_a_surface(name: &str) -> String {
-    if let Some(surface) = closest(name, ["sphere", "conic"].map(str::to_owned).into_iter()) {
+    if let Some(surface) = closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
         return format!("`{name}` is not a surface; did you mean `{surface}`?");
     }
     format!(

@@ -85,8 +85,7 @@ fn name(tokens: &[TokenTree], place: Span) -> Result<Ident, Extent> {
 }
 
 fn syntax(item: &Item) -> String {
-    let names: Vec<String> = item.fields.iter().map(|field| field.ident.to_string()).collect();
-    let example = match names.as_slice() {
+    let example = match item.field_names().as_slice() {
         [] => "(c, d)".to_owned(),
         [only] => only.clone(),
         [first, second, ..] => format!("({first}, {second})"),
@@ -102,13 +101,12 @@ fn no_number(name: &Ident, item: &Item) -> String {
     if let Meaning::WrongType(_) = item.meaning(name) {
         return format!("the field `{name}` is no number that the gap could use; remove it from `positive`");
     }
-    let fields = || item.fields.iter().map(|field| field.ident.to_string());
-    let remedy = match closest(&name.to_string(), fields()) {
+    let remedy = match closest(&name.to_string(), item.field_names()) {
         Some(field) => format!("did you mean `{field}`?"),
         None if item.fields.is_empty() => {
             format!("a field declares a symbol, as in `struct {} {{ {}: f64 }}`", item.ident, name.unraw())
         }
-        None => format!("its symbols are `{}`", fields().collect::<Vec<String>>().join("`, `")),
+        None => format!("its symbols are `{}`", item.field_names().join("`, `")),
     };
     format!("`{name}` is not a field of `{}`; {remedy}", item.ident)
 }
