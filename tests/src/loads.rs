@@ -1,5 +1,8 @@
 //! Load histories of every kind that the solution covers.
 
+use core::f64::consts::PI;
+use core::ops::Range;
+
 use cartcontact::load::{Load, PiecewiseLinear};
 
 /// A load given by its knots.
@@ -79,5 +82,20 @@ impl Load<f64> for Swing {
     fn impulse(&self, t: f64) -> f64 {
         let half = (self.frequency * t / 2.0).sin();
         self.mean * t + 2.0 * self.amplitude * half * half / self.frequency
+    }
+}
+
+impl Swing {
+    /// The times in a range at which F′/χ + F is least, and half-way between them.
+    #[must_use]
+    pub fn slowest_growths(&self, chi: f64, within: Range<f64>) -> Vec<f64> {
+        // F′/χ + F swings with the phase ω t + φ, tan φ = ω/χ, and is least three quarters of a turn later.
+        let phase = (self.frequency / chi).atan();
+        let time = |half_turns: u32| ((0.5 + f64::from(half_turns)) * PI - phase) / self.frequency;
+        (0..)
+            .map(time)
+            .skip_while(|&time| time < within.start)
+            .take_while(|time| within.contains(time))
+            .collect()
     }
 }

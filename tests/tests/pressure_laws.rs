@@ -6,7 +6,7 @@ use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
-use tests::loads::{histories, through};
+use tests::loads::{Rise, Swing, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::profiles::{Case, cases};
 use tests::random;
@@ -116,6 +116,53 @@ fn knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
         }
         errors.check();
     }
+    Ok(())
+}
+
+/// A load that tells of knots at equal times up to the last, where nothing happens.
+struct WithKnots<'a> {
+    load: &'a dyn Load<f64>,
+    last: f64,
+    count: u32,
+}
+
+impl Load<f64> for WithKnots<'_> {
+    fn force(&self, t: f64) -> f64 {
+        self.load.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.load.impulse(t)
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        let time = |knot: u32| self.last * f64::from(knot) / f64::from(self.count);
+        (1..=self.count).map(time).find(|&knot| knot > t)
+    }
+}
+
+/// Every stretch between knots is rounded by itself: what is left out in one must be laid in the next.
+#[test]
+fn knots_in_a_load_of_a_users_own_change_nothing() -> Result<(), ContactError> {
+    let slowly = Rise { start: 0.0, rise: 90.0, rate: 0.5 * CHI };
+    let quickly = Rise { start: 10.0, rise: 90.0, rate: 5.0 * CHI };
+    let falling = Rise { start: 100.0, rise: -90.0, rate: 0.5 * CHI };
+    let swing = Swing { mean: 100.0, amplitude: 70.7, frequency: CHI };
+    let mut errors = Errors::of(budget::PRESSURE);
+    for (index, load) in [&slowly as &dyn Load<f64>, &quickly, &falling, &swing].into_iter().enumerate() {
+        for t in [1e-3, 0.1, 3.0, 40.0, 300.0].map(|time| time / CHI) {
+            for case in cases() {
+                let with_knots = |count| contact(case, WithKnots { load, last: t, count }, 5.0, t);
+                let (few, many) = (with_knots(3)?, with_knots(64)?);
+                let (few, many) = (few.at(t)?, many.at(t)?);
+                for r in [0.0, 2.0, 4.0, 4.9] {
+                    let edge = 1.0 + 2.0 * few.radius() / (few.radius() - r);
+                    errors.add(many.pressure(r), few.pressure(r), edge, &(index, case, t * CHI, r));
+                }
+            }
+        }
+    }
+    errors.check();
     Ok(())
 }
 

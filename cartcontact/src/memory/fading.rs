@@ -15,6 +15,17 @@ pub(crate) fn decay_gain<T: Scalar>(x: T) -> T {
     -x * sum
 }
 
+/// What is left of a value after some e-foldings.
+///
+/// Of a few of them what fades is taken away: thousands of short steps with one rounded e^(−x) between them would be
+/// off by thousands of roundings of one sign.
+#[inline(always)]
+pub(super) fn after<T: Scalar>(folds: T) -> impl Fn(T) -> T {
+    let are_few = folds <= T::constant(FEW_FOLDS);
+    let factor = if are_few { decay_gain(folds) } else { (-folds).exp() };
+    move |value| if are_few { value + value * factor } else { value * factor }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -24,6 +35,16 @@ mod tests {
         for k in 0..=1000 {
             let x = FEW_FOLDS * f64::from(k) / 1000.0;
             assert!((decay_gain(x) - (-x).exp_m1()).abs() <= 2.0 * f64::EPSILON * x, "{x}");
+        }
+    }
+
+    #[test]
+    fn short_steps_fade_as_one_long_one() {
+        let mut value = 1.0;
+        for step in 1..=10_000 {
+            value = after(1e-4)(value);
+            let error = value / (-1e-4 * f64::from(step)).exp() - 1.0;
+            assert!(error.abs() < 50.0 * f64::EPSILON, "{step}: {error:e}");
         }
     }
 }

@@ -73,6 +73,11 @@ pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
     if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
 
+/// What is left of the gain of a stretch at its end, F₂ − E F₁.
+fn kept_of<T: Scalar>((first, last): (T, T), folds: T) -> T {
+    (last - first) - first * (-folds).exp_m1()
+}
+
 /// A transition on its way.
 struct March<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
@@ -168,10 +173,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
         if let Some(increment) = run.increment(contact, self.transition.reach, share) {
-            let decay = (-(chi * (end - self.now.time))).exp();
+            let folds = chi * (end - self.now.time);
             // Times know nothing of rounded radii.
             self.set_strip(true);
-            self.transition.advance(decay, self.quarter_m(), increment, self.transition.reach);
+            self.transition.advance(folds, self.quarter_m(), increment, self.transition.reach);
             self.now.impulse = run.impulse;
             let radius = self.radius_under(end, force);
             let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
@@ -212,8 +217,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.impulse += skipped.impulse();
         let force = skipped.end.1;
         let radius = self.radius_under(time, force).max(self.now.radius);
-        let decay = (-(chi * skipped.duration())).exp();
-        self.transition.advance(decay, self.quarter_m(), Increment::zero(), radius);
+        self.transition.advance(chi * skipped.duration(), self.quarter_m(), Increment::zero(), radius);
         self.now = self.contact.moment_under(Loading::new(force, self.now.impulse, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
     }
@@ -268,14 +272,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// The force from now to the end of a step.
     fn force_series(&self, end: T) -> ForceSeries<T> {
-        ForceSeries::of(self.contact.load(), (self.now.time, end), self.contact.medium().chi())
+        let times = (self.now.time, end);
+        ForceSeries::between(self.contact.load(), times, self.contact.medium().chi()).without_noise(end)
     }
 
     /// Whether the nodes of a step miss what the load does between them.
     fn misses(&self, force: &ForceSeries<T>, end: T) -> bool {
-        let impulse = self.contact.load().impulse(end);
-        force.is_loose(end)
-            || force.misses(impulse - self.now.impulse, impulse * T::default_epsilon() * T::constant(64.0))
+        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
+        let impulse = load.impulse(end);
+        // Early on, χ ∫F may be less than the rounding of F.
+        let noticed = impulse * T::constant(64.0) + load.force_before(end) / chi * T::constant(4.0);
+        force.is_loose(end) || force.misses(impulse - self.now.impulse, noticed * T::default_epsilon())
     }
 
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
@@ -284,10 +291,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // Where the series is rough, the difference of two impulses may be the better one.
         let (of_series, uncertainty) = force.impulse();
         let is_better = uncertainty <= impulse * T::default_epsilon();
-        let drained = chi * if is_better { of_series } else { impulse - self.now.impulse };
+        let lacking = if is_better { T::zero() } else { (impulse - self.now.impulse) - of_series };
         self.now.impulse = impulse;
         let radius = self.radius_under(end, last);
-        self.cover(radius, Course::smooth(force), (first, last), last - first + drained);
+        self.cover(radius, Course::smooth(force), (first, last), force.gain() + chi * lacking);
         self.now.time = end;
     }
 
@@ -297,24 +304,24 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // Integrals over the radius begin and end at rounded ones.
         self.set_strip(false);
-        let decay = course.decay(chi);
+        let folds = course.folds(chi);
         let depth = high - self.now.radius;
         if depth <= high * T::default_epsilon() * T::constant(16.0)
             && self.transition.reach <= self.now.radius
         {
-            self.cover_at_once(high, course.fading(chi), decay, forces);
+            self.cover_at_once(high, folds, forces);
             return;
         }
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
         let low = self.transition.reach.max(self.now.radius);
         let is_left_out = surplus != exact_surplus && self.transition.reach <= self.now.radius;
-        let kept = is_left_out.then(|| (forces.1 - forces.0) + forces.0 * course.fading(chi));
+        let kept = is_left_out.then(|| kept_of(forces, folds));
         let mut increment = Stretch { contact, course, low, high, surplus }.increment();
         if let Some(kept) = kept {
             increment.carry(kept / contact.stiffness(), (low, high));
         }
-        self.transition.advance(decay, self.quarter_m(), increment, low);
+        self.transition.advance(folds, self.quarter_m(), increment, low);
         self.now = Moment { radius: high, surplus, ..self.now };
     }
 
@@ -333,7 +340,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (radius, reach) = (self.now.radius, self.transition.reach);
         let strip = self.now.strip(self.contact.per_stiffness());
         let increment = Increment::at(radius, if wanted { strip } else { -strip }, reach);
-        self.transition.advance(T::one(), self.quarter_m(), increment, reach);
+        self.transition.advance(T::zero(), self.quarter_m(), increment, reach);
         self.has_strip = wanted;
     }
 
@@ -342,11 +349,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over radii
     /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
     /// the course; with one radius for all of it the pressure is off by the share by which the radius grew.
-    fn cover_at_once(&mut self, high: T, fading: T, decay: T, (first, last): (T, T)) {
-        let kept = Moment { radius: high, surplus: (last - first) + first * fading, ..self.now };
+    fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T)) {
+        let kept = Moment { radius: high, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
         let increment = Increment::at(high, kept.strip(self.contact.per_stiffness()), low);
-        self.transition.advance(decay, self.quarter_m(), increment, low);
+        self.transition.advance(folds, self.quarter_m(), increment, low);
         self.now.radius = high;
     }
 

@@ -12,6 +12,7 @@
 //! Source: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (25), (28), doi 10.1016/j.mechrescom.2010.11.006,
 //! integrated by parts.
 
+mod chebyshev;
 mod fading;
 mod force_series;
 mod march;
@@ -96,12 +97,13 @@ impl<T: Scalar> Transition<T> {
         agree(self.offset, other.offset) && agree(self.slope, other.slope)
     }
 
-    /// Continues with a stretch that multiplies by `decay` and adds `increment` beyond the radius `low`.
-    fn advance(&mut self, decay: T, quarter_m: T, increment: Increment<T>, low: T) {
+    /// Continues with a stretch of some e-foldings that adds `increment` beyond the radius `low`.
+    fn advance(&mut self, folds: T, quarter_m: T, increment: Increment<T>, low: T) {
         let margin = (low - self.reach) * (low + self.reach);
-        self.decay *= decay;
-        self.offset = self.offset * decay + quarter_m * (increment.offset + increment.slope * margin);
-        self.slope = self.slope * decay + quarter_m * increment.slope;
+        let left_of = fading::after(folds);
+        self.decay = left_of(self.decay);
+        self.offset = left_of(self.offset) + quarter_m * (increment.offset + increment.slope * margin);
+        self.slope = left_of(self.slope) + quarter_m * increment.slope;
     }
 }
 

@@ -46,20 +46,12 @@ impl<'a, T: Scalar> Course<'a, T> {
         if is_instant(force.folds()) { Self::Step } else { Self::Smooth(force) }
     }
 
-    pub(super) fn decay(&self, chi: T) -> T {
-        match self {
-            Self::Step => T::one(),
-            Self::Linear { duration, .. } => (-(chi * *duration)).exp(),
-            Self::Smooth(force) => (-force.folds()).exp(),
-        }
-    }
-
-    /// 1 − decay, to full accuracy.
-    pub(super) fn fading(&self, chi: T) -> T {
+    /// χ times the duration.
+    pub(super) fn folds(&self, chi: T) -> T {
         match self {
             Self::Step => T::zero(),
-            Self::Linear { duration, .. } => -(-(chi * *duration)).exp_m1(),
-            Self::Smooth(force) => -(-force.folds()).exp_m1(),
+            Self::Linear { duration, .. } => chi * *duration,
+            Self::Smooth(force) => force.folds(),
         }
     }
 
@@ -167,8 +159,8 @@ fn is_instant<T: Scalar>(folds: T) -> bool {
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// What the stretch adds to the pressure.
     ///
-    /// A falling load can make τ(s) steep like a square root, so it is integrated over time; all others over
-    /// the radius, which needs no inversion of J.
+    /// A falling load can make τ(s) steep like a square root, and so can one that is not straight, where the edge nearly
+    /// stands still; they are integrated over time, all others over the radius, which needs no inversion of J.
     pub(super) fn increment(&self) -> Increment<T> {
         // Rounding can put the radii in the wrong order.
         if self.low >= self.high {
@@ -186,8 +178,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                     |x| (x * (rate + half * rise * x), rate + rise * x),
                 )
             }
-            Course::Smooth(force) if force.falls && self.begins_covered() => {
-                time_form::increment(self, (force.highest_rate, T::zero()), |x| force.shortfall(x))
+            Course::Smooth(force) if self.begins_covered() => {
+                time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
             _ => radius_form::increment(self),
         }

@@ -1,4 +1,4 @@
-//! The memory integrals over time, along a falling load.
+//! The memory integrals over time, along a falling load or one that is not straight.
 //!
 //! Let D(x) be by how much the hereditary load x e-foldings before the end is below its final value: along a straight
 //! load R x + G x²/2, where R = Y′/χ at the end and G = −F′/χ are forces. Then δ₀′ ds = 2 dD/((π m/4) s⁴) turns the
@@ -46,7 +46,7 @@ where
         contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.per_stiffness();
     let history = History { contact, final_integral, low, shortfall };
     let longest = chi * stretch.age_at(stretch.high - low);
-    let singular = history.age_of_nothing((rate, rise), longest);
+    let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
     let most = Rule::FINEST.folds::<T>();
 
     let mut sum = Increment::zero();
@@ -93,15 +93,16 @@ where
     L: Load<T>,
     S: Fn(T) -> (T, T),
 {
-    /// Where R x + G x²/2 = Y, more than the `longest` age.
+    /// When the hereditary load would have been zero, if it rose at `rate` at the `longest` age, and before at one that was
+    /// higher by `rise` per e-folding.
     fn age_of_nothing(&self, (rate, rise): (T, T), longest: T) -> T {
         let two = T::constant(2.0);
-        // In shares of Y: the squares of forces may be out of range.
-        let hereditary = self.contact.stiffness() * self.final_integral;
+        // In shares of what there was: the squares of forces may be out of range.
+        let hereditary = self.contact.stiffness() * self.contact.profile().quick_load_integral(self.low);
         let (rate, rise) = (rate / hereditary, rise / hereditary);
-        let zero = two / (rate + (rate * rate + two * rise).sqrt());
-        // Y > 0 throughout the stretch; rounding must not turn that round, or panels would shrink to nothing.
-        zero.max(longest * (T::one() + T::default_epsilon().sqrt()))
+        let before = two / (rate + (rate * rate + two * rise).sqrt());
+        // However little there was, panels must not shrink to nothing.
+        (longest + before).max(longest * (T::one() + T::default_epsilon().sqrt()))
     }
 
     /// The increment by a rule between two ages, and whether the rule resolves the radius.
