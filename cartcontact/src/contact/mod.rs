@@ -239,7 +239,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     fn moment_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Moment<T> {
         let surplus = loading.hereditary - self.stiffness() * load_integral;
         let surplus = surplus_that_counts(surplus, loading.force);
-        Moment { time, radius, surplus, impulse: loading.impulse }
+        Moment { time, radius, surplus, impulse: loading.impulse.into() }
     }
 
     #[inline]

@@ -4,6 +4,7 @@ mod constant;
 mod piece;
 mod piecewise_linear;
 mod recession;
+mod sum;
 
 use core::fmt;
 
@@ -13,6 +14,7 @@ use crate::error::Shown;
 pub use constant::Constant;
 pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
+pub(crate) use sum::Sum;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
 ///

@@ -1,6 +1,6 @@
 //! A load given by its values at some times, linear between them.
 
-use super::{Load, LoadError, Piece, is_force};
+use super::{Load, LoadError, Piece, Sum, is_force};
 use crate::Scalar;
 
 /// How many impulses a load keeps, so that any other is the sum of one of them and of few pieces.
@@ -84,27 +84,6 @@ fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
         [start, end] => Some(Piece { start, end }),
         _ => None,
     })
-}
-
-/// Kahan's sum: a measured load may have a hundred thousand knots.
-struct Sum<T> {
-    value: T,
-    lost: T,
-}
-
-impl<T: Scalar> From<T> for Sum<T> {
-    fn from(value: T) -> Self {
-        Self { value, lost: T::zero() }
-    }
-}
-
-impl<T: Scalar> Sum<T> {
-    fn add(&mut self, x: T) {
-        let corrected = x - self.lost;
-        let next = self.value + corrected;
-        self.lost = (next - self.value) - corrected;
-        self.value = next;
-    }
 }
 
 fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {

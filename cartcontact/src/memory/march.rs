@@ -17,7 +17,7 @@ use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
 use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::{Contact, Loading};
-use crate::load::{Load, Piece};
+use crate::load::{Load, Piece, Sum};
 use crate::{GapProfile, Scalar};
 
 /// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
@@ -214,11 +214,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // At least a few roundings of the time, lest nothing is left.
         let time = end - (folds / chi).max(end * T::default_epsilon() * T::constant(4.0));
         let skipped = piece.before(time);
-        self.now.impulse += skipped.impulse();
+        self.now.impulse.add(skipped.impulse());
         let force = skipped.end.1;
         let radius = self.radius_under(time, force).max(self.now.radius);
         self.transition.advance(chi * skipped.duration(), self.quarter_m(), Increment::zero(), radius);
-        self.now = self.contact.moment_under(Loading::new(force, self.now.impulse, chi), time, radius);
+        self.now = self.contact.moment_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
     }
 
@@ -227,7 +227,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.set_strip(false);
         let piece = self.skip_what_fades(piece);
         let (forces, impulse) = ((piece.start.1, piece.end.1), piece.impulse());
-        self.now.impulse += impulse;
+        self.now.impulse.add(impulse);
         let radius = self.radius_under(piece.end.0, piece.end.1);
         let gain = piece.rise() + chi * impulse;
         self.cover(radius, Course::straight(chi, piece.duration(), forces), forces, gain);
@@ -282,7 +282,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let impulse = load.impulse(end);
         // Early on, χ ∫F may be less than the rounding of F.
         let noticed = impulse * T::constant(64.0) + load.force_before(end) / chi * T::constant(4.0);
-        force.is_loose(end) || force.misses(impulse - self.now.impulse, noticed * T::default_epsilon())
+        force.is_loose(end) || force.misses(impulse - self.now.impulse.value, noticed * T::default_epsilon())
     }
 
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
@@ -291,8 +291,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // Where the series is rough, the difference of two impulses may be the better one.
         let (of_series, uncertainty) = force.impulse();
         let is_better = uncertainty <= impulse * T::default_epsilon();
-        let lacking = if is_better { T::zero() } else { (impulse - self.now.impulse) - of_series };
-        self.now.impulse = impulse;
+        let lacking = if is_better { T::zero() } else { (impulse - self.now.impulse.value) - of_series };
+        self.now.impulse = Sum::from(impulse);
         let radius = self.radius_under(end, last);
         self.cover(radius, Course::smooth(force), (first, last), force.gain() + chi * lacking);
         self.now.time = end;
@@ -362,7 +362,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         if time >= self.time && force >= self.force {
             return self.radius;
         }
-        let hereditary = force + self.contact.medium().chi() * self.now.impulse;
+        let hereditary = force + self.contact.medium().chi() * self.now.impulse.value;
         self.contact.radius_under(hereditary).unwrap_or(self.radius).min(self.radius)
     }
 

@@ -24,6 +24,7 @@ mod stretch;
 mod time_form;
 
 use crate::Scalar;
+use crate::load::Sum;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain};
 pub(crate) use force_series::ForceSeries;
@@ -41,7 +42,7 @@ pub(crate) struct Moment<T> {
     pub(crate) radius: T,
     pub(crate) surplus: T,
     /// ∫F from the beginning.
-    pub(crate) impulse: T,
+    pub(crate) impulse: Sum<T>,
 }
 
 /// How pressures at radii r up to `reach` change from one moment to another:

@@ -25,7 +25,7 @@ use super::quadrature::Rule;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::evaluate::exponential::decay;
-use crate::load::{Load, Piece};
+use crate::load::{Load, Piece, Sum};
 use crate::{GapProfile, Scalar};
 
 /// The most pieces in a run.
@@ -71,14 +71,14 @@ pub(super) struct Run<T> {
     /// By how much the hereditary load grows in all.
     pub(super) gain: T,
     /// ∫F at the end.
-    pub(super) impulse: T,
+    pub(super) impulse: Sum<T>,
 }
 
 impl<T: Scalar> Run<T> {
     /// The first of `pieces`, before which the load had an impulse, as many as are short.
     ///
     /// `faded` says by how many e-foldings what a piece lays down has faded at least when it counts.
-    pub(super) fn of(pieces: &[Piece<T>], chi: T, impulse: T, faded: impl Fn(&Piece<T>) -> T) -> Self {
+    pub(super) fn of(pieces: &[Piece<T>], chi: T, impulse: Sum<T>, faded: impl Fn(&Piece<T>) -> T) -> Self {
         let none = [T::zero(); MOST_PIECES];
         let mut run = Self {
             count: 0,
@@ -104,8 +104,9 @@ impl<T: Scalar> Run<T> {
             let bend = folds * piece.rise();
             // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
             let rate = (piece.rise() + folds * piece.end.1).max(T::zero());
-            let impulse = run.impulse + piece.impulse();
-            let hereditary = piece.end.1 + chi * impulse;
+            let mut impulse = run.impulse;
+            impulse.add(piece.impulse());
+            let hereditary = piece.end.1 + chi * impulse.value;
             while rule
                 .is_some_and(|rule| !rule.suffices(folds, (hereditary, rate, bend), coarse + faded(piece)))
             {

@@ -1,0 +1,27 @@
+//! Sums of thousands of impulses.
+
+use crate::Scalar;
+
+/// Kahan's sum: a measured load may have a hundred thousand knots.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sum<T> {
+    pub(crate) value: T,
+    /// What the value has too much.
+    excess: T,
+}
+
+impl<T: Scalar> From<T> for Sum<T> {
+    fn from(value: T) -> Self {
+        Self { value, excess: T::zero() }
+    }
+}
+
+impl<T: Scalar> Sum<T> {
+    #[inline(always)]
+    pub(crate) fn add(&mut self, x: T) {
+        let corrected = x - self.excess;
+        let next = self.value + corrected;
+        self.excess = (next - self.value) - corrected;
+        self.value = next;
+    }
+}
