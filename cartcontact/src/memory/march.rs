@@ -11,6 +11,10 @@
 //! [polynomial](super::force_series). A step is taken in one piece and in two halves; if the force is no polynomial, or
 //! has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
 //! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
+//!
+//! Radii follow from impulses, ages from forces. Under an impulse that belongs to another force, which a load that is
+//! not searched for it may have, no step is short enough for the two ways to agree. Where that was so often enough, what
+//! drains is taken from the force alone, until the end, whose radius is given.
 
 use super::force_series::ForceSeries;
 use super::run::{MOST_PIECES, Run};
@@ -22,6 +26,10 @@ use crate::{GapProfile, Scalar};
 
 /// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
 const MOST_DOUBTS: u32 = 256;
+
+/// In how many steps of a march that disagree the force may have another impulse than the load before that is no longer
+/// believed: some milliseconds. Where both are right, it is about one for each change of the load between samples.
+const MOST_CONFLICTS: u32 = 1024;
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
 /// moment at its end.
@@ -45,6 +53,7 @@ where
         now: from,
         // The pressures at the start have the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
+        conflicts: MOST_CONFLICTS,
         transition: Transition::none(reach),
     };
     let has_knots = contact.load().next_knot(from.time).is_some_and(|knot| knot < time);
@@ -84,6 +93,8 @@ struct March<'a, T, P, L> {
     now: Moment<T>,
     /// Whether the transition has what lies between the rounded radius and the exact one.
     has_strip: bool,
+    /// How many more steps may be shortened because the force contradicts the impulse.
+    conflicts: u32,
     transition: Transition<T>,
 }
 
@@ -240,7 +251,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             // The last step must not leave a rest that is too short to divide.
             let stop = if start + step + shortest < end { start + step } else { end };
             let force = self.force_series(stop);
-            let is_doubtful = doubts > 0 && self.misses(&force, stop);
+            let is_doubtful = doubts > 0 && self.believes_impulses() && self.misses(&force, stop);
             if (force.is_rough() || is_doubtful) && step > shortest {
                 doubts -= u32::from(is_doubtful);
                 step = (step * half).max(shortest);
@@ -259,9 +270,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let mut whole = self.clone();
             whole.advance_smooth(&force, stop);
             let agree = whole.transition.agrees_with(&halves.transition, halves.now.radius);
+            let conflicts =
+                self.conflicts.saturating_sub(u32::from(!agree && self.is_contradicted(&force, stop)));
             if agree || step <= shortest {
                 *self = halves;
             }
+            self.conflicts = conflicts;
             step = if agree { step + step } else { (step * half).max(shortest) };
         }
     }
@@ -273,19 +287,32 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Whether the nodes of a step miss what the load does between them.
     fn misses(&self, force: &ForceSeries<T>, end: T) -> bool {
+        force.is_loose(end) || self.is_contradicted(force, end)
+    }
+
+    /// Whether the load has another impulse over a step than its force.
+    fn is_contradicted(&self, force: &ForceSeries<T>, end: T) -> bool {
         let impulse = self.contact.load().impulse(end);
-        force.is_loose(end)
-            || force.misses(impulse - self.now.impulse, impulse * T::default_epsilon() * T::constant(64.0))
+        force.misses(impulse - self.now.impulse, impulse * T::default_epsilon() * T::constant(64.0))
+    }
+
+    /// Whether what drains is taken from the impulse of the load.
+    fn believes_impulses(&self) -> bool {
+        self.conflicts > 0
     }
 
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let (first, last, impulse) = (load.force(self.now.time), load.force_before(end), load.impulse(end));
+        let (start, impulse) = (self.now.time, load.impulse(end));
+        let (first, last) = (load.force(start), load.force_before(end));
+        let believes = self.believes_impulses();
+        let before = if believes { self.now.impulse } else { load.impulse(start) };
         // Where the series is rough, the difference of two impulses may be the better one.
         let (of_series, uncertainty) = force.impulse();
         let is_better = uncertainty <= impulse * T::default_epsilon();
-        let drained = chi * if is_better { of_series } else { impulse - self.now.impulse };
-        self.now.impulse = impulse;
+        let gained = if is_better { of_series } else { impulse - before };
+        let drained = chi * gained;
+        self.now.impulse = if believes { impulse } else { self.now.impulse + gained };
         let radius = self.radius_under(end, last);
         self.cover(radius, Course::smooth(force), (first, last), last - first + drained);
         self.now.time = end;
