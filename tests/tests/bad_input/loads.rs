@@ -79,6 +79,15 @@ fn loads_of_a_users_own_are_checked_when_they_are_used() {
 }
 
 #[test]
+fn an_impulse_belongs_to_its_force() {
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), Wrong { force: 100.0, impulse: 512.0 });
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let is_expected =
+        |e: &ContactError| matches!(e, ContactError::Load(LoadError::ContradictoryImpulse { .. }));
+    refused(contact.at(10.0), is_expected, "the impulse grows by 512, but the integral of the force is");
+}
+
+#[test]
 fn hereditary_loads_beyond_the_format_are_refused() {
     let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(f64::MAX));
     let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
