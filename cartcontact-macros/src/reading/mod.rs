@@ -1,6 +1,7 @@
 //! Tokens -> what is written in them, with its places; nothing is evaluated.
 
 pub(crate) mod attribute;
+mod call;
 pub(crate) mod item;
 pub(crate) mod literal;
 pub(crate) mod parse;

@@ -8,9 +8,9 @@ use num_traits::One;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::item::{closest, known_number};
+use crate::reading::item::known_number;
 use crate::reading::literal;
-use crate::reading::syntax::{Expression, Factor, Kind, Summand, Surface};
+use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 
 const MAXIMUM_DEPTH: usize = 64;
 
@@ -20,10 +20,10 @@ pub(crate) fn expression(tokens: TokenStream, place: Span, diagnostics: &mut Dia
     Parser { rest: &tokens, previous: place.into(), depth: 0, diagnostics }.everything()
 }
 
-struct Parser<'a> {
+pub(super) struct Parser<'a> {
     rest: &'a [TokenTree],
     /// What was read last: the place of "something is missing here".
-    previous: Extent,
+    pub(super) previous: Extent,
     depth: usize,
     diagnostics: &'a mut Diagnostics,
 }
@@ -209,46 +209,15 @@ impl<'a> Parser<'a> {
     }
 
     /// All of `tokens`, which stand behind `place` in parentheses.
-    fn inside(&mut self, tokens: &[TokenTree], place: Span) -> Expression {
+    pub(super) fn inside(&mut self, tokens: &[TokenTree], place: Span) -> Expression {
         self.deeper(|outer| {
             let (previous, depth) = (place.into(), outer.depth);
             Parser { rest: tokens, previous, depth, diagnostics: outer.diagnostics }.everything()
         })
     }
 
-    /// `sphere(R)` or `conic(R, k)`, its name having been read.
-    fn surface(&mut self, name: &Ident, group: &Group) -> Expression {
-        let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
-        let mut arguments: Vec<&[TokenTree]> = tokens.split(is_comma).collect();
-        arguments.pop_if(|last| last.is_empty());
-        let named =
-            tokens.iter().any(|token| matches!(token, TokenTree::Punct(equals) if equals.as_char() == '='));
-        let (radius, conic_constant) = match (name.to_string().as_str(), arguments.as_slice()) {
-            ("sphere", [radius]) if !named => (*radius, None),
-            ("conic", [radius, conic_constant]) if !named => (*radius, Some(*conic_constant)),
-            (known @ ("sphere" | "conic"), _) => {
-                let place = Extent::between(self.previous, group.span().into());
-                return self.fault(place, wrong_arguments(known));
-            }
-            ("pow" | "powi" | "powf", [base, exponent]) => {
-                let (base, exponent) = (written(base), written(exponent));
-                let message = format!("a power is written with `^`; write `{base}^{exponent}`");
-                let place = Extent::between(self.previous, group.span().into());
-                return self.fault(place, message);
-            }
-            (other, _) => return self.fault(name.span(), not_a_surface(other)),
-        };
-        self.take_token();
-        let extent = Extent::between(name.span().into(), self.previous);
-        let place = group.span_open();
-        let radius = self.inside(radius, place);
-        let conic_constant = conic_constant.map(|tokens| self.inside(tokens, place));
-        let kind = Kind::Surface(Box::new(Surface { radius, conic_constant }));
-        self.unless_method(Expression { kind, extent })
-    }
-
     /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
-    fn unless_method(&mut self, receiver: Expression) -> Expression {
+    pub(super) fn unless_method(&mut self, receiver: Expression) -> Expression {
         let [TokenTree::Punct(dot), TokenTree::Ident(member), ..] = self.rest else { return receiver };
         if dot.as_char() != '.' {
             return receiver;
@@ -363,7 +332,7 @@ impl<'a> Parser<'a> {
         self.diagnostics.report(token.span(), message);
     }
 
-    fn fault(&mut self, place: impl Into<Extent>, message: impl core::fmt::Display) -> Expression {
+    pub(super) fn fault(&mut self, place: impl Into<Extent>, message: impl core::fmt::Display) -> Expression {
         let extent = place.into();
         self.diagnostics.report(extent, message);
         self.skip_term();
@@ -379,7 +348,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn take_token(&mut self) {
+    pub(super) fn take_token(&mut self) {
         if let Some((token, rest)) = self.rest.split_first() {
             self.previous = token.span().into();
             self.rest = rest;
@@ -387,34 +356,8 @@ impl<'a> Parser<'a> {
     }
 }
 
-fn is_comma(token: &TokenTree) -> bool {
-    matches!(token, TokenTree::Punct(comma) if comma.as_char() == ',')
-}
-
-fn wrong_arguments(surface: &str) -> &'static str {
-    match surface {
-        "sphere" => "`sphere` takes the radius of the sphere; write `sphere(20)`",
-        _ => "`conic` takes the radius at the vertex and the conic constant; write `conic(20, -0.5)`",
-    }
-}
-
-fn not_a_surface(name: &str) -> String {
-    if let Some(surface) = closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
-        return format!("`{name}` is not a surface; did you mean `{surface}`?");
-    }
-    format!(
-        "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a root \
-         write `r^0.5`, for a product `*`"
-    )
-}
-
 fn is_case(name: &Ident) -> bool {
     ["if", "else", "match", "for", "while", "where"].iter().any(|word| name == word)
-}
-
-fn written(tokens: &[TokenTree]) -> String {
-    let text = tokens.iter().cloned().collect::<TokenStream>().to_string();
-    if tokens.len() == 1 { text } else { format!("({text})") }
 }
 
 fn is_double_star(first: &Punct, second: &Punct) -> bool {

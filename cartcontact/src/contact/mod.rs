@@ -131,8 +131,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # Errors
     ///
     /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the
-    /// geometry, the load has fallen so fast that the edge recedes, or these numbers
-    /// leave the range of the format.
+    /// geometry, the load has fallen so fast that the edge recedes or its impulse is not that of its force, or
+    /// these numbers leave the range of the format.
     ///
     /// # References
     ///
@@ -316,8 +316,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
         let loading = self.valid_loading(t)?;
         let (time, force) = (t.value(), loading.force.value());
-        if let Some(since) = self.load.recession(self.medium.chi(), t) {
-            return Err(ContactError::Receding { time, since: since.value() });
+        let chi = self.medium.chi();
+        if let Some(since) = self.load.recession(chi, t) {
+            let receding = ContactError::Receding { time, since: since.value() };
+            return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
         }
         if self.has_digits(loading) { Ok(loading) } else { Err(ContactError::OutOfRange { time, force }) }
     }

@@ -37,6 +37,10 @@ impl<T: Scalar> Load<T> for Constant<T> {
         None
     }
 
+    fn contradiction(&self, _chi: T, _t: T) -> Option<LoadError> {
+        None
+    }
+
     fn check(&self) -> Result<(), LoadError> {
         if is_force(self.0) {
             Ok(())

@@ -219,6 +219,10 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
         // At the very time at which a slope becomes too steep the edge has not moved yet.
         (time < t || is_step).then_some(time)
     }
+
+    fn contradiction(&self, _chi: T, _t: T) -> Option<LoadError> {
+        None
+    }
 }
 
 #[cfg(test)]

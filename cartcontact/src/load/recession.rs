@@ -11,10 +11,14 @@
 //! That the nodes miss nothing is seen from the coefficients, which must decrease, and from the impulse, which the load
 //! knows by itself: a dip between nodes, or a swing that happens to look smooth at them, has an area.
 //!
+//! An impulse that no force through the nodes can have, unless Y falls between them, is a
+//! [contradiction] if no fall is found there.
+//!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
 //! so the search ends.
 
 use super::Load;
+use super::contradiction::{self, Contradiction};
 use crate::Scalar;
 use crate::memory::ForceSeries;
 use crate::scalar::smallest_normal;
@@ -23,14 +27,42 @@ use crate::scalar::smallest_normal;
 /// are short already.
 const MOST_DOUBTS: u32 = 1024;
 
-/// The time from which the hereditary load falls, if it does up to `t` by more than rounding.
-pub(super) fn first<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<T> {
+/// Why a history is not one that the solution covers.
+pub(super) enum Fault<T> {
+    /// The hereditary load falls by more than rounding, from a time on.
+    Falls(T),
+    /// Its impulse is not that of its force.
+    Contradicts(Contradiction<T>),
+}
+
+impl<T: Scalar> Fault<T> {
+    /// Since when.
+    pub(super) fn time(&self) -> T {
+        match self {
+            Self::Falls(since) => *since,
+            Self::Contradicts(contradiction) => contradiction.from(),
+        }
+    }
+}
+
+/// The first fault of a history up to `t`.
+pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
     let zero = T::zero();
-    let mut search =
-        Search { load, chi, time: zero, impulse: zero, highest: zero, fallen: zero, doubts: MOST_DOUBTS };
+    let hereditary = load.force(t) + chi * load.impulse(t);
+    let mut search = Search {
+        load,
+        chi,
+        tolerance: contradiction::tolerance(hereditary, chi),
+        time: zero,
+        impulse: zero,
+        highest: zero,
+        fallen: zero,
+        doubts: MOST_DOUBTS,
+        suspicion: None,
+    };
     while search.time < t {
         let knot = load.next_knot(search.time).filter(|&knot| search.time < knot && knot < t);
-        let found = search.follow(knot.unwrap_or(t)).or_else(|| search.jump());
+        let found = search.follow(knot.unwrap_or(t)).or_else(|| search.jump().map(Fault::Falls));
         if found.is_some() {
             return found;
         }
@@ -42,6 +74,8 @@ pub(super) fn first<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> O
 struct Search<'a, T, L: ?Sized> {
     load: &'a L,
     chi: T,
+    /// By how much an impulse may be off.
+    tolerance: T,
     time: T,
     /// ∫F up to now.
     impulse: T,
@@ -50,6 +84,8 @@ struct Search<'a, T, L: ?Sized> {
     fallen: T,
     /// How many more panels may be halved that are short, or because of their impulse.
     doubts: u32,
+    /// A contradiction that a fall would explain, if one is found before its end; the shortest so far.
+    suspicion: Option<Contradiction<T>>,
 }
 
 /// What a panel tells.
@@ -64,7 +100,7 @@ enum Finding<T> {
 
 impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     /// Continues to a time before which there is no knot.
-    fn follow(&mut self, end: T) -> Option<T> {
+    fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
         let mut step = end - self.time;
         let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
@@ -76,7 +112,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             let impulse = self.load.impulse(stop);
             // Half of it is no less than `short`.
             let is_short = step <= short + short;
-            if !is_short && self.misses(&force, impulse) {
+            if self.misses(&force, (stop, impulse), is_short) {
                 step *= half;
                 continue;
             }
@@ -94,10 +130,13 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 continue;
             }
             (self.highest, self.fallen) = match finding {
-                Finding::Falls(since) => return Some(since),
+                Finding::Falls(since) => return Some(Fault::Falls(since)),
                 Finding::Rises(highest, fallen) | Finding::Unclear(highest, fallen) => (highest, fallen),
             };
             (self.time, self.impulse) = (stop, impulse);
+            if let Some(contradiction) = self.suspicion.take_if(|suspicion| suspicion.ends_by(stop)) {
+                return Some(Fault::Contradicts(contradiction));
+            }
             step += step;
         }
         None
@@ -116,15 +155,28 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         (fallen > rounding).then_some(self.highest)
     }
 
-    /// Whether the nodes of a panel miss what the load does between them.
-    fn misses(&mut self, force: &ForceSeries<T>, impulse: T) -> bool {
+    /// Whether a panel is to be halved because its nodes miss what the load does between them.
+    fn misses(&mut self, force: &ForceSeries<T>, (stop, impulse): (T, T), is_short: bool) -> bool {
         if force.is_unresolved() {
-            return true;
+            return !is_short;
         }
         let epsilon = T::default_epsilon();
         let gain = impulse - self.impulse;
         let rounding = gain * epsilon.sqrt() + impulse * epsilon * T::constant(64.0);
-        force.misses(gain, rounding) && self.doubts()
+        if !force.misses(gain, rounding) {
+            return false;
+        }
+        self.suspect(force, (stop, impulse));
+        !is_short && self.doubts()
+    }
+
+    /// Notes a contradiction on a panel, unless one that ends no later is known.
+    fn suspect(&mut self, force: &ForceSeries<T>, end: (T, T)) {
+        if self.suspicion.as_ref().is_none_or(|known| !known.ends_by(end.0)) {
+            let start = (self.time, self.impulse);
+            let found = Contradiction::within(force, start, end, self.chi, self.tolerance);
+            self.suspicion = found.or(self.suspicion);
+        }
     }
 
     /// Whether one more panel may be halved.

@@ -170,6 +170,11 @@ impl<T: Scalar> ForceSeries<T> {
         self.folds * self.rest
     }
 
+    /// The force at a node.
+    pub(crate) fn force_at(&self, node: usize) -> T {
+        self.forces[node]
+    }
+
     /// The time of a node, if the step ends at `end`.
     pub(crate) fn time(&self, node: usize, end: T) -> T {
         self.time_at(T::constant(cosine(node)), end)

@@ -7,21 +7,16 @@
 //! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
 //! [`run`](super::run), the others one by one.
 //!
-//! **Loads that are not straight.** Between knots such a load is followed in steps, within which its force is a
-//! [polynomial](super::force_series). A step is taken in one piece and in two halves; if the force is no polynomial, or
-//! has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
-//! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
+//! **Loads that are not straight** are followed in [`steps`].
 
-use super::force_series::ForceSeries;
+mod steps;
+
 use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
 use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::{Contact, Loading};
-use crate::load::{Load, Piece, Sum};
+use crate::load::{Load, Piece};
 use crate::{GapProfile, Scalar};
-
-/// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
-const MOST_DOUBTS: u32 = 256;
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
 /// moment at its end.
@@ -45,6 +40,7 @@ where
         now: from,
         // The pressures at the start have the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
+        conflicts: steps::MOST_CONFLICTS,
         transition: Transition::none(reach),
     };
     let has_knots = contact.load().next_knot(from.time).is_some_and(|knot| knot < time);
@@ -89,6 +85,8 @@ struct March<'a, T, P, L> {
     now: Moment<T>,
     /// Whether the transition has what lies between the rounded radius and the exact one.
     has_strip: bool,
+    /// How many more steps may be shortened because the force contradicts the impulse.
+    conflicts: u32,
     transition: Transition<T>,
 }
 
@@ -232,70 +230,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let gain = piece.rise() + chi * impulse;
         self.cover(radius, Course::straight(chi, piece.duration(), forces), forces, gain);
         self.now.time = piece.end.0;
-    }
-
-    fn advance_in_steps(&mut self, end: T) {
-        let half = T::constant(0.5);
-        let shortest = (end - self.now.time) * T::constant(1.0 / 1_048_576.0);
-        let mut step = end - self.now.time;
-        let mut doubts = MOST_DOUBTS;
-        while self.now.time < end {
-            let start = self.now.time;
-            // The last step must not leave a rest that is too short to divide.
-            let stop = if start + step + shortest < end { start + step } else { end };
-            let force = self.force_series(stop);
-            let is_doubtful = doubts > 0 && self.misses(&force, stop);
-            if (force.is_rough() || is_doubtful) && step > shortest {
-                doubts -= u32::from(is_doubtful);
-                step = (step * half).max(shortest);
-                continue;
-            }
-            let middle = start + (stop - start) * half;
-            let mut halves = self.clone();
-            halves.advance_smooth(&self.force_series(middle), middle);
-            if halves.now.radius <= self.transition.reach && stop - start > shortest {
-                // Nothing of the first half counts, so the second would only be compared with itself.
-                *self = halves;
-                step += step;
-                continue;
-            }
-            halves.advance_smooth(&halves.force_series(stop), stop);
-            let mut whole = self.clone();
-            whole.advance_smooth(&force, stop);
-            let agree = whole.transition.agrees_with(&halves.transition, halves.now.radius);
-            if agree || step <= shortest {
-                *self = halves;
-            }
-            step = if agree { step + step } else { (step * half).max(shortest) };
-        }
-    }
-
-    /// The force from now to the end of a step.
-    fn force_series(&self, end: T) -> ForceSeries<T> {
-        let times = (self.now.time, end);
-        ForceSeries::between(self.contact.load(), times, self.contact.medium().chi()).without_noise(end)
-    }
-
-    /// Whether the nodes of a step miss what the load does between them.
-    fn misses(&self, force: &ForceSeries<T>, end: T) -> bool {
-        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let impulse = load.impulse(end);
-        // Early on, χ ∫F may be less than the rounding of F.
-        let noticed = impulse * T::constant(64.0) + load.force_before(end) / chi * T::constant(4.0);
-        force.is_loose(end) || force.misses(impulse - self.now.impulse.value, noticed * T::default_epsilon())
-    }
-
-    fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
-        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let (first, last, impulse) = (load.force(self.now.time), load.force_before(end), load.impulse(end));
-        // Where the series is rough, the difference of two impulses may be the better one.
-        let (of_series, uncertainty) = force.impulse();
-        let is_better = uncertainty <= impulse * T::default_epsilon();
-        let lacking = if is_better { T::zero() } else { (impulse - self.now.impulse.value) - of_series };
-        self.now.impulse = Sum::from(impulse);
-        let radius = self.radius_under(end, last);
-        self.cover(radius, Course::smooth(force), (first, last), force.gain() + chi * lacking);
-        self.now.time = end;
     }
 
     /// Extends the contact to a radius along a course of the load between two forces, on which the hereditary load

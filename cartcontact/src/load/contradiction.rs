@@ -1,0 +1,87 @@
+//! When the impulse that a load tells cannot be that of the force that it tells.
+//!
+//! Between samples a force may be anything, so that no number of them tells its integral. But where the edge does not
+//! recede, Y = F + χ ∫F does not fall, and with it F e^(χ t) does not, whose slope is Y′ e^(χ t). So between two forces
+//! F₁ and F₂, x e-foldings apart,
+//!
+//! ```text
+//! F₁ (1 − e^(−x))/χ ≤ ∫F ≤ F₂ (e^x − 1)/χ,
+//! ```
+//!
+//! whatever the force does in between: steps, kinks and oscillations too fast for any sample are no exception. An
+//! impulse outside these bounds belongs to another force, or Y falls between the two times.
+//!
+//! Many impulses are the result of a quadrature themselves. They may be off by what counts for little, √ε of Y/χ.
+
+use super::LoadError;
+use crate::Scalar;
+use crate::memory::ForceSeries;
+
+/// An impulse that no force with these samples can have unless the hereditary load falls between them.
+#[derive(Clone, Copy)]
+pub(super) struct Contradiction<T> {
+    from: T,
+    to: T,
+    impulse: T,
+    /// The integral of the force.
+    integral: T,
+}
+
+/// By how much an impulse may be off, in a history up to a time with a hereditary load.
+///
+/// Without drainage impulses count for nothing, so that this is infinite.
+pub(super) fn tolerance<T: Scalar>(hereditary: T, chi: T) -> T {
+    hereditary / chi * T::default_epsilon().sqrt()
+}
+
+/// The least and the most that ∫F can be along a series that ends at a time.
+fn bounds<T: Scalar>(force: &ForceSeries<T>, end: T, chi: T) -> (T, T) {
+    // Nodes are counted from the end.
+    (0..ForceSeries::<T>::START).fold((T::zero(), T::zero()), |(least, most), node| {
+        let duration = force.time(node, end) - force.time(node + 1, end);
+        let folds = chi * duration;
+        // The means of e^(−x) and e^x on the way.
+        let (falling, rising) = if folds.is_zero() {
+            (T::one(), T::one())
+        } else {
+            (-(-folds).exp_m1() / folds, folds.exp_m1() / folds)
+        };
+        let (first, last) = (force.force_at(node + 1), force.force_at(node));
+        (least + first * duration * falling, most + last * duration * rising)
+    })
+}
+
+impl<T: Scalar> Contradiction<T> {
+    /// That between a series of the force and the impulses up to its start and its end, either of which may be off, if
+    /// there is one.
+    pub(super) fn within(
+        force: &ForceSeries<T>,
+        (from, first): (T, T),
+        (to, last): (T, T),
+        chi: T,
+        tolerance: T,
+    ) -> Option<Self> {
+        let impulse = last - first;
+        let (least, most) = bounds(force, to, chi);
+        let is_outside = (impulse - most).max(least - impulse) > tolerance + tolerance;
+        is_outside.then(|| Self { from, to, impulse, integral: force.impulse().0 })
+    }
+
+    pub(super) fn from(&self) -> T {
+        self.from
+    }
+
+    /// Whether its end is not after a time.
+    pub(super) fn ends_by(&self, time: T) -> bool {
+        self.to <= time
+    }
+
+    pub(super) fn error(&self) -> LoadError {
+        LoadError::ContradictoryImpulse {
+            from: self.from.value(),
+            to: self.to.value(),
+            impulse: self.impulse.value(),
+            integral: self.integral.value(),
+        }
+    }
+}

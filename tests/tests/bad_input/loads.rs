@@ -1,0 +1,95 @@
+//! Loads that break the contract of a load: refused where they come in, or when they are used.
+
+use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
+use cartcontact::{Contact, ContactError};
+use tests::profiles::Paraboloid;
+
+use super::{NOT_AN_AMOUNT, paraboloid, refused};
+
+#[test]
+fn forces_are_finite_and_not_negative() {
+    for value in NOT_AN_AMOUNT {
+        let is_force = |e: &LoadError| matches!(e, LoadError::InvalidForce { .. });
+        refused(Constant(value).check(), is_force, &value.to_string());
+        refused(PiecewiseLinear::new([(0.0, 1.0), (1.0, value)]), is_force, &value.to_string());
+        let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(value));
+        let is_load = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidForce { .. }));
+        refused(contact, is_load, &value.to_string());
+    }
+}
+
+#[test]
+fn knots_are_in_the_order_of_time_from_zero() {
+    let through = |knots: &[(f64, f64)]| PiecewiseLinear::new(knots.to_vec());
+    refused(through(&[]), |e| matches!(e, LoadError::Empty), "no knots");
+    for value in [f64::NAN, f64::INFINITY] {
+        let result = through(&[(0.0, 1.0), (value, 1.0)]);
+        refused(result, |e| matches!(e, LoadError::InvalidTime { knot: 1, .. }), &value.to_string());
+    }
+    refused(through(&[(0.5, 1.0)]), |e| matches!(e, LoadError::LateStart { .. }), "0.5");
+    refused(through(&[(-0.5, 1.0)]), |e| matches!(e, LoadError::LateStart { .. }), "-0.5");
+    let unsorted = through(&[(0.0, 1.0), (3.0, 1.0), (2.5, 1.0)]);
+    refused(unsorted, |e| matches!(e, LoadError::Unsorted { knot: 2, .. }), "2.5");
+    let triple = through(&[(0.0, 1.0), (1.5, 1.0), (1.5, 2.0), (1.5, 3.0)]);
+    refused(triple, |e| matches!(e, LoadError::RepeatedTime { knot: 3, .. }), "1.5");
+}
+
+#[test]
+fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
+    let falling = PiecewiseLinear::new([(0.0, 100.0), (50.0, 100.0), (60.0, 0.0)])?;
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), falling);
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    assert!(contact.at(50.0).is_ok());
+    let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { .. });
+    refused(contact.at(55.0), is_receding, "at time 50");
+    refused(contact.at(1000.0), is_receding, "at time 50");
+    let mut radii = [0.0; 2];
+    refused(contact.radii(&[10.0, 70.0], &mut radii), is_receding, "at time 70");
+    Ok(())
+}
+
+/// A load of a user's own that is not one.
+struct Wrong {
+    force: f64,
+    impulse: f64,
+}
+
+impl Load<f64> for Wrong {
+    fn force(&self, _t: f64) -> f64 {
+        self.force
+    }
+
+    fn impulse(&self, _t: f64) -> f64 {
+        self.impulse
+    }
+}
+
+#[test]
+fn loads_of_a_users_own_are_checked_when_they_are_used() {
+    for value in NOT_AN_AMOUNT {
+        let at = |load| {
+            let contact = Contact::new(Paraboloid, *paraboloid().medium(), load);
+            contact.and_then(|contact| contact.at(1.0).map(|now| now.peak_pressure()))
+        };
+        let is_force = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidForce { .. }));
+        refused(at(Wrong { force: value, impulse: 1.0 }), is_force, &value.to_string());
+        let is_impulse = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidImpulse { .. }));
+        refused(at(Wrong { force: 1.0, impulse: value }), is_impulse, &value.to_string());
+    }
+}
+
+#[test]
+fn an_impulse_belongs_to_its_force() {
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), Wrong { force: 100.0, impulse: 512.0 });
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let is_expected =
+        |e: &ContactError| matches!(e, ContactError::Load(LoadError::ContradictoryImpulse { .. }));
+    refused(contact.at(10.0), is_expected, "the impulse grows by 512, but the integral of the force is");
+}
+
+#[test]
+fn hereditary_loads_beyond_the_format_are_refused() {
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(f64::MAX));
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    assert!(matches!(contact.at(1e10), Err(ContactError::Load(_) | ContactError::Radius { .. })));
+}
