@@ -121,10 +121,10 @@ fn knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
 
 /// Impulses of equal pieces round alike, and would add up to something else.
 #[test]
-fn a_hundred_thousand_knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
+fn ten_thousand_knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::PRESSURE);
     for t in [1.0, 20.0].map(|time| time / CHI) {
-        let knots: Vec<(f64, f64)> = (0..=100_000).map(|part| (t * f64::from(part) / 1e5, 70.0)).collect();
+        let knots: Vec<(f64, f64)> = (0..=10_000).map(|part| (t * f64::from(part) / 1e4, 70.0)).collect();
         let split = PiecewiseLinear::new(knots).map_err(ContactError::Load)?;
         let (plain, split) =
             (contact(cases()[0], Constant(70.0), 5.0, t)?, contact(cases()[0], split, 5.0, t)?);

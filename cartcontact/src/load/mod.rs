@@ -27,7 +27,7 @@ pub(crate) use sum::Sum;
 /// hereditary load over χ, 1.5e-8 in f64, is never taken for more than that. An impulse that no force through the
 /// samples can have without receding is refused, [`LoadError::ContradictoryImpulse`]. One that is off by a
 /// few hundredths or less, or is right at the time asked for, may not be noticed: the radius is then that of the impulse,
-/// the pressure lies between the two, and takes some ten milliseconds.
+/// the pressure lies between the two.
 ///
 /// # Examples
 ///

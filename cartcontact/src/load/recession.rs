@@ -190,7 +190,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn examine(&self, force: &ForceSeries<T>, end: T, rounding: T) -> Finding<T> {
         let zero = T::zero();
         let dip = force.deepest_dip();
-        let gain = force.growth_since(ForceSeries::<T>::START);
+        let gain = force.gain();
         if dip <= zero && self.fallen <= gain {
             return Finding::Rises(end, zero);
         }
@@ -198,9 +198,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let mut fallen = self.fallen;
         // The node at which the hereditary load is highest; none while it was higher before the panel.
         let mut highest = fallen.is_zero().then_some(ForceSeries::<T>::START);
-        let mut growth = gain;
-        for node in (0..ForceSeries::<T>::START).rev() {
-            let now = force.growth_since(node);
+        let growths = force.growth_since_nodes();
+        let mut growth = growths[ForceSeries::<T>::START];
+        for (node, &now) in growths.iter().enumerate().take(ForceSeries::<T>::START).rev() {
             fallen -= growth - now;
             growth = now;
             if fallen <= zero {

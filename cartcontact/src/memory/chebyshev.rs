@@ -41,6 +41,17 @@ pub(super) fn interpolate<T: Scalar>(values: Coefficients<T>) -> Coefficients<T>
     })
 }
 
+/// The sum at ξ.
+pub(super) fn sum_at<T: Scalar>(sum: &[T], x: T) -> T {
+    let (mut before, mut value) = (T::one(), x);
+    let mut total = T::zero();
+    for &c in sum {
+        total += c * before;
+        (before, value) = (value, (x + x) * value - before);
+    }
+    total
+}
+
 /// The derivative of a sum: d₍ₖ₋₁₎ = d₍ₖ₊₁₎ + 2 k cₖ, of which the first is halved.
 pub(super) fn derivative<T: Scalar>(sum: &[T]) -> Coefficients<T> {
     let mut slope = [T::zero(); DEGREE + 1];

@@ -15,15 +15,18 @@ pub(crate) fn decay_gain<T: Scalar>(x: T) -> T {
     -x * sum
 }
 
-/// What is left of a value after some e-foldings.
+/// A value after some e-foldings in which something was gained.
 ///
-/// Of a few of them what fades is taken away: thousands of short steps with one rounded e^(−x) between them would be
+/// Of few e-foldings what fades is taken away: thousands of short steps with one rounded e^(−x) between them would be
 /// off by thousands of roundings of one sign.
 #[inline(always)]
-pub(super) fn after<T: Scalar>(folds: T) -> impl Fn(T) -> T {
+pub(super) fn after<T: Scalar>(folds: T) -> impl Fn(T, T) -> T {
     let are_few = folds <= T::constant(FEW_FOLDS);
     let factor = if are_few { decay_gain(folds) } else { (-folds).exp() };
-    move |value| if are_few { value + value * factor } else { value * factor }
+    move |value, gained| {
+        let rest = value * factor + gained;
+        if are_few { value + rest } else { rest }
+    }
 }
 
 #[cfg(test)]
@@ -42,7 +45,7 @@ mod tests {
     fn short_steps_fade_as_one_long_one() {
         let mut value = 1.0;
         for step in 1..=10_000 {
-            value = after(1e-4)(value);
+            value = after(1e-4)(value, 0.0);
             let error = value / (-1e-4 * f64::from(step)).exp() - 1.0;
             assert!(error.abs() < 50.0 * f64::EPSILON, "{step}: {error:e}");
         }

@@ -13,7 +13,7 @@
 //!
 //! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
-use super::chebyshev::{Coefficients, DEGREE, cosine, derivative, interpolate, mean_to_the_end};
+use super::chebyshev::{Coefficients, DEGREE, cosine, derivative, interpolate, mean_to_the_end, sum_at};
 use crate::Scalar;
 use crate::load::Load;
 
@@ -155,17 +155,24 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// By how much the hereditary load grows in all.
-    pub(super) fn gain(&self) -> T {
-        self.growth_since(Self::START)
+    pub(crate) fn gain(&self) -> T {
+        T::constant(2.0) * self.at(-T::one()).mean_growth
     }
 
-    /// By how much the hereditary load grows from a node to the end.
-    pub(crate) fn growth_since(&self, node: usize) -> T {
-        let x = T::constant(cosine(node));
-        (T::one() - x) * self.at(x).mean_growth
+    /// By how much the hereditary load grows from each node to the end.
+    ///
+    /// The forces at the nodes are taken as they are, so that what a step between nodes does to the series counts only in
+    /// what drains.
+    pub(crate) fn growth_since_nodes(&self) -> Coefficients<T> {
+        let mean = mean_to_the_end(&self.variation[..self.length]);
+        core::array::from_fn(|node| {
+            let x = T::constant(cosine(node));
+            let since = self.folds * (T::one() - x) * T::constant(0.5);
+            (self.last() - self.forces[node]) + since * (self.last() + sum_at(&mean[..self.length], x))
+        })
     }
 
-    /// By how much [`growth_since`](Self::growth_since) may be off for what the series leaves out.
+    /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be off for what the series leaves out.
     pub(crate) fn uncertainty(&self) -> T {
         self.folds * self.rest
     }

@@ -101,10 +101,10 @@ impl<T: Scalar> Transition<T> {
     /// Continues with a stretch of some e-foldings that adds `increment` beyond the radius `low`.
     fn advance(&mut self, folds: T, quarter_m: T, increment: Increment<T>, low: T) {
         let margin = (low - self.reach) * (low + self.reach);
-        let left_of = fading::after(folds);
-        self.decay = left_of(self.decay);
-        self.offset = left_of(self.offset) + quarter_m * (increment.offset + increment.slope * margin);
-        self.slope = left_of(self.slope) + quarter_m * increment.slope;
+        let after = fading::after(folds);
+        self.decay = after(self.decay, T::zero());
+        self.offset = after(self.offset, quarter_m * (increment.offset + increment.slope * margin));
+        self.slope = after(self.slope, quarter_m * increment.slope);
     }
 }
 

@@ -40,7 +40,6 @@ where
         now: from,
         // The pressures at the start have the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
-        conflicts: steps::MOST_CONFLICTS,
         transition: Transition::none(reach),
     };
     let has_knots = contact.load().next_knot(from.time).is_some_and(|knot| knot < time);
@@ -85,8 +84,6 @@ struct March<'a, T, P, L> {
     now: Moment<T>,
     /// Whether the transition has what lies between the rounded radius and the exact one.
     has_strip: bool,
-    /// How many more steps may be shortened because the force contradicts the impulse.
-    conflicts: u32,
     transition: Transition<T>,
 }
 
