@@ -100,11 +100,23 @@ impl<T: Scalar> Transition<T> {
 
     /// Continues with a stretch of some e-foldings that adds `increment` beyond the radius `low`.
     fn advance(&mut self, folds: T, quarter_m: T, increment: Increment<T>, low: T) {
-        let margin = (low - self.reach) * (low + self.reach);
         let after = fading::after(folds);
+        let (offset, slope) = self.gain(quarter_m, increment, low);
         self.decay = after(self.decay, T::zero());
-        self.offset = after(self.offset, quarter_m * (increment.offset + increment.slope * margin));
-        self.slope = after(self.slope, quarter_m * increment.slope);
+        self.offset = after(self.offset, offset);
+        self.slope = after(self.slope, slope);
+    }
+
+    /// Adds what takes no time.
+    fn add(&mut self, quarter_m: T, increment: Increment<T>, low: T) {
+        let (offset, slope) = self.gain(quarter_m, increment, low);
+        self.offset += offset;
+        self.slope += slope;
+    }
+
+    fn gain(&self, quarter_m: T, increment: Increment<T>, low: T) -> (T, T) {
+        let margin = (low - self.reach) * (low + self.reach);
+        (quarter_m * (increment.offset + increment.slope * margin), quarter_m * increment.slope)
     }
 }
 

@@ -271,7 +271,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (radius, reach) = (self.now.radius, self.transition.reach);
         let strip = self.now.strip(self.contact.per_stiffness());
         let increment = Increment::at(radius, if wanted { strip } else { -strip }, reach);
-        self.transition.advance(T::zero(), self.quarter_m(), increment, reach);
+        self.transition.add(self.quarter_m(), increment, reach);
         self.has_strip = wanted;
     }
 
