@@ -3,6 +3,7 @@
 
 use super::double_word::DoubleWord;
 use super::power::{double_term, term};
+use super::real_exponent;
 use crate::Scalar;
 
 /// What numbers made of words of type `T` can do.
@@ -12,6 +13,8 @@ pub(crate) trait Arithmetic<T>: Copy {
     fn product(x: T, y: T) -> Self;
     /// c x^n.
     fn term(c: Self, x: T, n: T) -> Self;
+    /// K(q) for any exponent n, from 1 − q and q.
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: T) -> Self;
     fn plus(self, other: Self) -> Self;
     fn plus_word(self, word: T) -> Self;
     fn times(self, other: Self) -> Self;
@@ -42,6 +45,10 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
     #[inline(always)]
     fn term(c: Self, x: T, n: T) -> Self {
         Self(term(c.0, x, n))
+    }
+    #[inline(always)]
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: T) -> Self {
+        Self(real_exponent::quick_kernel(inset.0, ratio.0, n))
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
@@ -89,6 +96,10 @@ impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
     #[inline]
     fn term(c: Self, x: T, n: T) -> Self {
         double_term(c, x, n)
+    }
+    #[inline]
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: T) -> Self {
+        real_exponent::kernel(inset, ratio, n)
     }
     #[inline]
     fn plus(self, other: Self) -> Self {

@@ -1,8 +1,9 @@
 //! Terms c · x^n and their sums, for any real exponent.
 
+use super::double_functions;
 use super::double_word::DoubleWord;
 use crate::Scalar;
-use crate::scalar::{floor, is_plain};
+use crate::scalar::{floor, is_plain, smallest_normal};
 use crate::seeds::Steepness;
 
 /// x^k by binary powering.
@@ -196,7 +197,7 @@ pub(crate) fn raised_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
     if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n, k) }
 }
 
-/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
+/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 to some digits more than a word's.
 pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
     let (whole, fraction) = parts(n);
     let quick = || quick_term(c.rounded(), x, n, 0);
@@ -259,7 +260,7 @@ fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     }
 }
 
-/// [`fractional_power`], multiples of 1/4 in twice the working precision.
+/// [`fractional_power`] in twice the working precision, or to some digits more than a word's.
 fn double_fractional_power<T: Scalar>(x: T, fraction: T) -> DoubleWord<T> {
     let root = || DoubleWord::of(x).sqrt();
     match quarters(x, fraction) {
@@ -267,6 +268,7 @@ fn double_fractional_power<T: Scalar>(x: T, fraction: T) -> DoubleWord<T> {
         Some(1) => root().sqrt(),
         Some(2) => root(),
         Some(3) => root().times(root().sqrt()),
+        _ if is_plain::<T>() && x >= smallest_normal() && x.is_finite() => double_functions::fractional_power(x, fraction),
         _ => DoubleWord::of(real_fractional_power(x, fraction)),
     }
 }
