@@ -151,15 +151,21 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.05f64),
-                        <T as __cartcontact::Scalar>::constant(2.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(-0.004f64),
-                        <T as __cartcontact::Scalar>::constant(3.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.0f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0002f64),
-                        <T as __cartcontact::Scalar>::constant(4.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(4.0f64),
+                        ),
                     ),
                 ],
             )
@@ -234,6 +240,7 @@ const _: () = {
                                     __log_slope * __x * __x * __x * __x * __x * __x,
                                 )
                             },
+                            |__a| __cartcontact::GapProfile::load_integral(self, __a),
                         )
                     })
                 }

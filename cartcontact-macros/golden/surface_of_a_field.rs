@@ -263,6 +263,7 @@ const _: () = {
                                         * __slope;
                                 (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                             },
+                            |__a| __cartcontact::GapProfile::load_integral(self, __a),
                         )
                     })
                 }

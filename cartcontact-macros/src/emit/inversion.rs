@@ -122,7 +122,17 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         Some(uncertain) => quote!(#(#uncertain < #zero)||*),
     };
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
-    quote!(#invert(#load_integral, #limit, #positive, #has_negative, |#a| { #evaluate }))
+    let krate = names.krate;
+    quote! {
+        #invert(
+            #load_integral,
+            #limit,
+            #positive,
+            #has_negative,
+            |#a| { #evaluate },
+            |#a| #krate::GapProfile::load_integral(self, #a),
+        )
+    }
 }
 
 /// The term of J that belongs to a term of the gap.

@@ -5,6 +5,7 @@ pub(crate) mod binary;
 pub(crate) mod bits;
 pub(crate) mod double_functions;
 pub(crate) mod double_word;
+pub(crate) mod exponent;
 pub(crate) mod exponential;
 pub(crate) mod horner;
 pub(crate) mod logarithm;

@@ -22,22 +22,27 @@ use core::marker::PhantomData;
 
 use super::arithmetic::{Arithmetic, Word};
 use super::double_word::DoubleWord;
+use super::exponent::Exponent;
 use crate::Scalar;
 use crate::scalar::{floor, is_plain};
 
 /// Longest tent: the time for it grows with its length, that of logarithms does not.
 const LONGEST_TENT: u32 = 72;
 
-/// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a; multiples of 1/4 are rounded once.
+/// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
 #[inline]
-pub fn pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, T)> + Clone) -> T {
+pub fn pressure_kernel<T: Scalar>(
+    a: T,
+    r: T,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)> + Clone,
+) -> T {
     let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone());
     sum.rounded_or(|| quick_pressure_kernel(a, r, terms))
 }
 
 /// [`pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline]
-pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
     let sum: Word<T> = sum_of_kernels(a, r, terms);
     sum.rounded()
 }
@@ -65,16 +70,20 @@ pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weight
 }
 
 #[inline]
-fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, terms: impl IntoIterator<Item = (T, T)>) -> A {
+fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
+    a: T,
+    r: T,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+) -> A {
     let zero = A::of(T::zero());
     if r >= a {
         return zero;
     }
     let (edge, two) = (Edge::<T, A>::between(a, r), T::constant(2.0));
     terms.into_iter().fold(zero, |sum, (c, n)| {
-        let next = A::sum(n, two);
+        let next = A::exponent(n.plus(2));
         let weight = A::of(c).over(next.times(next).times_word(two));
-        // As an exponent n + 2 would have to be rounded.
+        // In two steps, because quick powers above the third take double words, too, and those of most gaps are below.
         let power = A::term(weight, a, n).times_word(a).times_word(a);
         sum.plus(power.times(edge.kernel(n)))
     })
@@ -149,12 +158,19 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
     }
 
     /// K(q) for the exponent n.
-    fn kernel(&self, n: T) -> A {
+    #[inline]
+    fn kernel(&self, n: Exponent<T>) -> A {
+        let tent = if n.rest.is_zero() { self.tent(n.value()) } else { None };
+        tent.unwrap_or_else(|| A::kernel_of_real_exponent(self.inset, self.ratio, n))
+    }
+
+    /// K(q) for a multiple n of 1/4, if its tent is not too long.
+    fn tent(&self, n: T) -> Option<A> {
         let quarters = n * T::constant(4.0);
         let count = floor(quarters);
         // An exponent that carries a derivative must not be taken for a number.
         if T::constant(f64::from(count)) != quarters || !is_plain::<T>() {
-            return A::kernel_of_real_exponent(self.inset, self.ratio, n);
+            return None;
         }
         let count = count.unsigned_abs();
         let (alpha, beta, inverse_degree) = match count % 8 {
@@ -164,10 +180,10 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
             _ => (count, 8, T::constant(0.25)),
         };
         if alpha + beta > LONGEST_TENT {
-            return A::kernel_of_real_exponent(self.inset, self.ratio, n);
+            return None;
         }
         let (root, inset) = self.root(beta);
-        tent(alpha, beta, root).times(inset).times(inset).times_word(inverse_degree)
+        Some(tent(alpha, beta, root).times(inset).times(inset).times_word(inverse_degree))
     }
 
     /// p = q^(2/β) and 1 − p.
@@ -216,7 +232,7 @@ mod tests {
             for x in 0..100 {
                 let expected = exact(n, x, 100);
                 let edge = Edge::<f64, DoubleWord<f64>>::between(100.0, x as f64);
-                let tent = edge.kernel(f64::from(n)).rounded();
+                let tent = edge.kernel(Exponent::of(f64::from(n))).rounded();
                 // The expected value rounds three times.
                 assert!((tent / expected - 1.0).abs() < 2.0 * f64::EPSILON, "n = {n}, q = {x} %");
             }
@@ -253,14 +269,15 @@ mod tests {
                 let inset = f64::from(i) / 400.0;
                 let inset = T::constant(if inset <= 1.0 { inset } else { (-4.0 * inset).exp() });
                 let edge = Edge::<T, DoubleWord<T>>::between(T::one(), T::one() - inset);
-                let tent = edge.kernel(n);
+                let tent = edge.kernel(Exponent::of(n));
                 let difference = |found: DoubleWord<T>| {
                     let share = found.plus(-tent).high() / tent.high();
                     share.abs().value() / T::default_epsilon().value()
                 };
                 let word = real_exponent::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
                 quick = quick.max(difference(DoubleWord::of(word)));
-                precise = precise.max(difference(real_exponent::kernel(edge.inset, edge.ratio, n)));
+                precise =
+                    precise.max(difference(real_exponent::kernel(edge.inset, edge.ratio, DoubleWord::of(n))));
             }
         }
         [quick, precise]

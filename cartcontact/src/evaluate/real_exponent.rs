@@ -58,34 +58,38 @@ fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
 }
 
 /// K(q) from 1 − q and q, to some digits more than a word has.
-pub(crate) fn kernel<T: Scalar>(inset: DoubleWord<T>, ratio: DoubleWord<T>, n: T) -> DoubleWord<T> {
+pub(crate) fn kernel<T: Scalar>(
+    inset: DoubleWord<T>,
+    ratio: DoubleWord<T>,
+    n: DoubleWord<T>,
+) -> DoubleWord<T> {
     if !is_plain::<T>() {
-        return DoubleWord::of(quick_kernel(inset.rounded(), ratio.rounded(), n));
+        return DoubleWord::of(quick_kernel(inset.rounded(), ratio.rounded(), n.rounded()));
     }
     let epsilon = T::default_epsilon();
     if ratio.high() <= epsilon * epsilon {
         // What is left out is 2 q² (1 − ln q) at the most, for any n.
-        return DoubleWord::of(n);
+        return n;
     }
-    let next = DoubleWord::sum(n, T::constant(2.0));
+    let next = n.plus_word(T::constant(2.0));
     if next.high() * inset.high() < T::constant(0.25) {
         return kernel_near_edge(inset, next, n);
     }
-    let rise = negative_exp_m1(log_of_share(ratio, inset).times_word(n));
+    let rise = negative_exp_m1(log_of_share(ratio, inset).times(n));
     let square = ratio.times(ratio);
-    let fall = inset.times(ratio.plus_word(T::one())).times_word(n);
+    let fall = inset.times(ratio.plus_word(T::one())).times(n);
     fall.plus(square.times(rise).scaled(T::constant(2.0)))
 }
 
 /// The binomial series for u = (n+2) δ < 1/4, of which no term is above 0.11 of the one before.
-fn kernel_near_edge<T: Scalar>(inset: DoubleWord<T>, next: DoubleWord<T>, n: T) -> DoubleWord<T> {
+fn kernel_near_edge<T: Scalar>(inset: DoubleWord<T>, next: DoubleWord<T>, n: DoubleWord<T>) -> DoubleWord<T> {
     let (one, third) = (T::one(), DoubleWord::of(T::one()).over(DoubleWord::of(T::constant(3.0))));
     // Beyond, 1e-18 is left of the factor of (n+1)/3 δ, which is below 0.08.
     let rest = (1..=16).rev().fold(one, |rest, j| {
         let share = T::constant(1.0 / f64::from(j + 3)) * inset.high();
-        one - (n - T::constant(f64::from(j))) * share * rest
+        one - (n.high() - T::constant(f64::from(j))) * share * rest
     });
-    let slope = DoubleWord::sum(n, one).times(inset).times(third).times_word(rest);
-    let leading = next.times_word(n).times(inset).times(inset);
+    let slope = n.plus_word(one).times(inset).times(third).times_word(rest);
+    let leading = next.times(n).times(inset).times(inset);
     leading.times((-slope).plus_word(one))
 }

@@ -21,6 +21,7 @@ use crate::evaluate::bits::{
     DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
     with_half_its_digits,
 };
+use crate::evaluate::exponent::Exponent;
 use crate::scalar::{floor, is, is_plain};
 
 /// What is added to logarithms, whole numbers over p, before they are rounded: so that hardly any of them lies so near
@@ -105,12 +106,13 @@ impl<T: Scalar> Spread<T> {
 pub fn radius_of_real_powers<T: Scalar>(
     load_integral: T,
     limit: T,
-    terms: impl Iterator<Item = (T, T)> + Clone,
+    terms: impl Iterator<Item = (T, Exponent<T>)> + Clone,
     evaluate: impl Fn(T, T) -> Steepness<T>,
 ) -> Option<T> {
     if !is_plain::<T>() {
         return None;
     }
+    let terms = terms.map(|(j, p)| (j, p.value()));
     let (lowest, highest, are_positive) =
         terms.clone().fold((T::infinity(), T::zero(), true), |(lowest, highest, are_positive), (j, p)| {
             (lowest.min(p), highest.max(p), are_positive & (j >= T::zero()))
