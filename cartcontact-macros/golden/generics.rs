@@ -393,7 +393,29 @@ const _: () = {
                                     ],
                                 )
                             },
-                            |__a| __cartcontact::GapProfile::load_integral(self, __a),
+                            |__a| __cartcontact::generated::power_sum(
+                                __a,
+                                [
+                                    (
+                                        __c0
+                                            * <S as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                                        ),
+                                    ),
+                                    (
+                                        __c1
+                                            * <S as __cartcontact::Scalar>::constant(
+                                                0.08547008547008547f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                                        ),
+                                    ),
+                                ],
+                            ),
                         )
                     })
                 }

@@ -314,7 +314,27 @@ const _: () = {
                                     ],
                                 )
                             },
-                            |__a| __cartcontact::GapProfile::load_integral(self, __a),
+                            |__a| __cartcontact::generated::power_sum(
+                                __a,
+                                [
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.0007792207792207792f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                                        ),
+                                    ),
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.00017077175697865354f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                                        ),
+                                    ),
+                                ],
+                            ),
                         )
                     })
                 }

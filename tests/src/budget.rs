@@ -64,7 +64,7 @@ pub const RADIUS: Allowance =
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [1.1, 1.5],
-    [1.0, 1.1],
+    [0.9, 1.1],
     "as the radius, and the hereditary load over π m/4 is rounded three times, which its degree divides",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.

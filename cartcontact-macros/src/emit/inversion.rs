@@ -122,7 +122,8 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         Some(uncertain) => quote!(#(#uncertain < #zero)||*),
     };
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
-    let krate = names.krate;
+    // Not the method of that name: its receiver would be one more thing to hand to the general solution.
+    let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients, names).code;
     quote! {
         #invert(
             #load_integral,
@@ -130,7 +131,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
             #positive,
             #has_negative,
             |#a| { #evaluate },
-            |#a| #krate::GapProfile::load_integral(self, #a),
+            |#a| #rounded_once,
         )
     }
 }

@@ -122,7 +122,8 @@ pub fn radius_of_real_powers<T: Scalar>(
             (lowest.min(p), highest.max(p), are_positive & (j >= T::zero()))
         });
     let exponent = exponent(load_integral);
-    let start = Start::of(load_integral, lowest, terms);
+    // The logarithm of zero, read from its bits, is that of a number.
+    let start = Start::of(load_integral, lowest, terms.filter(|(j, _)| !j.is_zero()));
     let fits = is_normal::<T>(exponent) & is_normal::<T>(-exponent) & is_normal::<T>(start.octave);
     let is_within = is::<T, f64>() || highest <= T::constant(HIGHEST_SINGLE_POWER);
     if !(are_positive & fits & is_within) {
