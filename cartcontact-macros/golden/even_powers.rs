@@ -208,6 +208,18 @@ const _: () = {
                                         * __slope;
                                 (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                             },
+                            |__a| __cartcontact::generated::precise_even_sum(
+                                __a,
+                                6u32,
+                                [
+                                    <T as __cartcontact::Scalar>::constant(
+                                        0.0020833333333333333f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        9.114583333333334e-6f64,
+                                    ),
+                                ],
+                            ),
                         )
                     })
                 }

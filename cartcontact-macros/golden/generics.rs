@@ -68,12 +68,16 @@ const _: () = {
                 (
                     __c0
                         * <S as __cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    <S as __cartcontact::Scalar>::constant(6.0f64),
+                    __cartcontact::generated::Exponent::of(
+                        <S as __cartcontact::Scalar>::constant(6.0f64),
+                    ),
                 ),
                 (
                     __c1
                         * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64),
-                    <S as __cartcontact::Scalar>::constant(6.5f64),
+                    __cartcontact::generated::Exponent::of(
+                        <S as __cartcontact::Scalar>::constant(6.5f64),
+                    ),
                 ),
             ],
         )
@@ -90,8 +94,18 @@ const _: () = {
             __cartcontact::generated::power_sum(
                 __r,
                 [
-                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                    (
+                        __c0,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
+                    ),
+                    (
+                        __c1,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.5f64),
+                        ),
+                    ),
                 ],
             )
         }
@@ -103,14 +117,18 @@ const _: () = {
                 [
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
-                        <S as __cartcontact::Scalar>::constant(2.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(2.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.5f64),
+                        ),
                     ),
                 ],
             )
@@ -121,13 +139,20 @@ const _: () = {
             __cartcontact::generated::power_sum(
                 __a,
                 [
-                    (__c0, <S as __cartcontact::Scalar>::constant(1.0f64)),
+                    (
+                        __c0,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(1.0f64),
+                        ),
+                    ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                 ],
             )
@@ -143,14 +168,18 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                        ),
                     ),
                 ],
             )
@@ -163,14 +192,18 @@ const _: () = {
                 [
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.0625f64),
-                        <S as __cartcontact::Scalar>::constant(4.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(4.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.04938271604938271f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(4.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(4.5f64),
+                        ),
                     ),
                 ],
             )
@@ -183,14 +216,18 @@ const _: () = {
                 [
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
-                        <S as __cartcontact::Scalar>::constant(2.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(2.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.5f64),
+                        ),
                     ),
                 ],
             )
@@ -201,13 +238,20 @@ const _: () = {
             __cartcontact::generated::quick_power_sum(
                 __a,
                 [
-                    (__c0, <S as __cartcontact::Scalar>::constant(1.0f64)),
+                    (
+                        __c0,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(1.0f64),
+                        ),
+                    ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                 ],
             )
@@ -223,14 +267,18 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                        ),
                     ),
                 ],
             )
@@ -242,8 +290,18 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                    (
+                        __c0,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
+                    ),
+                    (
+                        __c1,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.5f64),
+                        ),
+                    ),
                 ],
             )
         }
@@ -254,8 +312,18 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                    (
+                        __c0,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
+                    ),
+                    (
+                        __c1,
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(2.5f64),
+                        ),
+                    ),
                 ],
             )
         }
@@ -309,18 +377,45 @@ const _: () = {
                                                 * <S as __cartcontact::Scalar>::constant(
                                                     0.08333333333333333f64,
                                                 ),
-                                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                                            __cartcontact::generated::Exponent::of(
+                                                <S as __cartcontact::Scalar>::constant(6.0f64),
+                                            ),
                                         ),
                                         (
                                             __c1
                                                 * <S as __cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
-                                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                                            __cartcontact::generated::Exponent::of(
+                                                <S as __cartcontact::Scalar>::constant(6.5f64),
+                                            ),
                                         ),
                                     ],
                                 )
                             },
+                            |__a| __cartcontact::generated::power_sum(
+                                __a,
+                                [
+                                    (
+                                        __c0
+                                            * <S as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                                        ),
+                                    ),
+                                    (
+                                        __c1
+                                            * <S as __cartcontact::Scalar>::constant(
+                                                0.08547008547008547f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                                        ),
+                                    ),
+                                ],
+                            ),
                         )
                     })
                 }
@@ -374,14 +469,18 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                        ),
                     ),
                 ],
             )
@@ -405,14 +504,18 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.0f64),
+                        ),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        <S as __cartcontact::Scalar>::constant(6.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                        ),
                     ),
                 ],
             )

@@ -151,15 +151,21 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.05f64),
-                        <T as __cartcontact::Scalar>::constant(2.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(-0.004f64),
-                        <T as __cartcontact::Scalar>::constant(3.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.0f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0002f64),
-                        <T as __cartcontact::Scalar>::constant(4.0f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(4.0f64),
+                        ),
                     ),
                 ],
             )
@@ -234,6 +240,21 @@ const _: () = {
                                     __log_slope * __x * __x * __x * __x * __x * __x,
                                 )
                             },
+                            |__a| __cartcontact::generated::precise_sum(
+                                __a,
+                                6u32,
+                                [
+                                    <T as __cartcontact::Scalar>::constant(
+                                        0.004166666666666667f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        -0.00034285714285714285f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        1.6666666666666667e-5f64,
+                                    ),
+                                ],
+                            ),
                         )
                     })
                 }

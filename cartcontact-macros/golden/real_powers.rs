@@ -36,11 +36,15 @@ const _: () = {
             [
                 (
                     <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                    <T as __cartcontact::Scalar>::constant(5.5f64),
+                    __cartcontact::generated::Exponent::of(
+                        <T as __cartcontact::Scalar>::constant(5.5f64),
+                    ),
                 ),
                 (
                     <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
-                    <T as __cartcontact::Scalar>::constant(7.25f64),
+                    __cartcontact::generated::Exponent::of(
+                        <T as __cartcontact::Scalar>::constant(7.25f64),
+                    ),
                 ),
             ],
         )
@@ -57,11 +61,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        <T as __cartcontact::Scalar>::constant(3.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.25f64),
+                        ),
                     ),
                 ],
             )
@@ -73,11 +81,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        <T as __cartcontact::Scalar>::constant(3.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.25f64),
+                        ),
                     ),
                 ],
             )
@@ -89,11 +101,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        <T as __cartcontact::Scalar>::constant(0.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(0.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        <T as __cartcontact::Scalar>::constant(2.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(2.25f64),
+                        ),
                     ),
                 ],
             )
@@ -105,13 +121,17 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as __cartcontact::Scalar>::constant(5.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as __cartcontact::Scalar>::constant(7.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                        ),
                     ),
                 ],
             )
@@ -123,11 +143,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0008163265306122449f64),
-                        <T as __cartcontact::Scalar>::constant(3.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(7.256235827664399e-5f64),
-                        <T as __cartcontact::Scalar>::constant(5.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(5.25f64),
+                        ),
                     ),
                 ],
             )
@@ -139,11 +163,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        <T as __cartcontact::Scalar>::constant(3.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.25f64),
+                        ),
                     ),
                 ],
             )
@@ -155,11 +183,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        <T as __cartcontact::Scalar>::constant(0.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(0.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        <T as __cartcontact::Scalar>::constant(2.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(2.25f64),
+                        ),
                     ),
                 ],
             )
@@ -171,13 +203,17 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as __cartcontact::Scalar>::constant(5.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as __cartcontact::Scalar>::constant(7.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                        ),
                     ),
                 ],
             )
@@ -190,11 +226,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        <T as __cartcontact::Scalar>::constant(3.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.25f64),
+                        ),
                     ),
                 ],
             )
@@ -207,11 +247,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        <T as __cartcontact::Scalar>::constant(3.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(3.25f64),
+                        ),
                     ),
                 ],
             )
@@ -255,17 +299,42 @@ const _: () = {
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.0007792207792207792f64,
                                             ),
-                                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                                            __cartcontact::generated::Exponent::of(
+                                                <T as __cartcontact::Scalar>::constant(5.5f64),
+                                            ),
                                         ),
                                         (
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.00017077175697865354f64,
                                             ),
-                                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                                            __cartcontact::generated::Exponent::of(
+                                                <T as __cartcontact::Scalar>::constant(7.25f64),
+                                            ),
                                         ),
                                     ],
                                 )
                             },
+                            |__a| __cartcontact::generated::power_sum(
+                                __a,
+                                [
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.0007792207792207792f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                                        ),
+                                    ),
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.00017077175697865354f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::of(
+                                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                                        ),
+                                    ),
+                                ],
+                            ),
                         )
                     })
                 }
@@ -299,13 +368,17 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as __cartcontact::Scalar>::constant(5.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as __cartcontact::Scalar>::constant(7.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                        ),
                     ),
                 ],
             )
@@ -325,13 +398,17 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        <T as __cartcontact::Scalar>::constant(5.5f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                        ),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        <T as __cartcontact::Scalar>::constant(7.25f64),
+                        __cartcontact::generated::Exponent::of(
+                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                        ),
                     ),
                 ],
             )

@@ -263,6 +263,20 @@ const _: () = {
                                         * __slope;
                                 (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                             },
+                            |__a| __cartcontact::generated::precise_even_sum(
+                                __a,
+                                6u32,
+                                [
+                                    __c0
+                                        * <T as __cartcontact::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                    __c1
+                                        * <T as __cartcontact::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                ],
+                            ),
                         )
                     })
                 }

@@ -5,6 +5,7 @@ pub use crate as root;
 pub use crate::admissibility::{
     check_coefficients, check_positive, checked_range, inside_surfaces, not_below_zero,
 };
+pub use crate::evaluate::exponent::Exponent;
 pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };

@@ -21,10 +21,12 @@
 //! is below ε, so 8 + 2 · 63 evaluations are the most that can happen; 3 or 4 are usual.
 //!
 //! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`],
-//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term.
+//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term. There J is rounded once: in plain
+//! arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the result.
 
 use crate::Scalar;
 use crate::evaluate::binary::{estimated_root_of_product, root_of_product};
+use crate::evaluate::exponent::Exponent;
 use crate::evaluate::power;
 use crate::profile::RadiusError;
 use crate::scalar::is;
@@ -69,7 +71,7 @@ pub fn invert_one_term<T: Scalar>(target: T, term: PositiveTerm<T>, limit: T) ->
     if radius <= limit {
         return Ok(radius);
     }
-    let largest = power::term(term.inverse.recip(), limit, term.power);
+    let largest = power::term(term.inverse.recip(), limit, Exponent::of(term.power));
     // The root may round to just beyond a limit that the load integral does not exceed.
     if target <= largest { Ok(limit) } else { Err(beyond(target, largest, limit)) }
 }
@@ -77,7 +79,7 @@ pub fn invert_one_term<T: Scalar>(target: T, term: PositiveTerm<T>, limit: T) ->
 /// Solves J(a) = `target` on (0, `limit`].
 ///
 /// `positive` lists the terms with positive coefficients in any order, `negative` tells whether there are
-/// others. `evaluate` gives J(a) and a J′(a).
+/// others. `evaluate` gives J(a) and a J′(a), and `load_integral` J(a) rounded once.
 ///
 /// # Errors
 ///
@@ -89,6 +91,7 @@ pub fn invert<T: Scalar>(
     positive: impl Iterator<Item = PositiveTerm<T>>,
     negative: bool,
     evaluate: impl Fn(T) -> (T, T),
+    load_integral: impl Fn(T) -> T,
 ) -> Result<T, RadiusError> {
     if !is_valid(target, limit)? {
         return Ok(T::zero());
@@ -107,7 +110,8 @@ pub fn invert<T: Scalar>(
         }
     }
     bracket.low = bracket.low.min(bracket.high);
-    Ok(iterate(target, seed.radius.min(bracket.high), bracket, close_enough(negative), evaluate))
+    let close = close_enough(negative, seed.highest_power);
+    Ok(iterate(target, seed.radius.min(bracket.high), bracket, close, (evaluate, load_integral)))
 }
 
 /// False for zero, whose radius is zero without a search; a range that is none reaches no further.
@@ -136,21 +140,24 @@ struct Seed<T> {
     radius: T,
     low: T,
     high: T,
+    highest_power: T,
 }
 
 impl<T: Scalar> Seed<T> {
     fn of(target: T, positive: impl Iterator<Item = PositiveTerm<T>>) -> Self {
-        let (mut radius, mut least_power, mut count) = (T::infinity(), T::infinity(), T::zero());
+        let (mut radius, mut count) = (T::infinity(), T::zero());
+        let (mut least_power, mut highest_power) = (T::infinity(), T::zero());
         for term in positive {
             radius = radius.min(estimated_root_of_product(target, term.inverse, term.power));
-            least_power = least_power.min(term.power);
+            (least_power, highest_power) = (least_power.min(term.power), highest_power.max(term.power));
             count += T::one();
         }
         // N^(−1/p) ≥ 1 − (ln N)/p ≥ 1 − (N−1)/p, but never below N^(−1/4) ≥ 1/N.
         let shrink = (T::one() - (count - T::one()) / least_power).max(count.recip());
         // Both ends are widened by the error of the estimates.
         let margin = T::constant(0.02);
-        Self { radius, low: radius * shrink * (T::one() - margin), high: radius * (T::one() + margin) }
+        let (low, high) = (radius * shrink * (T::one() - margin), radius * (T::one() + margin));
+        Self { radius, low, high, highest_power }
     }
 }
 
@@ -179,7 +186,7 @@ fn iterate<T: Scalar>(
     start: T,
     mut bracket: Bracket<T>,
     close: T,
-    evaluate: impl Fn(T) -> (T, T),
+    (evaluate, load_integral): (impl Fn(T) -> (T, T), impl Fn(T) -> T),
 ) -> T {
     let one = T::one();
     let per_target = target.recip();
@@ -207,8 +214,7 @@ fn iterate<T: Scalar>(
             break;
         }
     }
-    let (value, log_slope) = evaluate(a);
-    let correction = a * ((value - target) / log_slope);
+    let correction = a * ((load_integral(a) - target) / evaluate(a).1);
     // A slope that nearly vanishes leaves nothing to correct by.
     if correction.abs() <= a * close { a - correction } else { a }
 }
@@ -217,20 +223,22 @@ fn iterate<T: Scalar>(
 ///
 /// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers
 /// weighted by their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is
-/// below ε/4 for the limits of f64 and f32. Of dual numbers the derivatives lag one step behind.
+/// below ε/4 for the limits of f64 and f32; as v/p is below the highest power p₂ and what is left below p₂³/8 times the
+/// fourth power, limits that fall with 1/p₂ are enough beyond. Of dual numbers the derivatives lag one step behind.
 ///
 /// With negative terms v and p, there a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
 /// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. Where
 /// rounding of J lets no step become as short, which it does if the condition number is above ε^(−1/4), the bracket is
 /// halved to its end instead.
-fn close_enough<T: Scalar>(negative: bool) -> T {
+fn close_enough<T: Scalar>(negative: bool, highest_power: T) -> T {
+    let share = (T::constant(68.0) / highest_power).min(T::one());
     if negative {
         let root = T::default_epsilon().sqrt();
         root * root.sqrt()
     } else if is::<T, f64>() {
-        T::constant(4e-6)
+        T::constant(4e-6) * share
     } else if is::<T, f32>() {
-        T::constant(3e-4)
+        T::constant(3e-4) * share
     } else {
         T::default_epsilon().sqrt() * T::constant(0.5)
     }
@@ -249,13 +257,17 @@ mod tests {
         })
     }
 
+    fn load_integral(a: f64) -> f64 {
+        mixed(a).0
+    }
+
     #[test]
     fn planted_radii_are_recovered_with_negative_terms() {
         let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
         for k in -60..60 {
             let planted = 10f64.powf(f64::from(k) / 10.0);
             let target = mixed(planted).0;
-            let found = invert(target, f64::INFINITY, positive.into_iter(), true, mixed);
+            let found = invert(target, f64::INFINITY, positive.into_iter(), true, mixed, load_integral);
             let error = found.map(|a| (a / planted - 1.0).abs());
             assert!(error.is_ok_and(|e| e < 1e-15), "{planted}: {found:?}");
         }
@@ -275,7 +287,9 @@ mod tests {
             let b = 1.0 - 10f64.powf(-6.0 - 7.0 * f64::from(k % 31) / 31.0);
             let planted = 1.0 + 2e-5 * (f64::from(k) / 500.0 - 1.0);
             let ((target, _), size) = nearly_flat(b, planted);
-            let found = invert(target, f64::INFINITY, positive.into_iter(), true, |a| nearly_flat(b, a).0);
+            let evaluate = |a| nearly_flat(b, a).0;
+            let found =
+                invert(target, f64::INFINITY, positive.into_iter(), true, evaluate, |a| evaluate(a).0);
             let left = found.map(|a| (nearly_flat(b, a).0.0 - target).abs() / size);
             assert!(left.is_ok_and(|left| left < f64::EPSILON), "{k}: {left:?}");
         }
@@ -285,10 +299,10 @@ mod tests {
     fn the_end_of_the_range_is_inside() {
         let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
         let end = mixed(5.0).0;
-        let found = invert(end, 5.0, positive.into_iter(), true, mixed);
+        let found = invert(end, 5.0, positive.into_iter(), true, mixed, load_integral);
         assert!(found.is_ok_and(|a| (a - 5.0).abs() <= 1e-15), "{found:?}");
         assert!(matches!(
-            invert(end * 1.000_001, 5.0, positive.into_iter(), true, mixed),
+            invert(end * 1.000_001, 5.0, positive.into_iter(), true, mixed, load_integral),
             Err(RadiusError::BeyondRange { max_radius: 5.0, .. })
         ));
     }
@@ -307,7 +321,7 @@ mod tests {
         let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
         for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
             let alone = invert_one_term(1.0, positive[0], limit);
-            let all = invert(1.0, limit, positive.into_iter(), true, mixed);
+            let all = invert(1.0, limit, positive.into_iter(), true, mixed, load_integral);
             assert!(matches!(alone, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{alone:?}");
             assert!(matches!(all, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{all:?}");
         }

@@ -5,12 +5,13 @@ use core::marker::PhantomData;
 use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::evaluate::double_word::DoubleWord;
+use crate::evaluate::exponent::Exponent;
 use crate::evaluate::power::{
-    power_sum, quick_power_sum, raised_power_sum, raised_power_sum_and_log_slope, raised_power_sum_drop,
-    raised_power_sum_steepness, term_of_drop, weighted_power_sum,
+    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, scaled_power_sum_steepness,
+    weighted_power_sum,
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
-use crate::evaluate::slopes_and_drops::fill_by_powers;
+use crate::evaluate::slopes_and_drops::fill_slopes_and_drops;
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::scalar::{floor, is_plain};
@@ -86,73 +87,80 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
 
     fn general_radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         let positive = positive_terms(self.map(|c, n| (c, n)));
-        invert(load_integral, limit, positive, self.has_negative_terms, |a| {
-            raised_power_sum_and_log_slope(a, 4, self.load_integral_terms())
-        })
+        let evaluate = |a| power_sum_and_log_slope(a, self.load_integral_terms());
+        invert(load_integral, limit, positive, self.has_negative_terms, evaluate, |a| self.load_integral(a))
     }
 
-    /// The terms of J/a⁴: (C n/((n+2)(n+4)), n).
-    fn load_integral_terms(&self) -> impl Iterator<Item = (T, T)> + Clone {
-        let (two, four) = (T::constant(2.0), T::constant(4.0));
-        self.map(move |c, n| (c * (n / ((n + two) * (n + four))), n))
+    /// The terms of the gap.
+    fn powers(&self) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
+        self.map(|c, n| (c, Exponent::of(n)))
+    }
+
+    /// The terms of J: (C n/((n+2)(n+4)), n+4).
+    fn load_integral_terms(&self) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
+        // (n+2)(n+4), of which nothing but the sum rounds much where n is small and J least steep.
+        let divisor = |n: T| n * (n + T::constant(6.0)) + T::constant(8.0);
+        self.map(move |c, n| (c * (n / divisor(n)), Exponent::of(n).plus(4)))
+    }
+
+    /// Σ w(C, n) x^(n+k), rounded once.
+    fn sum(&self, x: T, k: i32, weight: impl Fn(T, T) -> DoubleWord<T> + Clone) -> T {
+        weighted_power_sum(x, self.map(|c, n| (weight(c, n), Exponent::of(n).plus(k))))
     }
 }
 
 impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     fn gap(&self, r: T) -> T {
-        power_sum(r, self.map(|c, n| (c, n)))
+        power_sum(r, self.powers())
     }
 
     fn approach(&self, a: T) -> T {
         let two = T::constant(2.0);
-        weighted_power_sum(a, 0, self.map(|c, n| (DoubleWord::of(two * c).over(DoubleWord::sum(n, two)), n)))
+        self.sum(a, 0, |c, n| DoubleWord::of(two * c).over(DoubleWord::sum(n, two)))
     }
 
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        let weight = |c, n| DoubleWord::product(two * c, n).over(DoubleWord::sum(n, two));
-        weighted_power_sum(a, -1, self.map(|c, n| (weight(c, n), n)))
+        self.sum(a, -1, |c, n| DoubleWord::product(two * c, n).over(DoubleWord::sum(n, two)))
     }
 
     fn load_integral(&self, a: T) -> T {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
         let divisor = |n| DoubleWord::sum(n, two).times(DoubleWord::sum(n, four));
-        weighted_power_sum(a, 4, self.map(|c, n| (DoubleWord::product(c, n).over(divisor(n)), n)))
+        self.sum(a, 4, |c, n| DoubleWord::product(c, n).over(divisor(n)))
     }
 
     fn log_kernel(&self, x: T) -> T {
         let two = T::constant(2.0);
         let divisor = |n| DoubleWord::sum(n, two).power(2);
-        weighted_power_sum(x, 2, self.map(|c, n| (DoubleWord::of(c).over(divisor(n)), n)))
+        self.sum(x, 2, |c, n| DoubleWord::of(c).over(divisor(n)))
     }
 
     fn pressure_kernel(&self, a: T, r: T) -> T {
-        pressure_kernel(a, r, self.map(|c, n| (c, n)))
+        pressure_kernel(a, r, self.powers())
     }
 
     fn quick_approach(&self, a: T) -> T {
         let two = T::constant(2.0);
-        quick_power_sum(a, self.map(|c, n| (two * c / (n + two), n)))
+        quick_power_sum(a, self.map(|c, n| (two * c / (n + two), Exponent::of(n))))
     }
 
     fn quick_approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        raised_power_sum(a, -1, self.map(|c, n| (two * c * (n / (n + two)), n)))
+        quick_power_sum(a, self.map(|c, n| (two * c * (n / (n + two)), Exponent::of(n).plus(-1))))
     }
 
     fn quick_load_integral(&self, a: T) -> T {
-        raised_power_sum(a, 4, self.load_integral_terms())
+        quick_power_sum(a, self.load_integral_terms())
     }
 
     fn quick_pressure_kernel(&self, a: T, r: T) -> T {
-        quick_pressure_kernel(a, r, self.map(|c, n| (c, n)))
+        quick_pressure_kernel(a, r, self.powers())
     }
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
-        let four = T::constant(4.0);
-        let terms = self.load_integral_terms().map(|(j, n)| (j, n + four));
-        let found = radius_of_real_powers(load_integral, limit, terms, |a, scale| {
-            raised_power_sum_steepness(a, 4, scale, self.load_integral_terms())
+        let found = radius_of_real_powers(load_integral, limit, self.load_integral_terms(), |a, scale| {
+            scaled_power_sum_steepness(a, scale, self.load_integral_terms())
         });
         match found {
             Some(radius) => Ok(radius),
@@ -165,13 +173,11 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn load_integral_drop(&self, a: T, depth: T) -> T {
-        raised_power_sum_drop(a, depth, 4, self.load_integral_terms())
+        power_sum_drop(a, depth, self.load_integral_terms())
     }
 
     fn fill_slopes_and_drops(&self, a: T, places: (&[T], &[T]), values: (&mut [T], &mut [T])) {
-        let four = T::constant(4.0);
-        let terms = self.load_integral_terms().map(|(c, n)| (term_of_drop(c, a, n, 4), n + four));
-        fill_by_powers(self, a, places, values, terms);
+        fill_slopes_and_drops(self, a, places, values, self.load_integral_terms());
     }
 
     fn highest_exponent(&self) -> T {

@@ -55,28 +55,17 @@ pub const LOAD_INTEGRAL_DROP: Allowance = allow(
 pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// G(a, r), up to 1 − r/a = 1e-12.
 pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
-/// Φ, δ₀, δ₀′, J and L with exponents that are no multiples of 1/4.
-pub const REAL_POWERS: Allowance = allow(
-    "kernels of real powers",
-    [4.0, 4.0],
-    [1.8, 1.8],
-    "as the others, and `powf` is off by up to 1 ulp",
-);
-/// G(a, r) with exponents that are no multiples of 1/4, or are above 16 and no multiples of 1/2.
-pub const PRESSURE_KERNEL_OF_REAL_POWERS: Allowance = allow(
-    "pressure kernel of real powers",
-    [8.0, 8.0],
-    [3.7, 3.7],
-    "a logarithm of r/a and an exponential of it, each off by up to 1 ulp, in the differences of a series",
-);
 /// The inverse of J.
+///
+/// Of random sums of up to four positive terms with powers from 1/4 to 10 at most six in ten thousand radii are above 1 ulp;
+/// of two million with any powers none is above 1.3, or 1.5 in `f32`.
 pub const RADIUS: Allowance =
     allow("radius", [1.0, 1.5], [1.0, 1.1], "the error of J in plain arithmetic, divided by the degree of J");
 /// a(t).
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [1.1, 1.5],
-    [1.0, 1.1],
+    [0.9, 1.1],
     "as the radius, and the hereditary load over π m/4 is rounded three times, which its degree divides",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
@@ -118,7 +107,7 @@ pub const BALANCE_OF_OTHER_LOADS: Allowance = allow(
 );
 
 /// All of them.
-pub const TABLE: [Allowance; 17] = [
+pub const TABLE: [Allowance; 15] = [
     GAP,
     APPROACH,
     APPROACH_SLOPE,
@@ -126,8 +115,6 @@ pub const TABLE: [Allowance; 17] = [
     LOAD_INTEGRAL_DROP,
     LOG_KERNEL,
     PRESSURE_KERNEL,
-    REAL_POWERS,
-    PRESSURE_KERNEL_OF_REAL_POWERS,
     RADIUS,
     CONTACT_RADIUS,
     CONTACT_APPROACH,

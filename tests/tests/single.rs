@@ -1,8 +1,9 @@
 //! Single precision against double precision, at inputs that both hold exactly.
 
-use cartcontact::{Contact, GapProfile, Medium, Scalar};
+use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
 use tests::budget::{self, Allowance};
 use tests::measure::Errors;
+use tests::oracle::{Profile, double};
 use tests::profiles::Case;
 use tests::reference::{self, ContactRow};
 
@@ -96,4 +97,31 @@ fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> (f64, f64
         Ok((now.radius().value(), now.pressure(rounded(row.r)).value(), now.peak_pressure().value()))
     };
     solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
+}
+
+/// Exponents that have all their digits neither in single nor in double precision.
+#[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
+struct Decimals;
+
+#[test]
+fn kernels_of_decimal_powers_in_single_precision_are_those_of_the_oracle() {
+    let oracle = Profile::of_decimals(&[("0.2", "0.7"), ("0.03", "1.7"), ("2e-3", "3.1")]);
+    let mut errors = QUANTITIES.map(|(allowance, ..)| Errors::of_single(allowance));
+    for step in 0..60 {
+        let a = 0.01 * 1.17_f32.powi(step);
+        let r = a * (1.0 - 0.8_f32.powi(step));
+        let (exact_a, exact_r) = (double(f64::from(a)), double(f64::from(r)));
+        let found = [
+            (Decimals.gap(a), oracle.gap(&exact_a)),
+            (Decimals.approach(a), oracle.approach(&exact_a)),
+            (Decimals.approach_slope(a), oracle.approach_slope(&exact_a)),
+            (Decimals.load_integral(a), oracle.load_integral(&exact_a)),
+            (Decimals.log_kernel(a), oracle.log_kernel(&exact_a)),
+            (Decimals.pressure_kernel(a, r), oracle.pressure_kernel(&exact_a, &exact_r)),
+        ];
+        for ((found, expected), errors) in found.into_iter().zip(&mut errors) {
+            errors.add(found.value(), &expected, 1.0, &(a, r));
+        }
+    }
+    errors.iter().for_each(Errors::check);
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::ext::IdentExt;
 
-use super::{Names, arguments, bounded_generics, local};
+use super::{Names, arguments, bounded_generics, local, power_sum};
 use crate::closed_forms::Summand;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::geometry::Geometry;
@@ -52,6 +52,16 @@ impl<'a> Coefficients<'a> {
             let (coefficient, exponent) =
                 (self.times(index, &Rational::one()), number::literal(&term.exponent));
             quote!((#coefficient, #constant(#exponent)))
+        };
+        self.geometry.gap.terms.iter().enumerate().map(pair).collect()
+    }
+
+    /// All terms of the gap as pairs (coefficient, exponent in parts).
+    pub(super) fn powers(&self) -> Vec<TokenStream> {
+        let pair = |(index, term): (usize, &crate::gap::Term)| {
+            let coefficient = self.times(index, &Rational::one());
+            let exponent = power_sum::exponent(&term.exponent, self.names);
+            quote!((#coefficient, #exponent))
         };
         self.geometry.gap.terms.iter().enumerate().map(pair).collect()
     }

@@ -122,7 +122,18 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         Some(uncertain) => quote!(#(#uncertain < #zero)||*),
     };
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
-    quote!(#invert(#load_integral, #limit, #positive, #has_negative, |#a| { #evaluate }))
+    // Not the method of that name: its receiver would be one more thing to hand to the general solution.
+    let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients, names).code;
+    quote! {
+        #invert(
+            #load_integral,
+            #limit,
+            #positive,
+            #has_negative,
+            |#a| { #evaluate },
+            |#a| #rounded_once,
+        )
+    }
 }
 
 /// The term of J that belongs to a term of the gap.

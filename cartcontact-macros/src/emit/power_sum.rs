@@ -10,14 +10,15 @@
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
 //! multiplication, with the same effect.
 
-use num_traits::{One, ToPrimitive};
-use proc_macro2::{Ident, TokenStream};
+use num_traits::{One, ToPrimitive, Zero};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::operations::{Counted, Operations};
 use super::{Names, local};
-use crate::closed_forms::PowerSum;
+use crate::closed_forms::{PowerSum, Summand};
+use crate::number::{Rational, integer, literal};
 
 /// How a sum is written.
 pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> Counted;
@@ -30,9 +31,8 @@ pub(super) struct Whole {
 impl Whole {
     /// None if an exponent is fractional or negative.
     pub(super) fn of(sum: &PowerSum) -> Option<Self> {
-        let exponent = |summand: &crate::closed_forms::Summand| {
-            summand.exponent.is_integer().then(|| summand.exponent.to_u32()).flatten()
-        };
+        let exponent =
+            |summand: &Summand| summand.exponent.is_integer().then(|| summand.exponent.to_u32()).flatten();
         Some(Self { exponents: sum.summands.iter().map(exponent).collect::<Option<_>>()? })
     }
 
@@ -190,14 +190,27 @@ fn by_powers(
 
 /// The sum as pairs (coefficient, exponent).
 pub(super) fn pairs(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Vec<TokenStream> {
-    let constant = names.constant();
-    sum.summands
-        .iter()
-        .map(|summand| {
-            let coefficient = coefficients.times(summand.term, &summand.weight);
-            let exponent = crate::number::literal(&summand.exponent.abs());
-            let sign = summand.exponent.is_negative().then(|| quote!(-));
-            quote!((#coefficient, #sign #constant(#exponent)))
-        })
-        .collect()
+    let pair = |summand: &Summand| {
+        let coefficient = coefficients.times(summand.term, &summand.weight);
+        let exponent = exponent(&summand.exponent, names);
+        quote!((#coefficient, #exponent))
+    };
+    sum.summands.iter().map(pair).collect()
+}
+
+/// An exponent of which nothing is rounded, in any format: in parts unless it is a multiple of 1/4.
+pub(super) fn exponent(exponent: &Rational, names: &Names<'_>) -> TokenStream {
+    let (constant, of) = (names.constant(), names.generated("Exponent"));
+    if (exponent * integer(4)).is_integer() {
+        let (size, sign) = (literal(&exponent.abs()), exponent.is_negative().then(|| quote!(-)));
+        return quote!(#of::of(#sign #constant(#size)));
+    }
+    let whole = exponent.floor();
+    let fraction = exponent - &whole;
+    let nearest = fraction.to_f64().and_then(Rational::from_float).unwrap_or_else(Rational::zero);
+    let rest = &fraction - nearest;
+    let (size, sign) = (literal(&rest.abs()), rest.is_negative().then(|| quote!(-)));
+    let whole = Literal::i32_unsuffixed(whole.to_i32().unwrap_or(0));
+    let fraction = literal(&fraction);
+    quote!(#of::in_parts(#whole, #fraction, #sign #size))
 }

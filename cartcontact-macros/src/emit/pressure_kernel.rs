@@ -26,14 +26,14 @@ pub(super) fn methods(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<
     let weights = |indices: &[u32], step| weights(indices, step, coefficients, names);
     let (kernel, arguments) = match multiples(gap, 2, HIGHEST_EVEN) {
         Some(halves) => ("even_pressure_kernel", weights(&halves, 2)),
-        None => ("pressure_kernel", coefficients.terms()),
+        None => ("pressure_kernel", coefficients.powers()),
     };
     let (quick_kernel, quick_arguments) = if let Some(halves) = multiples(gap, 2, HIGHEST_QUICK_EVEN) {
         ("quick_even_pressure_kernel", weights(&halves, 2))
     } else if let Some(powers) = multiples(gap, 1, HIGHEST_QUICK_WHOLE) {
         ("quick_whole_pressure_kernel", weights(&powers, 1))
     } else {
-        ("quick_pressure_kernel", coefficients.terms())
+        ("quick_pressure_kernel", coefficients.powers())
     };
     let (scalar, preamble) = (&names.scalar, coefficients.preamble());
     let (a, r) = (local("a"), local("r"));

@@ -2,7 +2,9 @@
 //! double words where it is asked for itself.
 
 use super::double_word::DoubleWord;
+use super::exponent::Exponent;
 use super::power::{double_term, term};
+use super::real_exponent;
 use crate::Scalar;
 
 /// What numbers made of words of type `T` can do.
@@ -10,8 +12,12 @@ pub(crate) trait Arithmetic<T>: Copy {
     fn of(word: T) -> Self;
     fn sum(x: T, y: T) -> Self;
     fn product(x: T, y: T) -> Self;
+    /// n, rounded to what the number can hold.
+    fn exponent(n: Exponent<T>) -> Self;
     /// c x^n.
-    fn term(c: Self, x: T, n: T) -> Self;
+    fn term(c: Self, x: T, n: Exponent<T>) -> Self;
+    /// K(q) for any exponent n, from 1 − q and q.
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self;
     fn plus(self, other: Self) -> Self;
     fn plus_word(self, word: T) -> Self;
     fn times(self, other: Self) -> Self;
@@ -40,8 +46,16 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
         Self(x * y)
     }
     #[inline(always)]
-    fn term(c: Self, x: T, n: T) -> Self {
+    fn exponent(n: Exponent<T>) -> Self {
+        Self(n.value())
+    }
+    #[inline(always)]
+    fn term(c: Self, x: T, n: Exponent<T>) -> Self {
         Self(term(c.0, x, n))
+    }
+    #[inline(always)]
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
+        Self(real_exponent::quick_kernel(inset.0, ratio.0, n.value()))
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
@@ -87,8 +101,16 @@ impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
         Self::product(x, y)
     }
     #[inline]
-    fn term(c: Self, x: T, n: T) -> Self {
+    fn exponent(n: Exponent<T>) -> Self {
+        n.double()
+    }
+    #[inline]
+    fn term(c: Self, x: T, n: Exponent<T>) -> Self {
         double_term(c, x, n)
+    }
+    #[inline]
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
+        real_exponent::kernel(inset, ratio, n.double())
     }
     #[inline]
     fn plus(self, other: Self) -> Self {

@@ -101,12 +101,12 @@ pub(crate) fn fraction<T: Scalar>(x: T) -> T {
     }
 }
 
-/// Cut off behind half its digits, so that its square is exact.
+/// With half its digits, so that its square is exact; f32, which has none to waste, rounded, f64 cut off.
 #[inline(always)]
 pub(crate) fn with_half_its_digits<T: Scalar>(x: T) -> T {
     let any: &dyn Any = &x;
     match any.downcast_ref::<f32>() {
-        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() & !0x0fff)),
+        Some(single) => T::from_subset(&f32::from_bits((single.to_bits() + 0x0800) & !0x0fff)),
         None => T::constant(f64::from_bits(x.value().to_bits() & !0x07ff_ffff)),
     }
 }
@@ -162,5 +162,7 @@ mod tests {
         assert!((3.0 * third - 1.0).abs() < 2f64.powi(-25));
         let third = with_half_its_digits(1.0 / 3.0_f32);
         assert_eq!(f64::from(third * third), f64::from(third) * f64::from(third));
+        let below_two = 2.0 - f32::EPSILON;
+        assert_eq!(with_half_its_digits(below_two), 2.0);
     }
 }

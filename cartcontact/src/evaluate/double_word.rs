@@ -99,15 +99,32 @@ impl<T: Scalar> DoubleWord<T> {
         if rounded.is_finite() { rounded } else { plain() }
     }
 
+    /// The number but for half an ulp.
+    pub(crate) fn high(self) -> T {
+        self.high
+    }
+
     /// What `high` lacks.
     pub(crate) fn low(self) -> T {
         self.low
+    }
+
+    /// The product with a power of two.
+    pub(crate) fn scaled(self, power: T) -> Self {
+        Self { high: self.high * power, low: self.low * power }
     }
 
     /// The sum of two words of which the second is the smaller by far (Dekker).
     fn renormalised(high: T, low: T) -> Self {
         let sum = high + low;
         Self { high: sum, low: low - (sum - high) }
+    }
+}
+
+impl<T: Scalar> core::ops::Neg for DoubleWord<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
     }
 }
 

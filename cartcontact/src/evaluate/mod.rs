@@ -3,10 +3,13 @@
 pub(crate) mod arithmetic;
 pub(crate) mod binary;
 pub(crate) mod bits;
+pub(crate) mod double_functions;
 pub(crate) mod double_word;
+pub(crate) mod exponent;
 pub(crate) mod exponential;
 pub(crate) mod horner;
 pub(crate) mod logarithm;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;
+pub(crate) mod real_exponent;
 pub(crate) mod slopes_and_drops;

@@ -1,8 +1,10 @@
 //! Terms c · x^n and their sums, for any real exponent.
 
+use super::double_functions;
 use super::double_word::DoubleWord;
+use super::exponent::Exponent;
 use crate::Scalar;
-use crate::scalar::{floor, is_plain};
+use crate::scalar::{is_plain, smallest_normal};
 use crate::seeds::Steepness;
 
 /// x^k by binary powering.
@@ -27,63 +29,42 @@ pub fn real_power<T: Scalar>(x: T, n: T) -> T {
 
 /// Σ c x^n over the terms (c, n), each term within 2 ε of its value: what is only integrated.
 #[inline]
-pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
-    raised_power_sum(x, 0, terms)
-}
-
-/// x^k Σ c x^n over the terms (c, n), as [`quick_power_sum`].
-///
-/// The sum n + k would be rounded, and ln x multiplies that rounding: 10 ε of the result for x = 1e10 and n = 0.3.
-#[inline]
-pub(crate) fn raised_power_sum<T: Scalar>(x: T, k: i32, terms: impl IntoIterator<Item = (T, T)>) -> T {
-    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + raised_term(c, x, n, k))
+pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
+    terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
 }
 
 /// Σ c x^n over the terms (c, n), rounded once.
 #[inline]
-pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T), IntoIter: Clone>) -> T {
-    weighted_power_sum(x, 0, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
+pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>), IntoIter: Clone>) -> T {
+    weighted_power_sum(x, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
 }
 
-/// x^lowest Σ c x^n with coefficients that are not rounded, rounded once.
-///
-/// Nor is n + lowest: to round an exponent by δ costs a relative error of δ ln x.
+/// Σ c x^n with coefficients that are not rounded, rounded once.
 #[inline]
 pub(crate) fn weighted_power_sum<T: Scalar>(
     x: T,
-    lowest: i32,
-    terms: impl Iterator<Item = (DoubleWord<T>, T)> + Clone,
+    terms: impl Iterator<Item = (DoubleWord<T>, Exponent<T>)> + Clone,
 ) -> T {
-    // After the power: before, exact products would overflow the earlier.
-    let raised = |term| (0..lowest).fold(term, |term: DoubleWord<T>, _| term.times_word(x));
-    let term =
-        |(c, n)| (lowest..0).fold(raised(double_term(c, x, n)), |term, _| term.over(DoubleWord::of(x)));
+    let term = |(c, n)| double_term(c, x, n);
     let sum = terms.clone().map(term).fold(DoubleWord::of(T::zero()), DoubleWord::plus);
-    sum.rounded_or(|| raised_power_sum(x, lowest, terms.map(|(c, n)| (c.rounded(), n))))
+    sum.rounded_or(|| quick_power_sum(x, terms.map(|(c, n)| (c.rounded(), n))))
 }
 
 /// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
 #[inline]
-pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> (T, T) {
-    raised_power_sum_and_log_slope(x, 0, terms)
-}
-
-/// x^k Σ c x^n and its slope times x, as [`power_sum_and_log_slope`] gives them.
-#[inline]
-pub(crate) fn raised_power_sum_and_log_slope<T: Scalar>(
-    x: T,
-    k: i32,
-    terms: impl IntoIterator<Item = (T, T)>,
-) -> (T, T) {
+pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> (T, T) {
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
-        let value = quick_term(c, x, n, k);
-        (sum + value, slope + (n + T::constant(f64::from(k))) * value)
+        let value = quick_term(c, x, n.whole, n.fraction);
+        (sum + value, slope + n.value() * value)
     })
 }
 
 /// The load integral Σ c x^n with its derivatives, as [`power_sum_and_log_slope`].
 #[inline]
-pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, T)>) -> Steepness<T> {
+pub fn power_sum_steepness<T: Scalar>(
+    x: T,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+) -> Steepness<T> {
     scaled_power_sum_steepness(x, T::one(), terms)
 }
 
@@ -92,24 +73,13 @@ pub fn power_sum_steepness<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, 
 pub fn scaled_power_sum_steepness<T: Scalar>(
     x: T,
     scale: T,
-    terms: impl IntoIterator<Item = (T, T)>,
-) -> Steepness<T> {
-    raised_power_sum_steepness(x, 0, scale, terms)
-}
-
-/// `scale` x^k Σ c x^n with its derivatives.
-#[inline]
-pub(crate) fn raised_power_sum_steepness<T: Scalar>(
-    x: T,
-    k: i32,
-    scale: T,
-    terms: impl IntoIterator<Item = (T, T)>,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> Steepness<T> {
     let (zero, one, half) = (T::zero(), T::one(), T::constant(0.5));
     let none =
         Steepness { power: one, value: zero, first: zero, half_second: zero, per_unit: one, per_degree: one };
     terms.into_iter().fold(none, |sum, (c, n)| {
-        let (value, p) = (quick_term(c, x, n, k) * scale, n + T::constant(f64::from(k)));
+        let (value, p) = (quick_term(c, x, n.whole, n.fraction) * scale, n.value());
         let slope = p * value;
         Steepness {
             value: sum.value + value,
@@ -133,56 +103,43 @@ pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     } else {
         ratio.powf(order.recip())
     };
-    (x, quick_term(c, x, p, 0))
+    let p = Exponent::of(p);
+    (x, quick_term(c, x, p.whole, p.fraction))
 }
 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
 #[inline]
-pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
-    raised_power_sum_drop(a, depth, 0, terms)
-}
-
-/// Σ c (a^(n+k) − (a − depth)^(n+k)) as [`power_sum_drop`] gives it.
-#[inline]
-pub(crate) fn raised_power_sum_drop<T: Scalar>(
-    a: T,
-    depth: T,
-    k: i32,
-    terms: impl IntoIterator<Item = (T, T)>,
-) -> T {
+pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
     if depth.is_zero() {
         return T::zero();
     }
     let log_ratio = (-depth / a).ln_1p();
-    terms.into_iter().fold(T::zero(), |sum, (c, n)| {
-        let power = n + T::constant(f64::from(k));
-        sum - term_of_drop(c, a, n, k) * (power * log_ratio).exp_m1()
-    })
+    terms
+        .into_iter()
+        .fold(T::zero(), |sum, (c, p)| sum - term_of_drop(c, a, p) * (p.value() * log_ratio).exp_m1())
 }
 
-/// c x^(n+k) within 12 ε at the most, which is what a drop takes: powers up to the 24th with every product rounded.
+/// c x^n within 12 ε at the most, which is what a drop takes: powers up to the 24th with every product rounded.
 #[inline]
-pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
-    let form = if n <= T::constant(f64::from(24 - k)) { quick_term } else { raised_term };
-    form(c, x, n, k)
+pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
+    let form = if n.value() <= T::constant(24.0) { quick_term } else { whole_and_fraction };
+    form(c, x, n.whole, n.fraction)
 }
 
 /// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
-///
-/// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉, with k the whole part of n: the middle value is
-/// the geometric mean of c and the result, so it is in range whenever both of them are.
 #[inline]
-pub(crate) fn term<T: Scalar>(c: T, x: T, n: T) -> T {
-    raised_term(c, x, n, 0)
+pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
+    whole_and_fraction(c, x, n.whole, n.fraction)
 }
 
-/// c x^(n+k) as [`term`] gives it, without rounding n + k.
+/// c x^(k+φ) as [`term`].
+///
+/// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉: the middle value is the geometric mean of c and the result, so
+/// it is in range whenever both of them are.
 #[inline]
-pub(crate) fn raised_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
-    let (whole, fraction) = parts(n);
-    let whole = whole + k;
+fn whole_and_fraction<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
     if whole < 0 || x.is_zero() {
-        return quick_term(c, x, n, k);
+        return quick_term(c, x, whole, fraction);
     }
     let degree = whole as u32;
     let power = if degree < 4 {
@@ -193,17 +150,16 @@ pub(crate) fn raised_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
         if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, n, k) }
+    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, whole, fraction) }
 }
 
-/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 it has the error of one `powf`.
-pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord<T> {
-    let (whole, fraction) = parts(n);
-    let quick = || quick_term(c.rounded(), x, n, 0);
+/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 to some digits more than a word's.
+pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
+    let quick = || quick_term(c.rounded(), x, n.whole, n.fraction);
     if x.is_zero() {
         return DoubleWord::of(quick());
     }
-    let degree = whole.max(0) as u32;
+    let degree = n.whole.max(0) as u32;
     let even = if degree < 2 {
         c
     } else {
@@ -211,38 +167,30 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: T) -> DoubleWord
         half.times(c).times(half)
     };
     let power = if degree & 1 == 1 { even.times_word(x) } else { even };
-    let term = power.times(double_fractional_power(x, fraction));
+    let term = power.times(double_fractional_power(x, n));
     // Only slopes of gaps with an exponent below 1.
-    let term = (whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)));
+    let term = (n.whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)));
     if term.rounded().is_finite() { term } else { DoubleWord::of(quick()) }
 }
 
-/// c x^(n+k) with every product rounded, in halves as [`term`] does it.
-fn quick_term<T: Scalar>(c: T, x: T, n: T, k: i32) -> T {
+/// c x^(k+φ) with every product rounded, in halves as [`whole_and_fraction`] does it.
+fn quick_term<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
     // The power may be out of range; a zero that carries a derivative is no zero.
     if c.is_zero() && is_plain::<T>() {
         return c;
     }
-    let (whole, fraction) = parts(n);
-    let whole = whole + k;
     if whole < 0 && x.is_zero() {
         return c / x;
     }
     if whole < 0 {
-        // Only slopes of gaps with an exponent below 1. Turning the sign of n would round its fraction.
-        return quick_term(c, x, n, k + 1) / x;
+        // Only slopes of gaps with an exponent below 1. Turning the sign of the exponent would round its fraction.
+        return quick_term(c, x, whole + 1, fraction) / x;
     }
     let degree = whole as u32;
     let half = integer_power(x, degree / 2);
     let even = c * half * half;
     let whole_power = if degree & 1 == 1 { even * x } else { even };
     whole_power * fractional_power(x, fraction)
-}
-
-/// The whole part ⌊n⌋ and the fraction n − ⌊n⌋, both exact.
-fn parts<T: Scalar>(n: T) -> (i32, T) {
-    let whole = floor(n);
-    (whole, n - T::constant(f64::from(whole)))
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
@@ -259,15 +207,18 @@ fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     }
 }
 
-/// [`fractional_power`], multiples of 1/4 in twice the working precision.
-fn double_fractional_power<T: Scalar>(x: T, fraction: T) -> DoubleWord<T> {
+/// [`fractional_power`] in twice the working precision, or to some digits more than a word's.
+fn double_fractional_power<T: Scalar>(x: T, n: Exponent<T>) -> DoubleWord<T> {
     let root = || DoubleWord::of(x).sqrt();
-    match quarters(x, fraction) {
+    match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
         Some(0) => DoubleWord::of(T::one()),
         Some(1) => root().sqrt(),
         Some(2) => root(),
         Some(3) => root().times(root().sqrt()),
-        _ => DoubleWord::of(real_fractional_power(x, fraction)),
+        _ if is_plain::<T>() && x >= smallest_normal() && x.is_finite() => {
+            double_functions::fractional_power(x, DoubleWord::sum(n.fraction, n.rest))
+        }
+        _ => DoubleWord::of(real_fractional_power(x, n.fraction)),
     }
 }
 
@@ -290,6 +241,10 @@ fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn term(c: f64, x: f64, n: f64) -> f64 {
+        super::term(c, x, Exponent::of(n))
+    }
 
     #[test]
     fn whole_powers_of_small_integers_are_exact() {
@@ -320,7 +275,7 @@ mod tests {
     fn a_raised_sum_is_rounded_once_up_to_the_end_of_the_range() {
         for k in 1500..1700 {
             let x = k as f32 * 0.1;
-            let sum = weighted_power_sum(x, 4, [(DoubleWord::of(1.5), 12.0)].into_iter());
+            let sum = weighted_power_sum(x, [(DoubleWord::of(1.5), Exponent::of(12.0).plus(4))].into_iter());
             let exact = 1.5 * f64::from(x).powi(16);
             let error = (f64::from(sum) / exact - 1.0).abs() / f64::from(f32::EPSILON);
             assert!(error < 0.51, "{x}: {error} ε");
@@ -329,17 +284,18 @@ mod tests {
 
     #[test]
     fn nothing_times_a_power_out_of_range_is_nothing() {
-        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, 48.0, 4)), (0.0, 0.0));
-        assert_eq!(power_sum(1e20, [(2.0, 1.0), (0.0, 48.0)]), 2e20);
+        let [first, high] = [1.0, 48.0].map(Exponent::of);
+        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, 52, 0.0)), (0.0, 0.0));
+        assert_eq!(power_sum(1e20, [(2.0, first), (0.0, high)]), 2e20);
     }
 
     #[test]
     fn a_small_drop_does_not_cancel() {
         let (a, depth): (f64, f64) = (7.0, 2f64.powi(-40));
-        let drop = power_sum_drop(a, depth, [(1.0, 2.0)]);
+        let drop = power_sum_drop(a, depth, [(1.0, Exponent::of(2.0))]);
         // The logarithm, the expm1 and three products round once each.
         assert!((drop / (depth * (a + a - depth)) - 1.0).abs() < 3.0 * f64::EPSILON, "{drop:e}");
-        assert_eq!(power_sum_drop(7.0, 7.0, [(2.0, 3.0)]), 686.0);
-        assert_eq!(power_sum_drop(7.0, 0.0, [(2.0, 3.0)]), 0.0);
+        assert_eq!(power_sum_drop(7.0, 7.0, [(2.0, Exponent::of(3.0))]), 686.0);
+        assert_eq!(power_sum_drop(7.0, 0.0, [(2.0, Exponent::of(3.0))]), 0.0);
     }
 }

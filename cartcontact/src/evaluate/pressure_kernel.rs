@@ -14,9 +14,7 @@
 //!
 //! a polynomial whose coefficients rise along one line and fall along another: a tent, all positive.
 //!
-//! **Other exponents.** Away from the edge K = n (1 − q²) + 2 q² expm1(n ln q). Near it, with ε = −ln q,
-//! K = 2 (n+2) ε (ψ(u) − ψ(v)), u = (n+2) ε, v = 2 ε, ψ(x) = 1 + expm1(−x)/x = x/2! − x²/3! + …, whose
-//! difference for small u is taken term by term.
+//! **Other exponents.** Through logarithms: see [`real_exponent`](super::real_exponent).
 //!
 //! Source of K: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (26), (28), doi 10.1016/j.mechrescom.2010.11.006.
 
@@ -24,22 +22,27 @@ use core::marker::PhantomData;
 
 use super::arithmetic::{Arithmetic, Word};
 use super::double_word::DoubleWord;
+use super::exponent::Exponent;
 use crate::Scalar;
 use crate::scalar::{floor, is_plain};
 
 /// Longest tent: the time for it grows with its length, that of logarithms does not.
 const LONGEST_TENT: u32 = 72;
 
-/// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a; multiples of 1/4 are rounded once.
+/// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
 #[inline]
-pub fn pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, T)> + Clone) -> T {
+pub fn pressure_kernel<T: Scalar>(
+    a: T,
+    r: T,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)> + Clone,
+) -> T {
     let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone());
     sum.rounded_or(|| quick_pressure_kernel(a, r, terms))
 }
 
 /// [`pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline]
-pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, T)>) -> T {
+pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
     let sum: Word<T> = sum_of_kernels(a, r, terms);
     sum.rounded()
 }
@@ -67,15 +70,20 @@ pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weight
 }
 
 #[inline]
-fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, terms: impl IntoIterator<Item = (T, T)>) -> A {
+fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
+    a: T,
+    r: T,
+    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+) -> A {
     let zero = A::of(T::zero());
     if r >= a {
         return zero;
     }
     let (edge, two) = (Edge::<T, A>::between(a, r), T::constant(2.0));
     terms.into_iter().fold(zero, |sum, (c, n)| {
-        let weight = A::of(c).over(A::product(two * (n + two), n + two));
-        // The exponent n + 2 would have to be rounded.
+        let next = A::exponent(n.plus(2));
+        let weight = A::of(c).over(next.times(next).times_word(two));
+        // In two steps, because quick powers above the third take double words, too, and those of most gaps are below.
         let power = A::term(weight, a, n).times_word(a).times_word(a);
         sum.plus(power.times(edge.kernel(n)))
     })
@@ -150,12 +158,19 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
     }
 
     /// K(q) for the exponent n.
-    fn kernel(&self, n: T) -> A {
+    #[inline]
+    fn kernel(&self, n: Exponent<T>) -> A {
+        let tent = if n.rest.is_zero() { self.tent(n.value()) } else { None };
+        tent.unwrap_or_else(|| A::kernel_of_real_exponent(self.inset, self.ratio, n))
+    }
+
+    /// K(q) for a multiple n of 1/4, if its tent is not too long.
+    fn tent(&self, n: T) -> Option<A> {
         let quarters = n * T::constant(4.0);
         let count = floor(quarters);
         // An exponent that carries a derivative must not be taken for a number.
         if T::constant(f64::from(count)) != quarters || !is_plain::<T>() {
-            return A::of(self.real_exponent(n));
+            return None;
         }
         let count = count.unsigned_abs();
         let (alpha, beta, inverse_degree) = match count % 8 {
@@ -165,10 +180,10 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
             _ => (count, 8, T::constant(0.25)),
         };
         if alpha + beta > LONGEST_TENT {
-            return A::of(self.real_exponent(n));
+            return None;
         }
         let (root, inset) = self.root(beta);
-        tent(alpha, beta, root).times(inset).times(inset).times_word(inverse_degree)
+        Some(tent(alpha, beta, root).times(inset).times(inset).times_word(inverse_degree))
     }
 
     /// p = q^(2/β) and 1 − p.
@@ -189,26 +204,6 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
             }
         }
     }
-
-    fn real_exponent(&self, n: T) -> T {
-        let (inset, ratio) = (self.inset.rounded(), self.ratio.rounded());
-        if ratio.is_zero() {
-            return n;
-        }
-        let two = T::constant(2.0);
-        let depth = -(-inset).ln_1p();
-        if inset > T::constant(0.3) {
-            let rise = (-(n * depth)).exp_m1();
-            return n * inset * (T::one() + ratio) + two * ratio * ratio * rise;
-        }
-        let (u, v) = ((n + two) * depth, two * depth);
-        let difference = if u <= T::constant(3.0) {
-            n * depth * psi_divided_difference(u, v)
-        } else {
-            T::one() + (-u).exp_m1() / u - v * psi_divided_difference(v, T::zero())
-        };
-        two * (n + two) * depth * difference
-    }
 }
 
 /// Σ_{j=0}^{α+β−2} min(α (j+1), β (α+β−1−j)) p^j by Horner's rule.
@@ -219,28 +214,9 @@ fn tent<T: Scalar, A: Arithmetic<T>>(alpha: u32, beta: u32, p: A) -> A {
     })
 }
 
-/// (ψ(u) − ψ(v))/(u − v) = Σ_{k≥1} (−1)^(k+1) h_k/(k+1)! with h_k = Σ_{i<k} u^i v^(k−1−i), for 0 ≤ v < u ≤ 3.
-///
-/// The terms fall faster than 3^k/k!; the loop ends when they no longer count, after 30 at the most.
-fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
-    let (mut homogeneous, mut power) = (T::one(), T::one());
-    let mut inverse_factorial = T::constant(0.5);
-    let mut sum = inverse_factorial;
-    for k in 2..34 {
-        power *= v;
-        homogeneous = homogeneous * u + power;
-        inverse_factorial = -inverse_factorial / T::constant(f64::from(k + 1));
-        let addend = homogeneous * inverse_factorial;
-        sum += addend;
-        if addend.abs() <= T::default_epsilon() * T::constant(0.0625) * sum {
-            break;
-        }
-    }
-    sum
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::real_exponent;
     use super::*;
 
     /// K(q) in exact integers for whole n: q = x/y gives K y^(n+2) = n y^(n+2) − (n+2) x² y^n + 2 x^(n+2).
@@ -251,16 +227,14 @@ mod tests {
     }
 
     #[test]
-    fn tents_and_logarithms_agree_with_exact_integers() {
+    fn tents_agree_with_exact_integers() {
         for n in 1..=12 {
             for x in 0..100 {
                 let expected = exact(n, x, 100);
                 let edge = Edge::<f64, DoubleWord<f64>>::between(100.0, x as f64);
-                let tent = edge.kernel(f64::from(n)).rounded();
-                let logarithm = edge.real_exponent(f64::from(n));
+                let tent = edge.kernel(Exponent::of(f64::from(n))).rounded();
                 // The expected value rounds three times.
-                assert!((tent / expected - 1.0).abs() < 2.0 * f64::EPSILON, "tent n = {n}, q = {x} %");
-                assert!((logarithm / expected - 1.0).abs() < 24.0 * f64::EPSILON, "log n = {n}, q = {x} %");
+                assert!((tent / expected - 1.0).abs() < 2.0 * f64::EPSILON, "n = {n}, q = {x} %");
             }
         }
     }
@@ -286,16 +260,34 @@ mod tests {
         }
     }
 
-    #[test]
-    fn fractional_tents_agree_with_logarithms() {
+    /// The largest differences between a tent and the forms of any exponent, in units of ε: of the quick, and of the other.
+    fn largest_differences<T: Scalar>() -> [f64; 2] {
+        let [mut quick, mut precise] = [0.0_f64; 2];
         for quarters in 1..=48 {
-            let n = f64::from(quarters) / 4.0;
-            for i in 1..400 {
+            let n = T::constant(f64::from(quarters) / 4.0);
+            for i in 1..800 {
                 let inset = f64::from(i) / 400.0;
-                let edge = Edge::<f64, DoubleWord<f64>>::between(1.0, 1.0 - inset);
-                let (tent, logarithm) = (edge.kernel(n).rounded(), edge.real_exponent(n));
-                assert!((tent / logarithm - 1.0).abs() < 64.0 * f64::EPSILON, "n = {n}, 1 - q = {inset}");
+                let inset = T::constant(if inset <= 1.0 { inset } else { (-4.0 * inset).exp() });
+                let edge = Edge::<T, DoubleWord<T>>::between(T::one(), T::one() - inset);
+                let tent = edge.kernel(Exponent::of(n));
+                let difference = |found: DoubleWord<T>| {
+                    let share = found.plus(-tent).high() / tent.high();
+                    share.abs().value() / T::default_epsilon().value()
+                };
+                let word = real_exponent::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
+                quick = quick.max(difference(DoubleWord::of(word)));
+                precise =
+                    precise.max(difference(real_exponent::kernel(edge.inset, edge.ratio, DoubleWord::of(n))));
             }
+        }
+        [quick, precise]
+    }
+
+    #[test]
+    fn tents_agree_with_the_forms_of_any_exponent() {
+        for [quick, precise] in [largest_differences::<f64>(), largest_differences::<f32>()] {
+            assert!(quick < 8.0, "{quick}");
+            assert!(precise < 0.05, "{precise}");
         }
     }
 }

@@ -6,6 +6,7 @@
 //! most, and no more than it is in a drop. The powers at a are formed once for all radii; what is left for each radius is
 //! one logarithm, and two exponentials for each term, in vector code.
 
+use super::exponent::Exponent;
 use super::exponential::{decay, loss};
 use super::logarithm::log_of_share;
 use super::power::term_of_drop;
@@ -68,14 +69,15 @@ pub fn fill_slopes_and_drops<T: Scalar, P: GapProfile<T> + ?Sized>(
     a: T,
     places: Places<'_, T>,
     values: SlopesAndDrops<'_, T>,
-    terms: impl IntoIterator<Item = (T, T), IntoIter: Clone>,
+    terms: impl IntoIterator<Item = (T, Exponent<T>), IntoIter: Clone>,
 ) {
-    fill_by_powers(profile, a, places, values, terms.into_iter().map(|(c, p)| (term_of_drop(c, a, p, 0), p)));
+    let terms = terms.into_iter().map(|(c, p)| (term_of_drop(c, a, p), p.value()));
+    fill_by_powers(profile, a, places, values, terms);
 }
 
 /// The same for the `terms` (j, p) of J(a).
 #[inline(always)]
-pub(crate) fn fill_by_powers<T: Scalar, P: GapProfile<T> + ?Sized>(
+fn fill_by_powers<T: Scalar, P: GapProfile<T> + ?Sized>(
     profile: &P,
     a: T,
     (radii, depths): Places<'_, T>,

@@ -21,8 +21,8 @@ use crate::memory::quadrature::Rule;
 /// # Accuracy
 ///
 /// Sums of powers and the pressure kernel are rounded once, besides their coefficients, and are within 2 units in the
-/// last place. With exponents that are no multiples of 1/4 all are within 4, and the pressure kernel within 8. Where terms
-/// of both signs cancel, these bounds are multiplied by the condition number Σ|terms|/|sum|.
+/// last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the condition
+/// number Σ|terms|/|sum|.
 ///
 /// # Examples
 ///

@@ -253,8 +253,7 @@ impl<T: Precision> Examination<'_, T> {
         if r < a {
             let exact = self.exact.profile.pressure_kernel(Wide::of(a.value()), Wide::of(r.value()));
             let found = profile.pressure_kernel(a, r).value();
-            let powers = condition::real_powers(self.scene);
-            self.measure(Quantity::PressureKernel, found, exact.value, exact.condition() * length * powers);
+            self.measure(Quantity::PressureKernel, found, exact.value, exact.condition() * length);
         }
     }
 

@@ -1,0 +1,173 @@
+//! ln x, e^x − 1 and x^φ with some digits more than a word has, for results that are rounded once.
+//!
+//! The functions of a library are off by up to 1 ulp, which grows where powers cancel. Here the first terms of each series
+//! are double words, and all that follow, 500 times smaller at least, are words: relative errors are below ε/200.
+//!
+//! ln x = k ln 2 + ln f with 1/√2 ≤ f < √2 and ln f = 2 artanh t, t = (f − 1)/(f + 1), |t| ≤ 0.172. e^x = 2^k e^g with the
+//! whole k next to x/ln 2 and |g| ≤ ln 2/2.
+
+use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
+
+use super::binary::split;
+use super::bits::{exponent, nearest_integer, power_of_two};
+use super::double_word::DoubleWord;
+use crate::Scalar;
+use crate::scalar::is;
+
+/// x^φ of a normal number above 0, for 0 ≤ φ < 1.
+pub(crate) fn fractional_power<T: Scalar>(x: T, phi: DoubleWord<T>) -> DoubleWord<T> {
+    let (fraction, octaves) = split(x);
+    let (fraction, octaves) = centred(DoubleWord::of(fraction), octaves);
+    let beyond = fraction.plus_word(-T::one());
+    let (gain, octaves) = reduced_exponential(logarithm(beyond, octaves).times(phi));
+    gain.plus_word(T::one()).scaled(power_of_two(octaves))
+}
+
+/// ln(1 − depth) of the `share` 1 − depth, which is a normal number below 1; either has all its digits.
+pub(crate) fn log_of_share<T: Scalar>(share: DoubleWord<T>, depth: DoubleWord<T>) -> DoubleWord<T> {
+    let octaves = exponent(share.high());
+    let (fraction, octaves) = centred(share.scaled(power_of_two(-octaves)), octaves);
+    // Next to 1 the depth has the digits that the share has lost.
+    let beyond = if octaves == 0 { -depth } else { fraction.plus_word(-T::one()) };
+    logarithm(beyond, octaves)
+}
+
+/// e^x − 1 for x ≤ 0.
+pub(crate) fn negative_exp_m1<T: Scalar>(x: DoubleWord<T>) -> DoubleWord<T> {
+    // 2⁻¹¹⁵ is a normal number of either format.
+    if x.high() < T::constant(-80.0) {
+        return DoubleWord::of(-T::one());
+    }
+    let (gain, octaves) = reduced_exponential(x);
+    let power = power_of_two(octaves);
+    DoubleWord::sum(power, -T::one()).plus(gain.scaled(power))
+}
+
+/// The fraction and the exponent of a number, the fraction from 1/√2 to √2.
+fn centred<T: Scalar>(fraction: DoubleWord<T>, octaves: i32) -> (DoubleWord<T>, i32) {
+    if fraction.high() < T::constant(SQRT_2) {
+        (fraction, octaves)
+    } else {
+        (fraction.scaled(T::constant(0.5)), octaves + 1)
+    }
+}
+
+/// ln of (1 + `beyond`) 2^`octaves` for 1/√2 ≤ 1 + `beyond` < √2.
+fn logarithm<T: Scalar>(beyond: DoubleWord<T>, octaves: i32) -> DoubleWord<T> {
+    let (one, two) = (T::one(), T::constant(2.0));
+    let t = beyond.over(beyond.plus_word(two));
+    let square = t.times(t);
+    let s = square.high();
+    let rest = polynomial(s, if is::<T, f32>() { &ARTANH[..3] } else { &ARTANH });
+    let third = DoubleWord::of(one).over(DoubleWord::of(T::constant(3.0)));
+    let series = square.times(third).plus_word(s * s * rest).plus_word(one);
+    ln_2().times_word(T::constant(f64::from(octaves))).plus(t.times(series).scaled(two))
+}
+
+/// e^g − 1 and k, e^x = 2^k e^g.
+fn reduced_exponential<T: Scalar>(x: DoubleWord<T>) -> (DoubleWord<T>, i32) {
+    let (octaves, count) = nearest_integer(x.high() * T::constant(LOG2_E));
+    let g = x.plus(ln_2().times_word(-octaves));
+    let rest = polynomial(g.high(), if is::<T, f32>() { &TAYLOR[..3] } else { &TAYLOR });
+    let sixth = DoubleWord::of(T::one()).over(DoubleWord::of(T::constant(6.0)));
+    let series = sixth.plus_word(g.high() * rest);
+    let series = series.times(g).plus_word(T::constant(0.5)).times(g).plus_word(T::one());
+    (series.times(g), count)
+}
+
+/// The polynomial with these coefficients of even and odd powers: the two halves do not wait for each other.
+fn polynomial<T: Scalar>(x: T, coefficients: &[[f64; 2]]) -> T {
+    let square = x * x;
+    let halves = coefficients.iter().rev().fold([T::zero(); 2], |[even, odd], &[of_even, of_odd]| {
+        [even * square + T::constant(of_even), odd * square + T::constant(of_odd)]
+    });
+    halves[0] + halves[1] * x
+}
+
+/// ln 2 with what its word lacks, in either format.
+fn ln_2<T: Scalar>() -> DoubleWord<T> {
+    let low = if is::<T, f32>() { -1.904_654_299_957_768e-9 } else { 2.319_046_813_846_299_6e-17 };
+    DoubleWord::sum(T::constant(LN_2), T::constant(low))
+}
+
+/// 1/(2k + 1) from k = 2 on; 2e-20 is left out after t²², and 4e-14 after t¹⁴ for single precision.
+const ARTANH: [[f64; 2]; 5] = {
+    let mut terms = [[0.0; 2]; 5];
+    let mut k = 0;
+    while k < 10 {
+        terms[k / 2][k % 2] = 1.0 / (2 * k + 5) as f64;
+        k += 1;
+    }
+    terms
+};
+
+/// 1/k! from k = 4 on; 6e-21 is left out after g¹⁵, and 2e-11 after g⁹ for single precision.
+const TAYLOR: [[f64; 2]; 6] = {
+    let mut terms = [[1.0 / 24.0; 2]; 6];
+    let mut k = 1;
+    while k < 12 {
+        terms[k / 2][k % 2] = terms[(k - 1) / 2][(k - 1) % 2] / (k + 4) as f64;
+        k += 1;
+    }
+    terms
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// |x/y − 1| in units of ε.
+    fn difference<T: Scalar>(x: DoubleWord<T>, y: DoubleWord<T>) -> f64 {
+        (x.plus(-y).high() / y.high()).abs().value() / T::default_epsilon().value()
+    }
+
+    /// The largest error of x^φ where it is a root, for x from 2^−`octaves` to 2^`octaves`.
+    fn largest_error_of_roots<T: Scalar>(octaves: f64) -> f64 {
+        let mut largest = 0.0_f64;
+        for k in 0..=10_000 {
+            let x = T::constant((octaves * (f64::from(k) / 5000.0 - 1.0)).exp2());
+            let root = DoubleWord::of(x).sqrt();
+            let powers = [(0.5, root), (0.25, root.sqrt()), (0.75, root.times(root.sqrt()))];
+            for (phi, root) in powers {
+                largest =
+                    largest.max(difference(fractional_power(x, DoubleWord::of(T::constant(phi))), root));
+            }
+        }
+        largest
+    }
+
+    #[test]
+    fn powers_of_halves_and_quarters_are_roots() {
+        for error in [largest_error_of_roots::<f64>(1000.0), largest_error_of_roots::<f32>(100.0)] {
+            assert!(error < 0.005, "{error}");
+        }
+        // What lies nearest to 1.
+        assert!(largest_error_of_roots::<f64>(1e-13) < 0.005);
+        assert_eq!(fractional_power(1.0_f64, DoubleWord::of(0.3)).rounded(), 1.0);
+    }
+
+    /// The largest error of e^x − 1 with x = ln q over q from 1 down to `least`, where it is q − 1.
+    fn largest_error_of_decay<T: Scalar>(least: f64) -> f64 {
+        let mut largest = 0.0_f64;
+        for k in 1..10_000 {
+            let q = T::constant(least.powf(f64::from(k) / 1e4));
+            let depth = DoubleWord::sum(T::one(), -q);
+            if q < T::one() {
+                let logarithm = log_of_share(DoubleWord::of(q), depth);
+                largest = largest.max(difference(negative_exp_m1(logarithm), -depth));
+            }
+        }
+        largest
+    }
+
+    #[test]
+    fn exponentials_undo_logarithms() {
+        for error in [largest_error_of_decay::<f64>(1e-12), largest_error_of_decay::<f64>(1.0 - 1e-9)] {
+            assert!(error < 0.005, "{error}");
+        }
+        for error in [largest_error_of_decay::<f32>(1e-12), largest_error_of_decay::<f32>(0.999)] {
+            assert!(error < 0.005, "{error}");
+        }
+        assert_eq!(negative_exp_m1(DoubleWord::of(-1e5_f64)).rounded(), -1.0);
+    }
+}
