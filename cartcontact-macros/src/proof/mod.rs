@@ -13,6 +13,7 @@
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29-33, doi 10.1016/j.mechrescom.2010.11.006, Eq. (10).
 
+mod bernstein;
 mod common_divisor;
 pub(crate) mod end;
 pub(crate) mod equation;

@@ -1,8 +1,8 @@
 //! Isolating the smallest positive root of a polynomial: Descartes' rule of signs on ever smaller intervals.
 //!
-//! The sign changes of Bernstein's coefficients bound the number of roots in an interval
-//! ([`part`](crate::proof::part)): there is none if there is no change, one if there is one, and they never grow when
-//! the interval is divided. So the interval in front is divided until there is 0 or 1.
+//! The sign changes of Bernstein's coefficients bound the number of roots in an interval (`bernstein`): there is none if
+//! there is no change, one if there is one, and they never grow when the interval is divided. So the interval in front
+//! is divided until there is 0 or 1.
 //!
 //! The search goes from one power of two to the next, as roots may be of any magnitude; most of these intervals a
 //! bound that costs nothing skips.
@@ -26,11 +26,12 @@ use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 
+use crate::proof::bernstein::{Bernstein, SignChanges};
 use crate::proof::common_divisor::square_free;
 use crate::proof::first_root::{FirstRoot, Place};
 use crate::proof::integer_polynomial::IntegerPolynomial;
 use crate::proof::minimum::{Bracket, Convex, First, Undecided};
-use crate::proof::part::{Bernstein, Part, SignChanges, Whole};
+use crate::proof::part::{Part, Whole};
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
 const MAXIMUM_LENGTH: u64 = 1 << 19;
