@@ -21,6 +21,7 @@ mod first_root;
 mod fixed_point;
 mod integer_polynomial;
 mod minimum;
+mod outline;
 mod part;
 mod search;
 

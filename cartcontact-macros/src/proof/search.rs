@@ -31,6 +31,7 @@ use crate::proof::common_divisor::square_free;
 use crate::proof::first_root::{FirstRoot, Place};
 use crate::proof::integer_polynomial::IntegerPolynomial;
 use crate::proof::minimum::{Bracket, Convex, First, Undecided};
+use crate::proof::outline::Outline;
 use crate::proof::part::{Part, Whole};
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
@@ -47,9 +48,10 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
         return Ok(None);
     }
     let polynomial = square_free(polynomial);
+    let outline = Outline::new(&polynomial);
     let lowest = -polynomial.clone().reversed().root_bound();
     for exponent in lowest..polynomial.root_bound() {
-        if polynomial.stays_positive_between_powers(exponent) {
+        if outline.stays_positive_between_powers(exponent) {
             continue;
         }
         if exponent.unsigned_abs().saturating_mul(polynomial.degree() as u64) > MAXIMUM_LENGTH {
