@@ -3,9 +3,10 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
-use crate::proof::fixed_point::Numbers;
+use crate::proof::fixed_point::{Numbers, binomials};
+use crate::proof::powers::Powers;
 
 /// A polynomial over a part in Bernstein's basis: p = Σ b_j C(n, j) x^j (1 − x)^(n−j) for x from 0 to 1.
 ///
@@ -29,9 +30,13 @@ pub(crate) struct SignChanges {
 }
 
 impl Bernstein {
-    /// From numbers that were rounded once, each less than two units from the true one.
-    pub(crate) fn new(numbers: Numbers, is_exact: bool) -> Self {
-        Bernstein { numbers, error: 2, is_exact }
+    /// Rounding the powers adds less than two units, and leaving some of them out less than a third.
+    pub(crate) fn new(powers: &Powers, is_exact: bool) -> Self {
+        Bernstein { numbers: powers.bernstein(), error: powers.error + 3, is_exact }
+    }
+
+    pub(crate) fn degree(&self) -> u64 {
+        self.numbers.len().saturating_sub(1) as u64
     }
 
     /// Over both halves of the part, by de Casteljau's algorithm: means of neighbours, whose errors do not grow. One
@@ -44,6 +49,31 @@ impl Bernstein {
         // Halves have finer multiples, so that the exact ones must be computed anew.
         let half = |numbers| Bernstein { numbers, error: self.error + 1, is_exact: false };
         [half(lower), half(upper)]
+    }
+
+    /// The powers over the piece from start/2^bits on that is 2^(2-bits) long, where start is 0 or 8 at least.
+    pub(crate) fn piece(&self, start: &BigInt, bits: u64) -> Powers {
+        let guard = self.numbers.len() as u64 + 40;
+        let mut powers = self.powers();
+        for number in &mut powers {
+            *number <<= guard;
+        }
+        Powers::new(powers, guard, self.error).over(start, bits, bits - 2)
+    }
+
+    /// The coefficients in powers, C(n, j) Δ^j b_0, of exactly these numbers.
+    pub(crate) fn powers(&self) -> Vec<BigInt> {
+        let binomials = binomials(self.numbers.len().saturating_sub(1));
+        let mut powers = self.numbers.differences().values();
+        for (number, binomial) in powers.iter_mut().zip(&binomials) {
+            *number *= binomial;
+        }
+        powers
+    }
+
+    /// The numbers are less than so many units from the true ones.
+    pub(crate) fn error(&self) -> i128 {
+        self.error
     }
 
     /// A bound of the bits that the longest number has.
@@ -67,6 +97,12 @@ impl Bernstein {
             last.get_or_insert_with(|| exactly(1));
         }
         (signs.first().copied().flatten(), SignChanges::along(&signs))
+    }
+
+    /// Whether the value at the lower end, or at the upper one, is far enough from 0 for its sign to be known.
+    pub(crate) fn knows_end(&self, end: u32) -> bool {
+        let index = if end == 0 { 0 } else { self.numbers.len() - 1 };
+        self.numbers.sign(index, self.error).is_some()
     }
 
     /// Whether the polynomial is certainly convex: Bernstein's coefficients of its curvature are positive multiples of
@@ -138,7 +174,11 @@ impl Cluster {
         let centre: BigInt = &self.twice >> (FINEST + 1 - bits);
         let last: BigInt = (BigInt::one() << bits) - 4;
         let offset: BigInt = centre - 2;
-        Some((offset.clamp(BigInt::zero(), last), bits))
+        match offset.to_u8() {
+            // One that is longer than half of what lies before it begins with the part.
+            Some(1..8) => Some((BigInt::zero(), bits - 2)),
+            _ => Some((offset.clamp(BigInt::zero(), last), bits)),
+        }
     }
 }
 
@@ -174,8 +214,8 @@ fn either(left: Option<(usize, usize)>, right: Option<(usize, usize)>) -> Option
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
-    use crate::proof::fixed_point::binomials;
     use crate::proof::integer_polynomial::IntegerPolynomial;
     use crate::proof::part::{Part, Whole};
 
@@ -228,11 +268,42 @@ mod tests {
                 }
             };
             for part in parts() {
-                let local = whole.over(&part, digits);
+                let local = Bernstein::new(&whole.powers_over(&part, digits), false);
                 close(&local, &part);
+                for (start, bits) in
+                    [(0, 5), (8, 5), (1_000_000, 21)].map(|(start, bits)| (start.into(), bits))
+                {
+                    let piece = Bernstein::new(&local.piece(&start, bits), false);
+                    close(&piece, &part.within(&start, bits, bits - 2));
+                }
                 for (offset, half) in local.halves().into_iter().enumerate() {
                     close(&half, &part.within(&offset.into(), 1, 1));
                 }
+            }
+        }
+    }
+
+    /// Values at eighths of short parts.
+    #[test]
+    fn what_is_left_out_is_negligible() {
+        let polynomial = polynomial(20);
+        let whole = Whole::new(&polynomial, 0);
+        for part in parts().into_iter().skip(2) {
+            let powers = whole.powers_over(&part, whole.length + 10);
+            let local = Bernstein::new(&powers.without_negligible().unwrap(), false);
+            let degree = local.degree() as usize;
+            assert!(degree < 12, "{degree}");
+            for eighths in 0..=8_u32 {
+                let terms = (0..=degree).map(|j| {
+                    let weights = [(eighths, j), (8 - eighths, degree - j)];
+                    let [upper, lower] = weights.map(|(ends, power)| BigInt::from(ends).pow(power as u32));
+                    local.numbers.value(j) * &binomials(degree)[j] * upper * lower
+                });
+                let point = part.within(&eighths.into(), 3, 3);
+                let exact = polynomial.value_at(&point.end(0), point.bits) << (10 + 3 * degree);
+                let difference = (terms.sum::<BigInt>() << (point.bits * 20)) - exact;
+                let unit = BigInt::one() << (point.bits * 20 + 3 * degree as u64);
+                assert!(difference.magnitude() < (unit * local.error).magnitude(), "{part:?}, {eighths}");
             }
         }
     }

@@ -23,6 +23,8 @@ mod integer_polynomial;
 mod minimum;
 mod outline;
 mod part;
+mod powers;
+
 mod search;
 
 use core::cmp::Ordering;

@@ -4,13 +4,12 @@
 //! nearly all of which no sign depends on. Rounded to units of a power of two they stay short, and a sign is taken
 //! from them only if the error cannot change it.
 //!
-//! **Way.** The coefficients c_j f^j of p(f x) give those of p(f + f x) by a Taylor shift, these times (w/f)^j are those
-//! of p(f + w x), and divided by C(n, j) they give Bernstein's as the left edge of a triangle of sums.
-//!
-//! **Error.** For f from 1 to 2, in units of a number with some digits more: cutting c_j and the power f^j < 2^j leaves
-//! 2^(j+1); the shift and the division less than 2 · 3^n, as C(i, j)/C(n, j) ≤ C(n−j, i−j); rounding the powers of w/f
-//! makes that at most (n + 3) 3^n, and the left edge (n + 3) 3^n (1 + w)^n. All of it is less than one unit of the
-//! result if there are [`guard`] digits more.
+//! **Error.** On the way that `powers` takes, for f from 1 to 2, in units of a number with some digits more: cutting c_j
+//! and the powers of f leaves less than 2^(j+2); the shift and the division less than 4 · 3^n, as
+//! C(i, j)/C(n, j) ≤ C(n−j, i−j), times (w/f)^j; rounding the powers of w/f and the quotients n + 3 more; and the left
+//! edge 4 · 3^n (1 + w)^n and (n + 3) 2^n. All of it is less than one unit of the result if there are [`guard`] digits
+//! more. Over at most half of the whole, number j has an error of less than 2^(2n+3−j) + n + 2 before the division, so
+//! that negligible powers may be left out.
 
 use core::cmp::Ordering;
 
@@ -19,10 +18,11 @@ use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::proof::bernstein::Bernstein;
-use crate::proof::fixed_point::{Numbers, binomials};
 use crate::proof::integer_polynomial::IntegerPolynomial;
+use crate::proof::powers::Powers;
 
 /// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
+#[derive(Clone)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Part {
     pub(crate) offset: BigInt,
@@ -56,17 +56,16 @@ impl Part {
 pub(crate) struct Whole<'a> {
     pub(crate) polynomial: &'a IntegerPolynomial,
     pub(crate) exponent: i64,
-    binomials: Vec<BigInt>,
     /// Below which power of two all c_j 2^(exponent j) lie.
     top: i64,
     /// That of the longest of the integers, in bits.
     pub(crate) length: u64,
 }
 
-/// Digits that are lost on the way to Bernstein's basis over a part of width 2^-width: more than
+/// Digits that are lost on the way to Bernstein's basis over a part of width 2^-width: by 16 more than
 /// log2 (8 (n + 3) 3^n (1 + 2^-width)^n), as log2 3 < 1.59 and log2 (1 + w) < w + 0.09.
 fn guard(degree: u64, width: u64) -> u64 {
-    2 * degree + (degree >> width.min(63)) + 16
+    2 * degree + (degree >> width.min(63)) + 32
 }
 
 impl<'a> Whole<'a> {
@@ -76,8 +75,7 @@ impl<'a> Whole<'a> {
             Some((lowest + exponent * power, coefficient.bits() as i64 + exponent * power))
         });
         let (bottom, top) = ends.reduce(|all, own| (all.0.min(own.0), all.1.max(own.1))).unwrap_or_default();
-        let binomials = binomials(polynomial.degree());
-        Whole { polynomial, exponent, binomials, top, length: (top - bottom) as u64 }
+        Whole { polynomial, exponent, top, length: (top - bottom) as u64 }
     }
 
     pub(crate) fn degree(&self) -> u64 {
@@ -109,29 +107,20 @@ impl<'a> Whole<'a> {
 
     /// In Bernstein's basis, in units of which the longest coefficient of the whole has `digits` binary digits.
     pub(crate) fn over(&self, part: &Part, digits: u64) -> Bernstein {
-        let guard = guard(self.degree(), part.width);
-        let [left, _] = Numbers::new(&self.scaled_powers(part, digits + guard)).edges();
+        let powers = self.powers_over(part, digits);
         // Undecided numbers are zero where the unit is finer than what all of them are multiples of.
         let multiple = || common_multiple(self.polynomial.degree()).bits();
         let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
         let is_exact = digits > finest && digits > finest + multiple();
-        Bernstein::new(left.shifted_down(&|_| guard as usize), is_exact)
+        let fewer = if part.width > 0 && !is_exact { powers.without_negligible() } else { None };
+        Bernstein::new(&fewer.unwrap_or(powers), is_exact)
     }
 
-    /// The coefficients in powers, divided by C(n, j).
-    fn scaled_powers(&self, part: &Part, digits: u64) -> Vec<BigInt> {
-        let mut powers = self.coefficients(digits);
-        let start = part.end(0);
-        let (short, bits) = shortened(&start, part.bits, digits.max(part.width));
-        multiply_by_powers(&mut powers, digits, &|power| (power * &short) >> bits);
-        // They are less than 2^digits 3^n after the shift; behind these the powers of w/f leave nothing of them.
-        let last = (digits + 2 * self.degree()).checked_div(part.width).unwrap_or(digits);
-        let wanted = powers.len().min(last as usize + 1);
-        let mut shifted = Numbers::new(&powers).taylor_shift(wanted).values();
-        // Around a cluster f is much shorter than its reciprocal, and so is this division than a multiplication.
-        multiply_by_powers(&mut shifted[..wanted], digits, &|power| (power << (bits - part.width)) / &short);
-        shifted.iter_mut().zip(&self.binomials).for_each(|(number, binomial)| *number /= binomial);
-        shifted
+    /// In powers from the beginning of the part on, in the same units.
+    pub(crate) fn powers_over(&self, part: &Part, digits: u64) -> Powers {
+        let guard = guard(self.degree(), part.width);
+        let powers = Powers::new(self.coefficients(digits + guard), guard, 0);
+        powers.over(&part.end(0), part.bits, part.width)
     }
 }
 
@@ -145,30 +134,10 @@ fn common_multiple(degree: usize) -> BigInt {
     multiple / (degree + 1)
 }
 
-/// offset/2^bits with so many bits at most.
-fn shortened(offset: &BigInt, bits: u64, most: u64) -> (BigInt, u64) {
-    let excess = bits.saturating_sub(most);
-    (offset >> excess, bits - excess)
-}
-
-/// Multiplies number j by a fraction to the power j, in units of 2^-precision; `next` multiplies by the fraction.
-fn multiply_by_powers(numbers: &mut [BigInt], precision: u64, next: &dyn Fn(&BigInt) -> BigInt) {
-    let one = BigInt::one() << precision;
-    let mut power = next(&one);
-    if power == one {
-        return;
-    }
-    for number in numbers.iter_mut().skip(1) {
-        // What is below the unit of the product is not worth a multiplication.
-        let excess = precision.saturating_sub(number.bits() + 2);
-        *number = (&*number * (&power >> excess)) >> (precision - excess);
-        power = next(&power);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::proof::fixed_point::binomials;
 
     #[test]
     fn ends_of_parts_are_where_they_say() {
