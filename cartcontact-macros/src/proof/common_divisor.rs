@@ -11,13 +11,19 @@
 //! test division proves the answer, and the loop ends because only finitely many primes mislead it. Degree 0 modulo
 //! one prime settles the common case, that there is no common divisor.
 //!
+//! That leading coefficient may be much longer than the divisor itself. Divided by it, the result has fractions for
+//! coefficients, and a fraction follows from its residue as soon as the product is longer than its numerator and
+//! denominator together. So the result is looked at as fractions, too, now and then.
+//!
 //! W. S. Brown, On Euclid's algorithm and the computation of polynomial greatest common divisors, J. ACM 18 (1971)
-//! 478-504.
+//! 478-504; P. S. Wang, A p-adic algorithm for univariate partial fractions, SYMSAC 1981, 212-217, doi
+//! 10.1145/800206.806398.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use crate::number::common_factor::common_factor;
 use crate::proof::integer_polynomial::IntegerPolynomial;
 
 /// Below it every product of two residues fits into a `u64`.
@@ -30,61 +36,133 @@ pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
     polynomial.exact_quotient(&repeated).unwrap_or_else(|| polynomial.clone())
 }
 
-/// The greatest common divisor of two primitive polynomials that are not zero, up to its sign.
+/// The greatest common divisor of two polynomials that are not zero, up to a constant.
 pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial) -> IntegerPolynomial {
-    let (left, right) = (left.primitive(), right.primitive());
-    let leading = left.leading().gcd(&right.leading());
     let mut prime = FIRST_PRIME_ABOVE;
+    let leading = common_factor(&left.leading(), &right.leading());
     let mut joined = Joined::nothing();
     loop {
         prime = prime_after(prime);
         if reduce(&left.leading(), prime) == 0 || reduce(&right.leading(), prime) == 0 {
             continue;
         }
-        let residues = scaled(divisor_modulo(&left, &right, prime), reduce(&leading, prime), prime);
+        let leading = reduce(&leading, prime);
+        let residues = scaled(divisor_modulo(left, right, prime), leading, prime);
         if residues.len() <= 1 {
             return IntegerPolynomial::new(vec![BigInt::one()]);
         }
-        if !joined.join(&residues, prime) {
-            continue;
-        }
-        let candidate = IntegerPolynomial::new(joined.coefficients.clone()).primitive();
-        if [&left, &right].iter().all(|whole| whole.exact_quotient(&candidate).is_some()) {
+        let candidate = match joined.join(&residues, inverse(leading, prime), prime) {
+            true => Some(joined.coefficients.clone()),
+            false if is_worth_a_look(joined.primes) => joined.fractions(),
+            false => None,
+        };
+        if let Some(candidate) =
+            candidate.map(|coefficients| IntegerPolynomial::new(coefficients).primitive())
+            && [left, right].iter().all(|whole| whole.exact_quotient(&candidate).is_some())
+        {
             return candidate;
         }
     }
 }
 
+/// Whether the result is looked at as fractions after so many primes, as that costs as much as some of them.
+fn is_worth_a_look(primes: usize) -> bool {
+    matches!(primes, 2 | 8 | 32 | 128 | 512)
+}
+
 /// What the primes so far agree on, coefficients in (-modulus/2, modulus/2].
 struct Joined {
     coefficients: Vec<BigInt>,
+    /// The reciprocal of the last coefficient.
+    inverse: BigInt,
     modulus: BigInt,
+    primes: usize,
 }
 
 impl Joined {
     fn nothing() -> Self {
-        Joined { coefficients: Vec::new(), modulus: BigInt::one() }
+        Joined { coefficients: Vec::new(), inverse: BigInt::zero(), modulus: BigInt::one(), primes: 0 }
     }
 
     /// Takes in one more prime; whether that left the result as it was.
-    fn join(&mut self, residues: &[u64], prime: u64) -> bool {
+    fn join(&mut self, residues: &[u64], inverse_residue: u64, prime: u64) -> bool {
         if self.modulus.is_one() || residues.len() < self.coefficients.len() {
-            *self = Joined { coefficients: vec![BigInt::zero(); residues.len()], modulus: BigInt::one() };
+            *self = Joined { coefficients: vec![BigInt::zero(); residues.len()], ..Joined::nothing() };
         } else if residues.len() > self.coefficients.len() {
             return false;
         }
-        let inverse = power_modulo(reduce(&self.modulus, prime), prime - 2, prime);
-        let next_modulus = &self.modulus * prime;
+        let step =
+            Step { inverse: inverse(reduce(&self.modulus, prime), prime), modulus: &self.modulus, prime };
         let mut unchanged = true;
         for (coefficient, &residue) in self.coefficients.iter_mut().zip(residues) {
-            let missing = (residue + prime - reduce(coefficient, prime)) % prime;
-            let step = missing * inverse % prime;
-            let centred = if step > prime / 2 { BigInt::from(step) - prime } else { BigInt::from(step) };
-            unchanged &= centred.is_zero();
-            *coefficient += centred * &self.modulus;
+            unchanged &= !step.add(coefficient, residue);
         }
+        step.add(&mut self.inverse, inverse_residue);
+        let next_modulus = &self.modulus * prime;
         self.modulus = next_modulus;
+        self.primes += 1;
         unchanged
+    }
+
+    /// The result as fractions with short numerators and one short denominator, which are returned, if it is that.
+    fn fractions(&self) -> Option<Vec<BigInt>> {
+        let mut denominator = BigInt::one();
+        for coefficient in &self.coefficients {
+            let value = self.centred(coefficient * &self.inverse * &denominator);
+            if !self.is_short(&value) {
+                denominator *= self.denominator(value);
+            }
+            if !self.is_short(&denominator) {
+                return None;
+            }
+        }
+        let factor = &self.inverse * denominator;
+        let mut numerators = self.coefficients.clone();
+        for numerator in &mut numerators {
+            *numerator = self.centred(&*numerator * &factor);
+        }
+        Some(numerators)
+    }
+
+    /// Of the fraction with short parts that a residue stands for: Euclid's algorithm, until the rest is short.
+    fn denominator(&self, residue: BigInt) -> BigInt {
+        let (mut last, mut rest) = (self.modulus.clone(), residue.abs());
+        let (mut last_factor, mut factor) = (BigInt::zero(), BigInt::one());
+        while !self.is_short(&rest) {
+            let (quotient, next) = last.div_rem(&rest);
+            (last, rest) = (rest, next);
+            (last_factor, factor) = (factor.clone(), last_factor + quotient * factor);
+        }
+        factor
+    }
+
+    fn is_short(&self, value: &BigInt) -> bool {
+        2 * value.bits() < self.modulus.bits()
+    }
+
+    fn centred(&self, value: BigInt) -> BigInt {
+        let residue = value.mod_floor(&self.modulus);
+        if &residue << 1 > self.modulus { residue - &self.modulus } else { residue }
+    }
+}
+
+/// One more prime.
+struct Step<'a> {
+    modulus: &'a BigInt,
+    /// Of the modulus, modulo the prime.
+    inverse: u64,
+    prime: u64,
+}
+
+impl Step<'_> {
+    /// Takes in what a number is modulo the prime; whether that changed it.
+    fn add(&self, number: &mut BigInt, residue: u64) -> bool {
+        let prime = self.prime;
+        let missing = (residue + prime - reduce(number, prime)) % prime;
+        let step = missing * self.inverse % prime;
+        let centred = if step > prime / 2 { BigInt::from(step) - prime } else { BigInt::from(step) };
+        *number += centred * self.modulus;
+        step != 0
     }
 }
 
@@ -117,7 +195,7 @@ fn monic(mut polynomial: Vec<u64>, prime: u64) -> Vec<u64> {
         polynomial.pop();
     }
     let leading = polynomial.last().copied().unwrap_or(1);
-    scaled(polynomial, power_modulo(leading, prime - 2, prime), prime)
+    scaled(polynomial, inverse(leading, prime), prime)
 }
 
 fn scaled(mut polynomial: Vec<u64>, factor: u64, prime: u64) -> Vec<u64> {
@@ -130,6 +208,11 @@ fn scaled(mut polynomial: Vec<u64>, factor: u64, prime: u64) -> Vec<u64> {
 fn reduce(value: &BigInt, prime: u64) -> u64 {
     let residue = (value.magnitude() % prime).to_u64().unwrap_or(0);
     if value.is_negative() && residue > 0 { prime - residue } else { residue }
+}
+
+/// Of a number that the prime does not divide, by Fermat's theorem.
+fn inverse(number: u64, prime: u64) -> u64 {
+    power_modulo(number, prime - 2, prime)
 }
 
 fn power_modulo(base: u64, mut exponent: u64, prime: u64) -> u64 {
@@ -191,6 +274,16 @@ mod tests {
         let right = product(&[(3, 1), (7, 4), (123_456_789_012, 2)]);
         assert_eq!(common_divisor(&left, &right), product(&[(3, 1), (123_456_789_012, 2)]));
         assert_eq!(common_divisor(&left, &product(&[(1, 9)])).degree(), 0);
+    }
+
+    /// x^2 - 1/4 is shared, and the leading coefficients have more than a thousand digits.
+    #[test]
+    fn short_divisors_of_long_polynomials_are_found() {
+        let long = BigInt::from(7).pow(1500);
+        let shared = IntegerPolynomial::new([-1, 0, 4].map(BigInt::from).into());
+        let multiple =
+            |constant: BigInt| IntegerPolynomial::new(vec![-&constant, -&long, &constant * 4, &long * 4]);
+        assert_eq!(common_divisor(&multiple(3.into()), &multiple(&long - 5)), shared);
     }
 
     #[test]

@@ -167,6 +167,24 @@ impl Numbers {
         shifted
     }
 
+    /// The first number and its differences of all orders, Δ^j v_0: the left edge of a triangle of differences, which
+    /// is one of sums where every other sign is changed.
+    pub(crate) fn differences(&self) -> Numbers {
+        let [left, _] = self.with_alternate_signs().edges();
+        left.with_alternate_signs()
+    }
+
+    fn with_alternate_signs(&self) -> Numbers {
+        let mut changed = self.clone();
+        for rank in &mut changed.ranks {
+            for block in rank {
+                *block = [block[0], -block[1], block[2], -block[3], block[4], -block[5], block[6], -block[7]];
+            }
+        }
+        changed.carry();
+        changed
+    }
+
     /// v_i − 2 v_{i+1} + v_{i+2} for all i.
     pub(crate) fn second_differences(&self) -> Numbers {
         let count = self.count.saturating_sub(2);
@@ -321,6 +339,22 @@ mod tests {
                 };
                 assert_eq!(left.value(index), sum(0, index));
                 assert_eq!(right.value(index), sum(index, count - 1 - index));
+            }
+        }
+    }
+
+    #[test]
+    fn differences_are_sums_with_alternate_binomials() {
+        for count in [1, 2, 7, 64, 150] {
+            let values = &numbers()[..count];
+            let differences = Numbers::new(values).differences();
+            for index in 0..count {
+                let term = |(j, binomial): (usize, &BigInt)| {
+                    let product = binomial * &values[j];
+                    if (index - j) % 2 == 0 { product } else { -product }
+                };
+                let sum: BigInt = binomials(index).iter().enumerate().map(term).sum();
+                assert_eq!(differences.value(index), sum);
             }
         }
     }

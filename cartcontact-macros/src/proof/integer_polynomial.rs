@@ -96,26 +96,6 @@ impl IntegerPolynomial {
         self
     }
 
-    /// A sufficient condition for p(x) > 0 from x = 2^exponent to 2^(exponent + 1), on lengths in bits alone.
-    ///
-    /// One positive term outweighs all negative ones at both ends, hence between them: on a logarithmic axis their
-    /// sum divided by that term is convex.
-    pub(crate) fn stays_positive_between_powers(&self, exponent: i64) -> bool {
-        let sizes = |negative: bool| {
-            let terms = self.coefficients.iter().zip(0_i64..);
-            terms.filter_map(move |(coefficient, power)| {
-                let counts = !coefficient.is_zero() && coefficient.is_negative() == negative;
-                counts.then(|| (coefficient.bits() as i64 + power * exponent, power))
-            })
-        };
-        let count = self.coefficients.len() as u64;
-        let margin = i64::from(u64::BITS - count.leading_zeros());
-        let weights =
-            |step: i64| sizes(true).map(move |(size, power)| size + power * step + margin + 1).max();
-        let (Some(start), Some(end)) = (weights(0), weights(1)) else { return true };
-        sizes(false).any(|(size, power)| size >= start && size + power >= end)
-    }
-
     /// A power of two above every positive root, as its exponent, for a positive leading coefficient.
     ///
     /// With B = 2 max (|c_i|/c_n)^(1/(n-i)) over the negative c_i, x >= B gives |c_i| x^i <= c_n x^n 2^(i-n), and the
@@ -184,21 +164,6 @@ mod tests {
 
     fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
         IntegerPolynomial::new(coefficients.iter().map(|&coefficient| coefficient.into()).collect())
-    }
-
-    #[test]
-    fn the_bound_by_bits_is_sound() {
-        let polynomial = polynomial(&[1000, -30, 0, 1]);
-        for exponent in -4..12 {
-            let sign_at = |power: i32| {
-                let (up, down) = (power.max(0), power.min(0).unsigned_abs());
-                polynomial.value_at(&(BigInt::one() << up), down.into()).cmp(&BigInt::zero())
-            };
-            let values = [sign_at(exponent), sign_at(exponent + 1)];
-            let positive = polynomial.stays_positive_between_powers(exponent.into());
-            assert!(!positive || values == [Ordering::Greater; 2]);
-        }
-        assert!(polynomial.stays_positive_between_powers(-4) && polynomial.stays_positive_between_powers(11));
     }
 
     #[test]

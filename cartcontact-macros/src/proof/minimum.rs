@@ -8,10 +8,12 @@
 //! The root of the slope is narrowed by quadratic interval refinement: the interval is divided into 2^b parts, the
 //! secant says which one to try, and if the root is in it, b is doubled, otherwise halved.
 //!
-//! Values are computed in fixed point by Horner's rule, from coefficients cut to as many digits. Its argument x is at
-//! most 2, and every coefficient and every product is less than one off, so that values are less than 2^(n+2) units from
-//! the true ones, and slopes less than (n + 1) 2^(n+1). A sign that this leaves open is taken from the exact polynomial
-//! if its numbers are no longer there, or else asked for again with more digits.
+//! Values are computed in fixed point by Horner's rule, with the powers of a point of the part. Bernstein's
+//! coefficients are less than e units off, so that the polynomial is, and its slope less than 2 n e; the powers follow
+//! from them exactly. Every product is less than one unit off and does not grow any more. While the minimum is known
+//! to few digits, values are computed with about twice as many, which is what a secant can use. A sign that this
+//! leaves open is computed with all of them, taken from the exact polynomial if its numbers are no longer there, or
+//! else asked for again with more digits.
 //!
 //! Termination: the roots are simple, so p is not 0 where p' is; near the minimum either it is negative, or the
 //! tangents come arbitrarily close to it.
@@ -24,6 +26,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
+use crate::proof::bernstein::Bernstein;
 use crate::proof::integer_polynomial::{IntegerPolynomial, derivative};
 use crate::proof::part::{Part, Whole};
 
@@ -56,37 +59,62 @@ impl Bracket {
     pub(crate) fn whole() -> Self {
         Bracket { lower: BigInt::zero(), upper: BigInt::one(), bits: 0, leap: 2 }
     }
+
+    /// A part that begins with the bracket and is less than twice as long; the bracket is one of this part then.
+    pub(crate) fn part(&mut self, part: &Part) -> Part {
+        let length = &self.upper - &self.lower;
+        let bits = (&length - 1_u32).bits();
+        let closer = part.within(&self.lower, self.bits, self.bits - bits);
+        *self = Bracket { lower: BigInt::zero(), upper: length, bits, leap: self.leap };
+        closer
+    }
 }
 
 /// The point offset/2^bits of the part with the slope of the polynomial.
 struct Point {
     offset: BigInt,
     bits: u64,
-    slope: BigInt,
+    slope: Value,
+}
+
+/// A number less than 2^margin units from the true one.
+struct Value {
+    number: BigInt,
+    margin: u64,
+}
+
+impl Value {
+    /// The sign, if the error cannot change it.
+    fn sign(&self) -> Option<Ordering> {
+        (self.number.bits() > self.margin).then(|| self.number.cmp(&BigInt::zero()))
+    }
 }
 
 /// A polynomial that is convex over a part of the interval from 1 to 2, and positive at both ends.
 pub(crate) struct Convex<'a> {
     exact: &'a Whole<'a>,
     part: &'a Part,
-    /// Less than a unit from the true ones.
+    /// In powers from the beginning of the part on.
     coefficients: Vec<BigInt>,
     /// Those of the slope.
     slope: Vec<BigInt>,
     digits: u64,
+    /// Of the longest coefficient of the slope, in bits.
+    length: u64,
     /// Values, slopes, and their sums are less than 2^margin units from the true ones.
     margin: u64,
 }
 
 impl<'a> Convex<'a> {
-    /// With so many digits behind those that the evaluation loses.
-    pub(crate) fn new(exact: &'a Whole<'a>, part: &'a Part, digits: u64) -> Self {
-        let degree = exact.degree();
-        let margin = degree + u64::from(u64::BITS - (degree + 1).leading_zeros()) + 3;
-        let digits = digits + margin;
-        let coefficients = exact.coefficients(digits);
+    /// With Bernstein's coefficients over the part, in units of which the longest coefficient of the whole has so many
+    /// digits.
+    pub(crate) fn new(exact: &'a Whole<'a>, part: &'a Part, local: &Bernstein, digits: u64) -> Self {
+        let coefficients = local.powers();
         let slope = derivative(&coefficients);
-        Convex { exact, part, coefficients, slope, digits, margin }
+        let length = slope.iter().map(BigInt::bits).max().unwrap_or(0);
+        let error = 4 * i128::from(exact.degree() + 1) * (local.error() + 1);
+        let margin = u64::from(i128::BITS - error.leading_zeros());
+        Convex { exact, part, coefficients, slope, digits, length, margin }
     }
 
     /// The first root, from what is known about the minimum; what more is learnt stays if that is not enough.
@@ -98,7 +126,7 @@ impl<'a> Convex<'a> {
         }
         // The polynomial falls at the lower point, or is flat, and rises at the upper one.
         loop {
-            let value = self.at(&self.coefficients, &lower.offset, lower.bits);
+            let value = self.at(&self.coefficients, &lower.offset, lower.bits, 2 * lower.bits);
             if self.stays_above_tangent(&lower, &value, &upper) {
                 return Ok(First::None);
             }
@@ -115,7 +143,7 @@ impl<'a> Convex<'a> {
     /// One step of the refinement: the two points and the next leap.
     fn narrowed(&self, lower: Point, upper: Point, leap: u64) -> Result<(Point, Point, u64), Undecided> {
         let bits = lower.bits + leap;
-        if bits > self.digits {
+        if bits > self.length {
             return Err(Undecided);
         }
         let [from, to] = cell(&lower, &upper, leap);
@@ -133,21 +161,30 @@ impl<'a> Convex<'a> {
     }
 
     fn point(&self, offset: BigInt, bits: u64) -> Point {
-        let slope = self.at(&self.slope, &offset, bits);
+        let slope = self.at(&self.slope, &offset, bits, 2 * bits);
         Point { offset, bits, slope }
     }
 
-    /// The value of a polynomial at offset/2^bits of the part, by Horner's rule.
-    fn at(&self, coefficients: &[BigInt], offset: &BigInt, bits: u64) -> BigInt {
-        let point = self.part.within(offset, bits, bits);
-        let x = point.end(0);
-        let ascending = coefficients.iter().rev();
-        ascending.fold(BigInt::zero(), |value, coefficient| ((value * &x) >> point.bits) + coefficient)
+    /// The value of a polynomial at offset/2^bits of the part, with about so many digits if they are enough for its
+    /// sign.
+    fn at(&self, coefficients: &[BigInt], offset: &BigInt, bits: u64, digits: u64) -> Value {
+        // Behind what is lost where the terms cancel.
+        let digits = digits + 2 * self.exact.degree() + u64::from(u64::BITS);
+        let few = self.cut_at(coefficients, offset, bits, self.length.saturating_sub(digits));
+        if few.sign().is_none() { self.cut_at(coefficients, offset, bits, 0) } else { few }
     }
 
-    /// The sign of a number, if its error cannot change it.
-    fn sign(&self, number: &BigInt) -> Option<Ordering> {
-        (number.bits() > self.margin).then(|| number.cmp(&BigInt::zero()))
+    /// By Horner's rule, from coefficients without their last digits.
+    fn cut_at(&self, coefficients: &[BigInt], offset: &BigInt, bits: u64, cut: u64) -> Value {
+        let mut number = BigInt::zero();
+        for coefficient in coefficients.iter().rev() {
+            number = (number * offset) >> bits;
+            match cut {
+                0 => number += coefficient,
+                _ => number += coefficient >> cut,
+            }
+        }
+        Value { number: number << cut, margin: self.margin + cut }
     }
 
     /// The exact sign of a polynomial at offset/2^bits of the part, if the numbers are no longer than those computed
@@ -160,20 +197,21 @@ impl<'a> Convex<'a> {
 
     fn rises_at(&self, point: &Point) -> Result<bool, Undecided> {
         let exactly = || self.exact_sign(&self.exact.polynomial.derivative(), &point.offset, point.bits);
-        self.sign(&point.slope).or_else(exactly).map(Ordering::is_gt).ok_or(Undecided)
+        point.slope.sign().or_else(exactly).map(Ordering::is_gt).ok_or(Undecided)
     }
 
     /// Whether the tangent in one point is certainly positive up to another; the polynomial lies above it.
-    fn stays_above_tangent(&self, point: &Point, value: &BigInt, other: &Point) -> bool {
+    fn stays_above_tangent(&self, point: &Point, value: &Value, other: &Point) -> bool {
         let distance = &other.offset - &point.offset;
-        let tangent = value + ((&point.slope * distance) >> (point.bits + self.part.width));
-        self.sign(&tangent) == Some(Ordering::Greater)
+        let number = &value.number + ((&point.slope.number * distance) >> point.bits);
+        let margin = value.margin.max(point.slope.margin);
+        Value { number, margin }.sign() == Some(Ordering::Greater)
     }
 
     /// What the value at a point where the polynomial falls or is flat says about the first root.
-    fn found(&self, point: &Point, value: &BigInt) -> Result<Option<First>, Undecided> {
+    fn found(&self, point: &Point, value: &Value) -> Result<Option<First>, Undecided> {
         let exactly = || self.exact_sign(self.exact.polynomial, &point.offset, point.bits);
-        let found = match self.sign(value).or_else(exactly).ok_or(Undecided)? {
+        let found = match value.sign().or_else(exactly).ok_or(Undecided)? {
             Ordering::Greater => return Ok(None),
             Ordering::Less => First::Before,
             Ordering::Equal => First::At,
@@ -186,7 +224,7 @@ impl<'a> Convex<'a> {
 /// in units of its bits.
 fn cell(lower: &Point, upper: &Point, leap: u64) -> [BigInt; 2] {
     let width = &upper.offset - &lower.offset;
-    let index = (-&lower.slope << leap) / (&upper.slope - &lower.slope);
+    let index = (-&lower.slope.number << leap) / (&upper.slope.number - &lower.slope.number);
     let index = index.min((BigInt::one() << leap) - 1);
     let from = (&lower.offset << leap) + &width * index;
     [from.clone(), from + width]
@@ -203,7 +241,8 @@ mod tests {
     }
 
     fn first(polynomial: &IntegerPolynomial, digits: u64) -> Result<First, Undecided> {
-        Convex::new(&Whole::new(polynomial, 0), &Part::whole(), digits).first_root(&mut Bracket::whole())
+        let (whole, part) = (Whole::new(polynomial, 0), Part::whole());
+        Convex::new(&whole, &part, &whole.over(&part, digits), digits).first_root(&mut Bracket::whole())
     }
 
     #[test]

@@ -13,6 +13,7 @@
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29-33, doi 10.1016/j.mechrescom.2010.11.006, Eq. (10).
 
+mod bernstein;
 mod common_divisor;
 pub(crate) mod end;
 pub(crate) mod equation;
@@ -20,7 +21,10 @@ mod first_root;
 mod fixed_point;
 mod integer_polynomial;
 mod minimum;
+mod outline;
 mod part;
+mod powers;
+
 mod search;
 
 use core::cmp::Ordering;

@@ -1,16 +1,19 @@
 //! Isolating the smallest positive root of a polynomial: Descartes' rule of signs on ever smaller intervals.
 //!
-//! The sign changes of Bernstein's coefficients bound the number of roots in an interval
-//! ([`part`](crate::proof::part)): there is none if there is no change, one if there is one, and they never grow when
-//! the interval is divided. So the interval in front is divided until there is 0 or 1.
+//! The sign changes of Bernstein's coefficients bound the number of roots in an interval (`bernstein`): there is none
+//! if there is no change, one if there is one, and they never grow when the interval is divided. So the interval in
+//! front is divided until there is 0 or 1.
 //!
 //! The search goes from one power of two to the next, as roots may be of any magnitude; most of these intervals a
 //! bound that costs nothing skips.
 //!
-//! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c gives
-//! p'/p = k/(x - c) nearby, so c is close to a - k p(a)/p'(a). Where both ends a of an interval lead to nearly the same
-//! point, a small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at. Two sign
+//! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c gives p'/p = k/(x -
+//! c) nearby, so c is close to a - k p(a)/p'(a). Where both ends a of an interval lead to nearly the same point, a
+//! small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at. Two sign
 //! changes that are left where the polynomial is convex are decided by its minimum (`minimum`).
+//!
+//! An interval is cut out of the one before it, whose numbers are much shorter than those of the whole polynomial, and
+//! around a cluster ever fewer powers count (`powers`). Only digits that are missing are taken from the polynomial.
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
@@ -25,12 +28,15 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
+use num_traits::Zero;
 
+use crate::proof::bernstein::{Bernstein, SignChanges};
 use crate::proof::common_divisor::square_free;
 use crate::proof::first_root::{FirstRoot, Place};
 use crate::proof::integer_polynomial::IntegerPolynomial;
 use crate::proof::minimum::{Bracket, Convex, First, Undecided};
-use crate::proof::part::{Bernstein, Part, SignChanges, Whole};
+use crate::proof::outline::Outline;
+use crate::proof::part::{Part, Whole};
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
 const MAXIMUM_LENGTH: u64 = 1 << 19;
@@ -46,9 +52,10 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
         return Ok(None);
     }
     let polynomial = square_free(polynomial);
+    let outline = Outline::new(&polynomial);
     let lowest = -polynomial.clone().reversed().root_bound();
     for exponent in lowest..polynomial.root_bound() {
-        if polynomial.stays_positive_between_powers(exponent) {
+        if outline.stays_positive_between_powers(exponent) {
             continue;
         }
         if exponent.unsigned_abs().saturating_mul(polynomial.degree() as u64) > MAXIMUM_LENGTH {
@@ -73,6 +80,17 @@ struct Candidate {
     local: Bernstein,
     digits: u64,
     missed: Missed,
+    /// So many changes were counted with all powers of the polynomial.
+    counted: usize,
+}
+
+/// What there is around the roots of a candidate.
+enum Around {
+    /// An interval that has all of them.
+    Piece(Candidate),
+    /// One that it takes so many digits to know about.
+    Unclear(u64),
+    Nothing,
 }
 
 /// An interval 2^-width long did not have all of so many roots.
@@ -86,7 +104,9 @@ impl Search<'_> {
     fn first_place(&self) -> Result<Option<Place>, TooIntricate> {
         let (part, digits) = (Part::whole(), self.few_digits());
         let local = self.whole.over(&part, digits);
-        let mut ahead = vec![Candidate { part, local, digits, missed: Missed { count: 0, width: 0 } }];
+        let mut enough = 0;
+        let mut ahead =
+            vec![Candidate { part, local, digits, missed: Missed { count: 0, width: 0 }, counted: 0 }];
         while let Some(mut front) = ahead.pop() {
             let (start, changes) = front.local.sign_changes(&|end| self.whole.sign_at(&front.part, end));
             match changes {
@@ -99,13 +119,14 @@ impl Search<'_> {
                 }
                 SignChanges { least, most } if least != most => ahead.push(self.with_more_digits(front)?),
                 SignChanges { most: 2, .. } if front.local.is_convex() => {
-                    if let Some(place) = self.beside_minimum(&front.part, front.spent_digits())? {
+                    if let Some(place) = self.beside_minimum(front, &mut enough)? {
                         return Ok(Some(place));
                     }
                 }
-                SignChanges { most: count, .. } => match self.around_cluster(&mut front, count)? {
-                    Some(closer) => ahead.push(closer),
-                    None => ahead.extend(front.halves()),
+                SignChanges { most: count, .. } => match self.around_cluster(&mut front, count) {
+                    Around::Piece(closer) => ahead.push(closer),
+                    Around::Unclear(digits) => ahead.push(self.with_digits(front, digits)?),
+                    Around::Nothing => ahead.extend(front.halves()),
                 },
             }
         }
@@ -118,20 +139,26 @@ impl Search<'_> {
     }
 
     fn with_more_digits(&self, candidate: Candidate) -> Result<Candidate, TooIntricate> {
-        let digits = self.more(candidate.digits)?;
+        let digits = self.more(candidate.digits);
+        self.with_digits(candidate, digits)
+    }
+
+    fn with_digits(&self, candidate: Candidate, digits: u64) -> Result<Candidate, TooIntricate> {
+        if digits > MAXIMUM_DIGITS {
+            return Err(TooIntricate);
+        }
         Ok(Candidate { local: self.whole.over(&candidate.part, digits), digits, ..candidate })
     }
 
-    fn more(&self, digits: u64) -> Result<u64, TooIntricate> {
-        let more = digits + self.few_digits().max(digits / 2);
-        if more > MAXIMUM_DIGITS { Err(TooIntricate) } else { Ok(more) }
+    fn more(&self, digits: u64) -> u64 {
+        digits + self.few_digits().max(digits / 2)
     }
 
     /// A small interval around all roots of the front, if it keeps its sign changes.
     ///
     /// Where one has missed some of them, the next is tried halfway, in bits; unless they turn out to fit into an
     /// interval as short, so that it was in the wrong place.
-    fn around_cluster(&self, front: &mut Candidate, count: usize) -> Result<Option<Candidate>, TooIntricate> {
+    fn around_cluster(&self, front: &mut Candidate, count: usize) -> Around {
         let cluster = front.local.cluster(count);
         let width = front.part.width;
         let (short, longest) = match front.missed {
@@ -141,52 +168,75 @@ impl Search<'_> {
             _ => (cluster.short_piece(width), u64::MAX),
         };
         for (offset, bits) in short.into_iter().chain(cluster.long_piece(longest)) {
-            let part = front.part.within(&offset, bits, bits - 2);
-            let missed = Missed { count, width: part.width };
-            if let Some(closer) = self.with_changes(count, part, front)? {
-                return Ok(Some(closer));
+            match self.piece(front, &offset, bits, count) {
+                Around::Nothing => front.missed = Missed { count, width: width + bits - 2 },
+                found => return found,
             }
-            front.missed = missed;
         }
-        Ok(None)
+        Around::Nothing
     }
 
-    /// A part, if it has so many sign changes.
+    /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has so many sign changes.
     ///
-    /// A cluster of k roots makes values of the size of the width to the power k.
-    fn with_changes(
-        &self,
-        count: usize,
-        part: Part,
-        front: &Candidate,
-    ) -> Result<Option<Candidate>, TooIntricate> {
-        let smaller = count as u64 * (part.width - front.part.width);
+    /// A cluster of k roots makes values of the size of the width to the power k. They come from the front if that has
+    /// digits enough. Otherwise they are computed anew, with all powers, if those of the front were counted so, too.
+    fn piece(&self, front: &Candidate, offset: &BigInt, bits: u64, count: usize) -> Around {
+        let part = front.part.within(offset, bits, bits - 2);
+        let has_all_powers = |local: &Bernstein| local.degree() == self.whole.degree();
+        let (is_first, is_last) = (offset.is_zero(), (offset + 4_u32).bits() > bits);
+        let smaller = count as u64 * (bits - 2);
         let mut digits = front.digits.max(front.spent_digits() + smaller + self.few_digits());
         loop {
-            let local = self.whole.over(&part, digits);
+            let powers = match digits == front.digits {
+                true => front.local.piece(offset, bits),
+                false if front.counted == count || has_all_powers(&front.local) => {
+                    self.whole.powers_over(&part, digits)
+                }
+                false if digits > 2 * front.digits => return Around::Nothing,
+                // The next piece is likely to take more again.
+                false => return Around::Unclear(digits + self.few_digits()),
+            };
+            let local = Bernstein::new(&powers, false);
             let (start, SignChanges { least, most }) =
                 local.sign_changes(&|end| self.whole.sign_at(&part, end));
-            if start == Some(Ordering::Equal) || most < count {
-                return Ok(None);
+            let known = |end| front.local.knows_end(end) && local.knows_end(end);
+            let knows_rest = (is_first || known(0)) && (is_last || known(1));
+            if start == Some(Ordering::Equal) || most < count || !(has_all_powers(&local) || knows_rest) {
+                return Around::Nothing;
             }
             if least == count {
-                return Ok(Some(Candidate { part, local, digits, missed: front.missed }));
+                let counted = if has_all_powers(&local) { count } else { 0 };
+                let fewer = powers.without_negligible();
+                let local = fewer.map_or(local, |fewer| Bernstein::new(&fewer, false));
+                return Around::Piece(Candidate { part, local, digits, missed: front.missed, counted });
             }
-            digits = self.more(digits)?;
+            digits = self.more(digits);
+            if digits > MAXIMUM_DIGITS {
+                return Around::Unclear(digits);
+            }
         }
     }
 
-    /// The first root of a polynomial that is convex over a part and positive at both ends.
-    fn beside_minimum(&self, part: &Part, digits: u64) -> Result<Option<Place>, TooIntricate> {
-        let (mut more, mut minimum) = (self.few_digits(), Bracket::whole());
+    /// The first root of a polynomial that is convex over the front and positive at both ends.
+    ///
+    /// Where digits are missing for it, only what is left for the minimum is computed anew; as many as were enough for
+    /// the last one are likely to be enough.
+    fn beside_minimum(&self, mut front: Candidate, enough: &mut u64) -> Result<Option<Place>, TooIntricate> {
+        let beginning = front.part.clone();
+        let mut minimum = Bracket::whole();
         let first = loop {
-            match Convex::new(&self.whole, part, digits + more).first_root(&mut minimum) {
+            let Candidate { part, local, digits, .. } = &front;
+            match Convex::new(&self.whole, part, local, *digits).first_root(&mut minimum) {
                 Ok(first) => break first,
-                Err(Undecided) if digits + more > MAXIMUM_DIGITS => return Err(TooIntricate),
-                Err(Undecided) => more *= 2,
+                Err(Undecided) => {
+                    front.part = minimum.part(&front.part);
+                    let digits = (*enough).clamp(self.more(front.digits), 4 * front.digits);
+                    front = self.with_digits(front, digits)?;
+                }
             }
         };
-        let point = |offset: &BigInt, bits| part.within(offset, bits, bits);
+        *enough = front.digits;
+        let point = |offset: &BigInt, bits| front.part.within(offset, bits, bits);
         Ok(match first {
             First::None => None,
             First::At(offset, bits) => {
@@ -195,7 +245,7 @@ impl Search<'_> {
             }
             First::Before(offset, bits) => {
                 let point = point(&offset, bits);
-                Some(self.between(part, &point.end(0), point.bits))
+                Some(self.between(&beginning, &point.end(0), point.bits))
             }
         })
     }
@@ -222,8 +272,13 @@ impl Candidate {
     fn halves(self) -> [Candidate; 2] {
         let Candidate { part, digits, missed, .. } = self;
         let [lower, upper] = self.local.halves();
-        let half =
-            |offset: u32, local| Candidate { part: part.within(&offset.into(), 1, 1), local, digits, missed };
+        let half = |offset: u32, local| Candidate {
+            part: part.within(&offset.into(), 1, 1),
+            local,
+            digits,
+            missed,
+            counted: 0,
+        };
         [half(1, upper), half(0, lower)]
     }
 }

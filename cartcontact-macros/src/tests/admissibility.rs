@@ -221,6 +221,12 @@ fn degree_64_is_decided_at_once() {
     let cluster =
         (0..8).map(|at| pair(&format!("1.{}{}", "0".repeat(30), 101 + at), &format!("1e-{}", 30 + at)));
     let near = (1..33).map(|at| pair(&format!("{at}e-1"), "1e-9"));
+    let nested = |deepest: &str| {
+        let at = |place: u32| [place % 4, place / 4 % 4].map(|digit| format!("00000000{digit}")).join("");
+        let pairs = (0..32).map(|place| pair(&format!("1.{}00000000{}", at(place), place / 16), deepest));
+        pairs.collect::<Vec<_>>()
+    };
+    let among = "1.00000000200000000100000000000000005";
     let cases = [
         ("64 roots", planted(&integers(1)), Some("1")),
         ("one root, 64 times", planted(&repeat(64, root("7.25"))), Some("7.25")),
@@ -229,6 +235,8 @@ fn degree_64_is_decided_at_once() {
         ("8 pairs 1e-12 off the axis", planted(&pairs.collect::<Vec<_>>()), None),
         ("32 pairs 1e-9 off the axis", planted(&near.collect::<Vec<_>>()), None),
         ("8 pairs within 1e-30", planted(&cluster.collect::<Vec<_>>()), None),
+        ("clusters on three scales", planted(&nested("1e-40")), None),
+        ("a root in clusters", planted(&[nested("1e-20"), vec![root(among)]].concat()), Some(among)),
         ("4 roots within 1e-140", cluster_of_four(), None),
         ("a minimum of 1e-1280", nearly_touching_from_above(), None),
         ("32 minima of 1e-40", chebyshev_from_above(), None),

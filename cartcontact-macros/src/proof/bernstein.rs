@@ -1,0 +1,339 @@
+//! Bernstein's coefficients of a polynomial over part of an interval, and what they say about its roots there.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::{One, ToPrimitive, Zero};
+
+use crate::proof::fixed_point::{Numbers, binomials};
+use crate::proof::powers::Powers;
+
+/// A polynomial over a part in Bernstein's basis: p = Σ b_j C(n, j) x^j (1 − x)^(n−j) for x from 0 to 1.
+///
+/// The signs of b_0, …, b_n change as often as there are roots inside, or more often by an even number; if none
+/// changes, there is no root. b_0 and b_n are the values at the ends (R. T. Farouki, Comput. Aided Geom. Des. 29 (2012)
+/// 379-419, doi 10.1016/j.cagd.2012.03.001).
+pub(crate) struct Bernstein {
+    numbers: Numbers,
+    /// In units.
+    error: i128,
+    /// Numbers whose sign is not certain are zero.
+    is_exact: bool,
+}
+
+/// How often the sign changes at least and at most.
+#[derive(PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
+pub(crate) struct SignChanges {
+    pub(crate) least: usize,
+    pub(crate) most: usize,
+}
+
+impl Bernstein {
+    /// Rounding the powers adds less than two units, and leaving some of them out less than a third.
+    pub(crate) fn new(powers: &Powers, is_exact: bool) -> Self {
+        Bernstein { numbers: powers.bernstein(), error: powers.error + 3, is_exact }
+    }
+
+    pub(crate) fn degree(&self) -> u64 {
+        self.numbers.len().saturating_sub(1) as u64
+    }
+
+    /// Over both halves of the part, by de Casteljau's algorithm: means of neighbours, whose errors do not grow. One
+    /// unit is what rounding them adds.
+    pub(crate) fn halves(self) -> [Bernstein; 2] {
+        let degree = self.numbers.len().saturating_sub(1);
+        let [left, right] = self.numbers.edges();
+        let lower = left.shifted_down(&|index| index);
+        let upper = right.shifted_down(&|index| degree - index);
+        // Halves have finer multiples, so that the exact ones must be computed anew.
+        let half = |numbers| Bernstein { numbers, error: self.error + 1, is_exact: false };
+        [half(lower), half(upper)]
+    }
+
+    /// The powers over the piece from start/2^bits on that is 2^(2-bits) long, where start is 0 or 8 at least.
+    pub(crate) fn piece(&self, start: &BigInt, bits: u64) -> Powers {
+        let guard = self.numbers.len() as u64 + 40;
+        let mut powers = self.powers();
+        for number in &mut powers {
+            *number <<= guard;
+        }
+        Powers::new(powers, guard, self.error).over(start, bits, bits - 2)
+    }
+
+    /// The coefficients in powers, C(n, j) Δ^j b_0, of exactly these numbers.
+    pub(crate) fn powers(&self) -> Vec<BigInt> {
+        let binomials = binomials(self.numbers.len().saturating_sub(1));
+        let mut powers = self.numbers.differences().values();
+        for (number, binomial) in powers.iter_mut().zip(&binomials) {
+            *number *= binomial;
+        }
+        powers
+    }
+
+    /// The numbers are less than so many units from the true ones.
+    pub(crate) fn error(&self) -> i128 {
+        self.error
+    }
+
+    /// A bound of the bits that the longest number has.
+    pub(crate) fn length(&self) -> u64 {
+        self.numbers.length()
+    }
+
+    fn sign(&self, index: usize) -> Option<Ordering> {
+        self.numbers.sign(index, self.error).or(self.is_exact.then_some(Ordering::Equal))
+    }
+
+    /// The sign at the lower end, if it is certain, and the changes along the coefficients. The first and the last of
+    /// them are asked for if they alone are not certain.
+    pub(crate) fn sign_changes(&self, exactly: &dyn Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
+        let mut signs: Vec<Option<Ordering>> =
+            (0..self.numbers.len()).map(|index| self.sign(index)).collect();
+        if let [first, between @ .., last] = signs.as_mut_slice()
+            && between.iter().all(Option::is_some)
+        {
+            first.get_or_insert_with(|| exactly(0));
+            last.get_or_insert_with(|| exactly(1));
+        }
+        (signs.first().copied().flatten(), SignChanges::along(&signs))
+    }
+
+    /// Whether the value at the lower end, or at the upper one, is far enough from 0 for its sign to be known.
+    pub(crate) fn knows_end(&self, end: u32) -> bool {
+        let index = if end == 0 { 0 } else { self.numbers.len() - 1 };
+        self.numbers.sign(index, self.error).is_some()
+    }
+
+    /// Whether the polynomial is certainly convex: Bernstein's coefficients of its curvature are positive multiples of
+    /// the second differences.
+    pub(crate) fn is_convex(&self) -> bool {
+        let differences = self.numbers.second_differences();
+        let mut signs = (0..differences.len()).map(|index| differences.sign(index, 4 * self.error));
+        signs.all(|sign| sign == Some(Ordering::Greater))
+    }
+
+    /// Where all roots of the part may be, if they are so many.
+    ///
+    /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster.
+    pub(crate) fn cluster(&self, multiplicity: usize) -> Cluster {
+        let last = self.numbers.len() - 1;
+        let lower = self.newton(multiplicity, 0, 1);
+        let upper = (BigInt::one() << FINEST) - self.newton(multiplicity, last, last - 1);
+        Cluster { agreement: FINEST.saturating_sub((&upper - &lower).bits()), twice: lower + upper }
+    }
+
+    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-FINEST of the part. It may
+    /// lead outside from an end amid the roots, or where the value is too small to be known: they are near this end
+    /// then, if anywhere.
+    fn newton(&self, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
+        if self.numbers.sign(end, self.error).is_none() {
+            return BigInt::zero();
+        }
+        let (value, next) = (self.numbers.value(end), self.numbers.value(neighbour));
+        let degree = self.numbers.len() - 1;
+        let (step, fall) = (&value * multiplicity, (&value - next) * degree);
+        let inside = !fall.is_zero() && (fall < BigInt::zero()) == (value < BigInt::zero());
+        let position = (step << FINEST) / if inside { fall } else { return BigInt::zero() };
+        if position <= BigInt::one() << (FINEST + 1) { position } else { BigInt::zero() }
+    }
+}
+
+/// Newton's method is followed to units of 2^-FINEST of the part.
+const FINEST: u64 = 1024;
+/// By so many bits the piece around a cluster is longer than its roots seem to be apart.
+const MARGIN: u64 = 1;
+/// A piece that is not shorter by so many bits comes about by halving as well.
+const SHORTEST: u64 = 5;
+
+/// A place near which all roots of a part seem to be.
+pub(crate) struct Cluster {
+    /// Its estimates from the two ends differ by less than 2^-agreement of the part.
+    agreement: u64,
+    /// Their sum, in units of 2^-FINEST of the part.
+    twice: BigInt,
+}
+
+impl Cluster {
+    /// A piece as long as the estimates differ, from offset/2^bits on and 2^(2-bits) long: enough if it is other roots
+    /// that keep them apart, which are as far away as the part is long or farther.
+    ///
+    /// They would keep them apart by about 2^-width, so that a much closer agreement has another reason.
+    pub(crate) fn short_piece(&self, width: u64) -> Option<(BigInt, u64)> {
+        if self.agreement > 2 * width + 16 { None } else { self.piece(self.agreement) }
+    }
+
+    /// A longer one, with so many bits at most, for roots of the cluster that are s away from their mean: these move
+    /// the estimates by about s² only, as s itself cancels, so that the agreement has twice as many bits as s.
+    pub(crate) fn long_piece(&self, most_bits: u64) -> Option<(BigInt, u64)> {
+        self.piece((self.agreement / 2).min(most_bits))
+    }
+
+    fn piece(&self, bits: u64) -> Option<(BigInt, u64)> {
+        let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= SHORTEST)?;
+        let centre: BigInt = &self.twice >> (FINEST + 1 - bits);
+        let last: BigInt = (BigInt::one() << bits) - 4;
+        let offset: BigInt = centre - 2;
+        match offset.to_u8() {
+            // One that is longer than half of what lies before it begins with the part.
+            Some(1..8) => Some((BigInt::zero(), bits - 2)),
+            _ => Some((offset.clamp(BigInt::zero(), last), bits)),
+        }
+    }
+}
+
+impl SignChanges {
+    /// Zeros aside; a sign that is not certain is taken as what makes the changes fewest, or most.
+    fn along(signs: &[Option<Ordering>]) -> Self {
+        // The fewest and the most changes up to here if the last sign was negative, or positive.
+        let mut ending: [Option<(usize, usize)>; 2] = [None, None];
+        for sign in signs {
+            let [negative, positive] = ending;
+            let changed = |other: Option<(usize, usize)>| other.map(|(least, most)| (least + 1, most + 1));
+            let to_negative = either(negative, changed(positive)).or(Some((0, 0)));
+            let to_positive = either(positive, changed(negative)).or(Some((0, 0)));
+            ending = match sign {
+                Some(Ordering::Less) => [to_negative, None],
+                Some(Ordering::Equal) => ending,
+                Some(Ordering::Greater) => [None, to_positive],
+                None => [to_negative, to_positive],
+            };
+        }
+        let [negative, positive] = ending;
+        let (least, most) = either(negative, positive).unwrap_or_default();
+        SignChanges { least, most }
+    }
+}
+
+fn either(left: Option<(usize, usize)>, right: Option<(usize, usize)>) -> Option<(usize, usize)> {
+    match (left, right) {
+        (Some(left), Some(right)) => Some((left.0.min(right.0), left.1.max(right.1))),
+        (left, right) => left.or(right),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+    use crate::proof::integer_polynomial::IntegerPolynomial;
+    use crate::proof::part::{Part, Whole};
+
+    /// Coefficients of very different lengths and mixed signs.
+    fn polynomial(degree: usize) -> IntegerPolynomial {
+        let coefficients = (0..=degree as u64).map(|power| {
+            let size = BigInt::from(power * 7919 + 1) << (power * 37 % 101);
+            if power % 3 == 1 { -size } else { size }
+        });
+        IntegerPolynomial::new(coefficients.collect())
+    }
+
+    fn parts() -> Vec<Part> {
+        let whole = Part::whole();
+        let [half, deep] = [(1, 1, 1), (123_456_789, 40, 38)].map(|(o, b, w)| whole.within(&o.into(), b, w));
+        let deeper = deep.within(&5.into(), 3, 3);
+        vec![whole, half, deep, deeper]
+    }
+
+    /// Bernstein's coefficients by their definition over the whole, and by blossoming over a part: b_j is the mean of
+    /// all products of the ends, so that for the power m it is Σ_i C(j, i) C(n−j, m−i)/C(n, m) upper^i lower^(m−i).
+    fn coefficient(whole: &Whole<'_>, part: &Part, j: usize) -> (BigInt, BigInt) {
+        let n = whole.polynomial.degree();
+        let [lower, upper] = [0, 1].map(|end| part.end(end));
+        let all = binomials(n);
+        let common: BigInt = all.iter().product();
+        let terms = whole.polynomial.coefficients().iter().enumerate().map(|(m, c)| {
+            let products = (0..=m.min(j)).filter(|i| m - i <= n - j).map(|i| {
+                &binomials(j)[i] * &binomials(n - j)[m - i] * upper.pow(i as u32) * lower.pow((m - i) as u32)
+            });
+            (c * products.sum::<BigInt>() * (&common / &all[m])) << (part.bits * (n - m) as u64)
+        });
+        (terms.sum(), common << (part.bits * n as u64))
+    }
+
+    #[test]
+    fn numbers_are_as_near_as_they_say() {
+        for degree in [1, 5, 20] {
+            let polynomial = polynomial(degree);
+            let whole = Whole::new(&polynomial, 0);
+            let digits = whole.length + 10;
+            let close = |local: &Bernstein, part: &Part| {
+                for j in 0..=degree {
+                    let (value, unit) = coefficient(&whole, part, j);
+                    let difference: BigInt = local.numbers.value(j) * &unit - (value << 10_u32);
+                    assert!(
+                        difference.magnitude() < (unit * local.error).magnitude(),
+                        "{degree}: {part:?}, {j}"
+                    );
+                }
+            };
+            for part in parts() {
+                let local = Bernstein::new(&whole.powers_over(&part, digits), false);
+                close(&local, &part);
+                for (start, bits) in
+                    [(0, 5), (8, 5), (1_000_000, 21)].map(|(start, bits)| (start.into(), bits))
+                {
+                    let piece = Bernstein::new(&local.piece(&start, bits), false);
+                    close(&piece, &part.within(&start, bits, bits - 2));
+                }
+                for (offset, half) in local.halves().into_iter().enumerate() {
+                    close(&half, &part.within(&offset.into(), 1, 1));
+                }
+            }
+        }
+    }
+
+    /// Values at eighths of short parts.
+    #[test]
+    fn what_is_left_out_is_negligible() {
+        let polynomial = polynomial(20);
+        let whole = Whole::new(&polynomial, 0);
+        for part in parts().into_iter().skip(2) {
+            let powers = whole.powers_over(&part, whole.length + 10);
+            let local = Bernstein::new(&powers.without_negligible().unwrap(), false);
+            let degree = local.degree() as usize;
+            assert!(degree < 12, "{degree}");
+            for eighths in 0..=8_u32 {
+                let terms = (0..=degree).map(|j| {
+                    let weights = [(eighths, j), (8 - eighths, degree - j)];
+                    let [upper, lower] = weights.map(|(ends, power)| BigInt::from(ends).pow(power as u32));
+                    local.numbers.value(j) * &binomials(degree)[j] * upper * lower
+                });
+                let point = part.within(&eighths.into(), 3, 3);
+                let exact = polynomial.value_at(&point.end(0), point.bits) << (10 + 3 * degree);
+                let difference = (terms.sum::<BigInt>() << (point.bits * 20)) - exact;
+                let unit = BigInt::one() << (point.bits * 20 + 3 * degree as u64);
+                assert!(difference.magnitude() < (unit * local.error).magnitude(), "{part:?}, {eighths}");
+            }
+        }
+    }
+
+    /// Three roots near 5/3 of the interval from 1 to 2, and a fourth far away.
+    #[test]
+    fn clusters_are_met() {
+        let factor = |polynomial: Vec<BigInt>, [constant, slope]: [i64; 2]| -> Vec<BigInt> {
+            let shifted = core::iter::once(BigInt::zero()).chain(polynomial.iter().map(|c| c * slope));
+            let constants = polynomial.iter().map(|c| c * constant).chain([BigInt::zero()]);
+            shifted.zip(constants).map(|(high, low)| high + low).collect()
+        };
+        let roots =
+            [[5_000_001, -3_000_000], [5_000_000, -3_000_000], [4_999_998, -3_000_000], [1 << 40, -1]];
+        let polynomial = IntegerPolynomial::new(roots.into_iter().fold(vec![BigInt::one()], factor));
+        let whole = Whole::new(&polynomial, 0);
+        let Some((offset, bits)) = whole.over(&Part::whole(), 300).cluster(3).long_piece(u64::MAX) else {
+            unreachable!()
+        };
+        let piece = Part::whole().within(&offset, bits, bits - 2);
+        let changes = whole.over(&piece, 300).sign_changes(&|end| whole.sign_at(&piece, end)).1;
+        assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
+        assert_eq!(whole.over(&Part::whole(), 300).cluster(2).long_piece(u64::MAX), None);
+    }
+
+    #[test]
+    fn uncertain_signs_make_a_range() {
+        let signs = [1, 0, 2, -1, 2, 1].map(|sign: i32| (sign != 2).then(|| sign.cmp(&0)));
+        assert_eq!(SignChanges::along(&signs), SignChanges { least: 2, most: 2 });
+        let signs = [1, 2, 1, 2, -1].map(|sign: i32| (sign != 2).then(|| sign.cmp(&0)));
+        assert_eq!(SignChanges::along(&signs), SignChanges { least: 1, most: 3 });
+    }
+}
