@@ -155,10 +155,21 @@ fn whole_and_fraction<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
 
 /// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 to some digits more than a word's.
 pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
-    let quick = || quick_term(c.rounded(), x, n.whole, n.fraction);
+    let quick = || DoubleWord::of(quick_term(c.rounded(), x, n.whole, n.fraction));
     if x.is_zero() {
-        return DoubleWord::of(quick());
+        return quick();
     }
+    let term = double_product(c, x, n);
+    if term.rounded().is_finite() {
+        return term;
+    }
+    // The exact products overflow a little before their results do.
+    let (down, up) = (T::constant(1.0 / 4_294_967_296.0), T::constant(4_294_967_296.0));
+    let term = double_product(c.scaled(down), x, n).scaled(up);
+    if term.rounded().is_finite() { term } else { quick() }
+}
+
+fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
     let degree = n.whole.max(0) as u32;
     let even = if degree < 2 {
         c
@@ -169,8 +180,7 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> 
     let power = if degree & 1 == 1 { even.times_word(x) } else { even };
     let term = power.times(double_fractional_power(x, n));
     // Only slopes of gaps with an exponent below 1.
-    let term = (n.whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)));
-    if term.rounded().is_finite() { term } else { DoubleWord::of(quick()) }
+    (n.whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)))
 }
 
 /// c x^(k+φ) with every product rounded, in halves as [`whole_and_fraction`] does it.
