@@ -68,16 +68,12 @@ const _: () = {
                 (
                     __c0
                         * <S as __cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    __cartcontact::generated::Exponent::of(
-                        <S as __cartcontact::Scalar>::constant(6.0f64),
-                    ),
+                    __cartcontact::generated::Exponent::whole(6),
                 ),
                 (
                     __c1
                         * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64),
-                    __cartcontact::generated::Exponent::of(
-                        <S as __cartcontact::Scalar>::constant(6.5f64),
-                    ),
+                    __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
                 ),
             ],
         )
@@ -94,17 +90,10 @@ const _: () = {
             __cartcontact::generated::power_sum(
                 __r,
                 [
-                    (
-                        __c0,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.0f64),
-                        ),
-                    ),
+                    (__c0, __cartcontact::generated::Exponent::whole(2)),
                     (
                         __c1,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -117,18 +106,14 @@ const _: () = {
                 [
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(2),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -139,20 +124,13 @@ const _: () = {
             __cartcontact::generated::power_sum(
                 __a,
                 [
-                    (
-                        __c0,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(1.0f64),
-                        ),
-                    ),
+                    (__c0, __cartcontact::generated::Exponent::whole(1)),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -168,18 +146,14 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(6),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -192,18 +166,14 @@ const _: () = {
                 [
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.0625f64),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(4.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(4),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.04938271604938271f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(4.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(4, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -216,18 +186,14 @@ const _: () = {
                 [
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(2),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -238,20 +204,13 @@ const _: () = {
             __cartcontact::generated::quick_power_sum(
                 __a,
                 [
-                    (
-                        __c0,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(1.0f64),
-                        ),
-                    ),
+                    (__c0, __cartcontact::generated::Exponent::whole(1)),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -267,18 +226,14 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(6),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -290,17 +245,10 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    (
-                        __c0,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.0f64),
-                        ),
-                    ),
+                    (__c0, __cartcontact::generated::Exponent::whole(2)),
                     (
                         __c1,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -312,17 +260,10 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    (
-                        __c0,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.0f64),
-                        ),
-                    ),
+                    (__c0, __cartcontact::generated::Exponent::whole(2)),
                     (
                         __c1,
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(2.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -377,17 +318,17 @@ const _: () = {
                                                 * <S as __cartcontact::Scalar>::constant(
                                                     0.08333333333333333f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::of(
-                                                <S as __cartcontact::Scalar>::constant(6.0f64),
-                                            ),
+                                            __cartcontact::generated::Exponent::whole(6),
                                         ),
                                         (
                                             __c1
                                                 * <S as __cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::of(
-                                                <S as __cartcontact::Scalar>::constant(6.5f64),
+                                            __cartcontact::generated::Exponent::in_parts(
+                                                6,
+                                                0.5f64,
+                                                0.0f64,
                                             ),
                                         ),
                                     ],
@@ -401,17 +342,17 @@ const _: () = {
                                             * <S as __cartcontact::Scalar>::constant(
                                                 0.08333333333333333f64,
                                             ),
-                                        __cartcontact::generated::Exponent::of(
-                                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                                        ),
+                                        __cartcontact::generated::Exponent::whole(6),
                                     ),
                                     (
                                         __c1
                                             * <S as __cartcontact::Scalar>::constant(
                                                 0.08547008547008547f64,
                                             ),
-                                        __cartcontact::generated::Exponent::of(
-                                            <S as __cartcontact::Scalar>::constant(6.5f64),
+                                        __cartcontact::generated::Exponent::in_parts(
+                                            6,
+                                            0.5f64,
+                                            0.0f64,
                                         ),
                                     ),
                                 ],
@@ -469,18 +410,14 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(6),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
                     ),
                 ],
             )
@@ -504,18 +441,14 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(6),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::of(
-                            <S as __cartcontact::Scalar>::constant(6.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
                     ),
                 ],
             )

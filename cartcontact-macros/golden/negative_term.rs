@@ -151,21 +151,15 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.05f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(2.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(2),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(-0.004f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(3),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0002f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(4.0f64),
-                        ),
+                        __cartcontact::generated::Exponent::whole(4),
                     ),
                 ],
             )

@@ -36,15 +36,11 @@ const _: () = {
             [
                 (
                     <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                    __cartcontact::generated::Exponent::of(
-                        <T as __cartcontact::Scalar>::constant(5.5f64),
-                    ),
+                    __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
                 ),
                 (
                     <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
-                    __cartcontact::generated::Exponent::of(
-                        <T as __cartcontact::Scalar>::constant(7.25f64),
-                    ),
+                    __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
                 ),
             ],
         )
@@ -61,15 +57,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -81,15 +73,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -101,15 +89,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(0.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(0, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(2.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -121,17 +105,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(5.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(7.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -143,15 +123,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0008163265306122449f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(7.256235827664399e-5f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(5.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -163,15 +139,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -183,15 +155,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(0.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(0, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(2.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -203,17 +171,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(5.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(7.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -226,15 +190,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -247,15 +207,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(1.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(3.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -299,16 +255,20 @@ const _: () = {
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.0007792207792207792f64,
                                             ),
-                                            __cartcontact::generated::Exponent::of(
-                                                <T as __cartcontact::Scalar>::constant(5.5f64),
+                                            __cartcontact::generated::Exponent::in_parts(
+                                                5,
+                                                0.5f64,
+                                                0.0f64,
                                             ),
                                         ),
                                         (
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.00017077175697865354f64,
                                             ),
-                                            __cartcontact::generated::Exponent::of(
-                                                <T as __cartcontact::Scalar>::constant(7.25f64),
+                                            __cartcontact::generated::Exponent::in_parts(
+                                                7,
+                                                0.25f64,
+                                                0.0f64,
                                             ),
                                         ),
                                     ],
@@ -321,16 +281,20 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::of(
-                                            <T as __cartcontact::Scalar>::constant(5.5f64),
+                                        __cartcontact::generated::Exponent::in_parts(
+                                            5,
+                                            0.5f64,
+                                            0.0f64,
                                         ),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.00017077175697865354f64,
                                         ),
-                                        __cartcontact::generated::Exponent::of(
-                                            <T as __cartcontact::Scalar>::constant(7.25f64),
+                                        __cartcontact::generated::Exponent::in_parts(
+                                            7,
+                                            0.25f64,
+                                            0.0f64,
                                         ),
                                     ),
                                 ],
@@ -368,17 +332,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(5.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(7.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
                     ),
                 ],
             )
@@ -398,17 +358,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(5.5f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::of(
-                            <T as __cartcontact::Scalar>::constant(7.25f64),
-                        ),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
                     ),
                 ],
             )

@@ -18,7 +18,7 @@ use super::coefficients::Coefficients;
 use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
-use crate::number::{Rational, integer, literal};
+use crate::number::{Rational, literal};
 
 /// How a sum is written.
 pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> Counted;
@@ -198,19 +198,18 @@ pub(super) fn pairs(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Nam
     sum.summands.iter().map(pair).collect()
 }
 
-/// An exponent of which nothing is rounded, in any format: in parts unless it is a multiple of 1/4.
+/// An exponent of which nothing is rounded, in any format.
 pub(super) fn exponent(exponent: &Rational, names: &Names<'_>) -> TokenStream {
-    let (constant, of) = (names.constant(), names.generated("Exponent"));
-    if (exponent * integer(4)).is_integer() {
-        let (size, sign) = (literal(&exponent.abs()), exponent.is_negative().then(|| quote!(-)));
-        return quote!(#of::of(#sign #constant(#size)));
-    }
+    let of = names.generated("Exponent");
     let whole = exponent.floor();
     let fraction = exponent - &whole;
+    let whole = Literal::i32_unsuffixed(whole.to_i32().unwrap_or(0));
+    if fraction.is_zero() {
+        return quote!(#of::whole(#whole));
+    }
     let nearest = fraction.to_f64().and_then(Rational::from_float).unwrap_or_else(Rational::zero);
     let rest = &fraction - nearest;
     let (size, sign) = (literal(&rest.abs()), rest.is_negative().then(|| quote!(-)));
-    let whole = Literal::i32_unsuffixed(whole.to_i32().unwrap_or(0));
     let fraction = literal(&fraction);
     quote!(#of::in_parts(#whole, #fraction, #sign #size))
 }

@@ -26,7 +26,13 @@ impl<T: Scalar> Exponent<T> {
         Self { value, whole, fraction: value - T::constant(f64::from(whole)), rest: T::zero() }
     }
 
-    /// The exponent that is none, from its whole part, the fraction next to what is left, and what that lacks.
+    /// The whole exponent.
+    #[inline]
+    pub fn whole(whole: i32) -> Self {
+        Self { value: T::constant(f64::from(whole)), whole, fraction: T::zero(), rest: T::zero() }
+    }
+
+    /// Any exponent, from its whole part, the fraction next to what is left, and what that lacks.
     #[inline]
     pub fn in_parts(whole: i32, fraction: f64, rest: f64) -> Self {
         let value = T::constant(f64::from(whole) + fraction);
