@@ -24,7 +24,6 @@ mod minimum;
 mod outline;
 mod part;
 mod powers;
-
 mod search;
 
 use core::cmp::Ordering;
