@@ -11,6 +11,7 @@ use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
 use super::binary::split;
 use super::bits::{exponent, nearest_integer, power_of_two};
 use super::double_word::DoubleWord;
+use super::series::{inverse_factorials, odd_reciprocals};
 use crate::Scalar;
 use crate::scalar::is;
 
@@ -91,26 +92,10 @@ fn ln_2<T: Scalar>() -> DoubleWord<T> {
 }
 
 /// 1/(2k + 1) from k = 2 on; 2e-20 is left out after t²², and 4e-14 after t¹⁴ for single precision.
-const ARTANH: [[f64; 2]; 5] = {
-    let mut terms = [[0.0; 2]; 5];
-    let mut k = 0;
-    while k < 10 {
-        terms[k / 2][k % 2] = 1.0 / (2 * k + 5) as f64;
-        k += 1;
-    }
-    terms
-};
+const ARTANH: [[f64; 2]; 5] = odd_reciprocals(2);
 
 /// 1/k! from k = 4 on; 6e-21 is left out after g¹⁵, and 2e-11 after g⁹ for single precision.
-const TAYLOR: [[f64; 2]; 6] = {
-    let mut terms = [[1.0 / 24.0; 2]; 6];
-    let mut k = 1;
-    while k < 12 {
-        terms[k / 2][k % 2] = terms[(k - 1) / 2][(k - 1) % 2] / (k + 4) as f64;
-        k += 1;
-    }
-    terms
-};
+const TAYLOR: [[f64; 2]; 6] = inverse_factorials(4);
 
 #[cfg(test)]
 mod tests {

@@ -7,6 +7,7 @@
 //! than 7e-18 after g¹³, and less than 2e-11 after g⁹ for single precision.
 
 use super::bits::{nearest_integer, power_of_two};
+use super::series::inverse_factorials;
 use crate::Scalar;
 use crate::scalar::{is, is_plain};
 
@@ -64,15 +65,7 @@ const DOUBLE: Reduction = (708.0, 0.693_147_180_369_123_8, 1.908_214_929_270_587
 const SINGLE: Reduction = (87.0, 0.693_145_751_953_125, 1.428_606_820_309_417_3e-6);
 
 /// 1/k! from k = 2 on.
-const TAYLOR: [[f64; 4]; 3] = {
-    let mut terms = [[0.5; 4]; 3];
-    let mut k = 1;
-    while k < 12 {
-        terms[k / 4][k % 4] = terms[(k - 1) / 4][(k - 1) % 4] / (k + 2) as f64;
-        k += 1;
-    }
-    terms
-};
+const TAYLOR: [[f64; 4]; 3] = inverse_factorials(2);
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 use core::f64::consts::{LN_2, SQRT_2};
 
 use super::bits::{exponent, fraction};
+use super::series::odd_reciprocals;
 use crate::Scalar;
 use crate::scalar::{is, smallest_normal};
 
@@ -39,15 +40,7 @@ pub(crate) fn log_of_share<T: Scalar>(share: T, depth: T) -> T {
 }
 
 /// 1/(2k + 1) from k = 1 on.
-const ARTANH: [[f64; 4]; 3] = {
-    let mut terms = [[0.0; 4]; 3];
-    let mut k = 0;
-    while k < 12 {
-        terms[k / 4][k % 4] = 1.0 / (2 * k + 3) as f64;
-        k += 1;
-    }
-    terms
-};
+const ARTANH: [[f64; 4]; 3] = odd_reciprocals(1);
 
 #[cfg(test)]
 mod tests {

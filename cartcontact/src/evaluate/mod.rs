@@ -12,4 +12,5 @@ pub(crate) mod logarithm;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;
 pub(crate) mod real_exponent;
+mod series;
 pub(crate) mod slopes_and_drops;
