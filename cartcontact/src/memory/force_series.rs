@@ -48,7 +48,16 @@ impl<T: Scalar> ForceSeries<T> {
     pub(crate) const START: usize = DEGREE;
 
     /// The series of a load between two times without a knot between them.
-    pub(crate) fn between<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
+    pub(crate) fn between<L: Load<T> + ?Sized>(load: &L, times: (T, T), chi: T) -> Self {
+        Self::through_forces(load, times, chi).grown()
+    }
+
+    /// The same without what is noise.
+    pub(super) fn without_noise<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
+        Self::through_forces(load, times, chi).denoised(times.1).grown()
+    }
+
+    fn through_forces<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
         let duration = end - start;
         let forces = core::array::from_fn(|place| {
             let before_end = duration * (T::one() - T::constant(cosine(place))) * T::constant(0.5);
@@ -62,7 +71,27 @@ impl<T: Scalar> ForceSeries<T> {
         let none = [T::zero(); DEGREE + 1];
         let folds = chi * duration;
         Self { duration, folds, forces, size, rest, length, variation, growth: none, mean_growth: none }
-            .grown()
+    }
+
+    /// Leaves out the coefficients that are noise, where the step ends at `end`.
+    ///
+    /// After a long history the times of the nodes are rounded by a share of the step, and so is what a load makes of
+    /// them. Coefficients then no longer fall but from some degree on are as large as the last. They count N² times in F′,
+    /// of which no rule expects such waves. The series still has the forces at both ends, so that steps join, and what
+    /// a pressure gains and loses during them remains that of one history.
+    fn denoised(mut self, end: T) -> Self {
+        let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
+        self.length = length_above(&self.variation[..self.length], noise).max(2);
+        self.variation[self.length..].fill(T::zero());
+        let (mut at_end, mut at_start) = (T::zero(), self.forces[Self::START] - self.last());
+        for (k, &c) in self.variation.iter().enumerate() {
+            at_end -= c;
+            at_start -= if k.is_multiple_of(2) { c } else { -c };
+        }
+        let half = T::constant(0.5);
+        self.variation[0] += (at_end + at_start) * half;
+        self.variation[1] += (at_end - at_start) * half;
+        self
     }
 
     /// Derives the growth from the variation of the force.
@@ -75,27 +104,6 @@ impl<T: Scalar> ForceSeries<T> {
         self.growth[0] += half_folds * self.last();
         self.mean_growth = mean_to_the_end(&self.growth[..length]);
         self
-    }
-
-    /// Leaves out the coefficients that are noise, where the step ends at `end`.
-    ///
-    /// After a long history the times of the nodes are rounded by a share of the step, and so is what a load makes of
-    /// them. Coefficients then no longer fall but from some degree on are as large as the last. They count N² times in F′,
-    /// of which no rule expects such waves. The series still has the forces at both ends, so that steps join, and what
-    /// a pressure gains and loses during them remains that of one history.
-    pub(super) fn without_noise(mut self, end: T) -> Self {
-        let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
-        self.length = length_above(&self.variation[..self.length], noise).max(2);
-        self.variation[self.length..].fill(T::zero());
-        let (mut at_end, mut at_start) = (T::zero(), self.forces[Self::START] - self.last());
-        for (k, &c) in self.variation.iter().enumerate() {
-            at_end -= c;
-            at_start -= if k.is_multiple_of(2) { c } else { -c };
-        }
-        let half = T::constant(0.5);
-        self.variation[0] += (at_end + at_start) * half;
-        self.variation[1] += (at_end - at_start) * half;
-        self.grown()
     }
 
     /// χ times the duration.

@@ -58,7 +58,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// The force from now to the end of a step.
     fn force_series(&self, end: T) -> ForceSeries<T> {
         let times = (self.now.time, end);
-        ForceSeries::between(self.contact.load(), times, self.contact.medium().chi()).without_noise(end)
+        ForceSeries::without_noise(self.contact.load(), times, self.contact.medium().chi())
     }
 
     /// Whether the nodes of a step miss what the load does between them.
