@@ -98,6 +98,12 @@ impl fmt::Display for ContactError {
                 "radius {index} is {}, but radii must be finite numbers from 0; give distances from the axis",
                 Shown(radius)
             ),
+            Self::BeyondRange { leaves_at: 0.0, max_radius, .. } => write!(
+                f,
+                "the contact exceeds the admissible range of the geometry, radii up to {}, as soon as the load is \
+                 applied; lower the load, or extend `max_radius` if the geometry allows it",
+                Shown(max_radius)
+            ),
             Self::BeyondRange { time, leaves_at, max_radius } => write!(
                 f,
                 "at time {} the contact has left the admissible range of the geometry: its radius reaches {} \

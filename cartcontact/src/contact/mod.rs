@@ -347,16 +347,21 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         hereditary.is_zero() || loading.has_digits(self.medium.chi(), hereditary * self.per_stiffness)
     }
 
-    /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit.
+    /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit; 0 if it never is.
     fn time_of_leaving(&self, t: T) -> T {
+        let is_inside = |time| self.radius_under(self.loading(time).hereditary).is_ok();
         let half = T::constant(0.5);
         let (mut inside, mut outside) = (T::zero(), t);
+        // Halving towards a zero that is never admissible would only end after all exponents of the format.
+        if !is_inside(inside) {
+            return inside;
+        }
         loop {
             let middle = inside + (outside - inside) * half;
             if !(inside < middle && middle < outside) {
                 return inside;
             }
-            if self.radius_under(self.loading(middle).hereditary).is_ok() {
+            if is_inside(middle) {
                 inside = middle;
             } else {
                 outside = middle;

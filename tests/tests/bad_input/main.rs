@@ -346,6 +346,19 @@ fn a_contact_that_leaves_its_range_says_when() {
 }
 
 #[test]
+fn a_contact_that_begins_beyond_its_range_says_so() {
+    let contact = Contact::new(Oblate, *paraboloid().medium(), Constant(1e6));
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    for t in [0.0, 200.0] {
+        refused(
+            contact.at(t),
+            |e| matches!(e, ContactError::BeyondRange { leaves_at: 0.0, .. }),
+            "as soon as the load is applied",
+        );
+    }
+}
+
+#[test]
 fn errors_lead_to_their_source() {
     let error = ContactError::Profile(ProfileError::Empty);
     assert!(core::error::Error::source(&error).is_some_and(|source| source.is::<ProfileError>()));
