@@ -10,7 +10,6 @@ use crate::memory::{Moment, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
-#[derive(Clone, Copy)]
 pub struct Snapshot<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     time: T,
@@ -150,7 +149,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
                 continue;
             }
             let share = load.force(time) * (folds - past).exp();
-            if share <= present {
+            // Also where the share is not a number, lest the search goes on.
+            if share.partial_cmp(&present) != Some(core::cmp::Ordering::Greater) {
                 return self.past_moment(time);
             }
             past += folds;
@@ -165,6 +165,15 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         self.contact.moment_under(loading, time, radius)
     }
 }
+
+// Not derived, because neither profile nor load need be `Copy`.
+impl<T: Copy, P, L> Clone for Snapshot<'_, T, P, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T: Copy, P, L> Copy for Snapshot<'_, T, P, L> {}
 
 impl<T: fmt::Debug, P, L> fmt::Debug for Snapshot<'_, T, P, L> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -81,8 +81,7 @@ pub trait Load<T: Scalar> {
         let mut time = from;
         let mut count = 0;
         while count < pieces.len() && time < until {
-            let knot = self.next_knot(time).filter(|&knot| time < knot && knot < until);
-            let end = knot.unwrap_or(until);
+            let end = knot_between(self, time, until).unwrap_or(until);
             pieces[count] = Piece { start: (time, self.force(time)), end: (end, self.force_before(end)) };
             count += 1;
             time = end;
@@ -90,8 +89,8 @@ pub trait Load<T: Scalar> {
         count
     }
 
-    /// The time from which the hereditary load F + χ ∫F falls, so that the edge recedes, if it does up to `t`; or, in the
-    /// provided method, from which it would have to fall for the impulse to be that of the force, a
+    /// The time up to `t` from which the history is not one that the solution covers, if there is one: the hereditary load
+    /// F + χ ∫F falls, so that the edge recedes, or the load is not what it says, a
     /// [`contradiction`](Self::contradiction).
     ///
     /// The provided method follows the force between knots as closely as it varies, and finds every fall by more than
@@ -101,16 +100,12 @@ pub trait Load<T: Scalar> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }
 
-    /// What is wrong with the impulse, if up to `t` it is found not to be that of the force before the hereditary load
-    /// falls.
+    /// What is wrong with the load up to `t`, if that shows before the hereditary load falls: a force that is negative
+    /// or not finite, or an impulse that is not that of the force.
     ///
-    /// A contact asks for it only where there is a [`recession`](Self::recession), which the provided method
-    /// of that name includes.
+    /// A contact asks for it only where there is a [`recession`](Self::recession), to tell why.
     fn contradiction(&self, chi: T, t: T) -> Option<LoadError> {
-        match recession::first_fault(self, chi, t)? {
-            recession::Fault::Falls(_) => None,
-            recession::Fault::Contradicts(contradiction) => Some(contradiction.error()),
-        }
+        recession::first_fault(self, chi, t)?.contradiction()
     }
 
     /// Checks values that the type itself cannot rule out.
@@ -290,6 +285,12 @@ impl fmt::Display for LoadError {
 }
 
 impl core::error::Error for LoadError {}
+
+/// The first knot of a load after one time and before another; what else a load of a user's own may name is no knot.
+#[inline]
+pub(crate) fn knot_between<T: Scalar, L: Load<T> + ?Sized>(load: &L, from: T, until: T) -> Option<T> {
+    load.next_knot(from).filter(|&knot| from < knot && knot < until)
+}
 
 /// Whether a force is one that a contact can carry.
 #[inline(always)]

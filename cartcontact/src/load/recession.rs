@@ -17,8 +17,8 @@
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
 //! so the search ends.
 
-use super::Load;
 use super::contradiction::{self, Contradiction};
+use super::{Load, LoadError, knot_between};
 use crate::Scalar;
 use crate::memory::ForceSeries;
 use crate::scalar::smallest_normal;
@@ -33,6 +33,8 @@ pub(super) enum Fault<T> {
     Falls(T),
     /// Its impulse is not that of its force.
     Contradicts(Contradiction<T>),
+    /// At some time, its force is negative, or one of both is not finite.
+    IsInvalid(T, LoadError),
 }
 
 impl<T: Scalar> Fault<T> {
@@ -41,6 +43,16 @@ impl<T: Scalar> Fault<T> {
         match self {
             Self::Falls(since) => *since,
             Self::Contradicts(contradiction) => contradiction.from(),
+            Self::IsInvalid(time, _) => *time,
+        }
+    }
+
+    /// The error of the load, unless it falls.
+    pub(super) fn contradiction(&self) -> Option<LoadError> {
+        match *self {
+            Self::Falls(_) => None,
+            Self::Contradicts(contradiction) => Some(contradiction.error()),
+            Self::IsInvalid(_, error) => Some(error),
         }
     }
 }
@@ -61,13 +73,23 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         suspicion: None,
     };
     while search.time < t {
-        let knot = load.next_knot(search.time).filter(|&knot| search.time < knot && knot < t);
-        let found = search.follow(knot.unwrap_or(t)).or_else(|| search.jump().map(Fault::Falls));
-        if found.is_some() {
-            return found;
+        let end = knot_between(load, search.time, t).unwrap_or(t);
+        let fault = search.follow(end);
+        if fault.is_some() {
+            return fault;
         }
     }
     None
+}
+
+/// The first time at which a load has a force, in a panel, or an impulse, at its end, that is none.
+fn invalid<T: Scalar>(force: &ForceSeries<T>, (end, impulse): (T, T)) -> Option<(T, LoadError)> {
+    if let Some((time, force)) = force.invalid_force(end) {
+        return Some((time, LoadError::InvalidForce { time: time.value(), force: force.value() }));
+    }
+    // Early on, a good impulse may be negative by rounding; what is more is a contradiction.
+    let error = LoadError::InvalidImpulse { time: end.value(), impulse: impulse.value() };
+    (!impulse.is_finite()).then_some((end, error))
 }
 
 /// A history on its way.
@@ -99,7 +121,7 @@ enum Finding<T> {
 }
 
 impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
-    /// Continues to a time before which there is no knot.
+    /// Continues to a time before which there is no knot, and through a jump there.
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
         let mut step = end - self.time;
@@ -110,6 +132,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step = stop - self.time;
             let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
             let impulse = self.load.impulse(stop);
+            if let Some((time, error)) = invalid(&force, (stop, impulse)) {
+                return Some(Fault::IsInvalid(time, error));
+            }
             // Half of it is no less than `short`.
             let is_short = step <= short + short;
             if self.misses(&force, (stop, impulse), is_short) {
@@ -134,6 +159,10 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 Finding::Rises(highest, fallen) | Finding::Unclear(highest, fallen) => (highest, fallen),
             };
             (self.time, self.impulse) = (stop, impulse);
+            // Also where no knot tells of a jump.
+            if let Some(since) = self.jump() {
+                return Some(Fault::Falls(since));
+            }
             if let Some(contradiction) = self.suspicion.take_if(|suspicion| suspicion.ends_by(stop)) {
                 return Some(Fault::Contradicts(contradiction));
             }
@@ -142,9 +171,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         None
     }
 
-    /// Passes a jump of the load.
+    /// Passes a jump of the load, if there is one.
     fn jump(&mut self) -> Option<T> {
         let (before, after) = (self.load.force_before(self.time), self.load.force(self.time));
+        if before == after {
+            return None;
+        }
         let rounding = (before + self.chi * self.impulse) * T::default_epsilon() * T::constant(8.0);
         let fallen = self.fallen + (before - after);
         if fallen > T::zero() {

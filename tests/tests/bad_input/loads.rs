@@ -1,7 +1,7 @@
 //! Loads that break the contract of a load: refused where they come in, or when they are used.
 
 use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
-use cartcontact::{Contact, ContactError};
+use cartcontact::{Contact, ContactError, Medium};
 use tests::profiles::Paraboloid;
 
 use super::{NOT_AN_AMOUNT, paraboloid, refused};
@@ -92,4 +92,88 @@ fn hereditary_loads_beyond_the_format_are_refused() {
     let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(f64::MAX));
     let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
     assert!(matches!(contact.at(1e10), Err(ContactError::Load(_) | ContactError::Radius { .. })));
+}
+
+/// 100 N, and 150 N from 10 s on, with what it says of that time.
+struct Stepped<K>(K);
+
+impl<K: Fn(f64) -> Option<f64>> Load<f64> for Stepped<K> {
+    fn force(&self, t: f64) -> f64 {
+        if t < 10.0 { 100.0 } else { 150.0 }
+    }
+    fn impulse(&self, t: f64) -> f64 {
+        100.0 * t + 50.0 * (t - 10.0).max(0.0)
+    }
+    fn force_before(&self, t: f64) -> f64 {
+        if t <= 10.0 { 100.0 } else { 150.0 }
+    }
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        self.0(t)
+    }
+}
+
+/// The pressure under a load with one step.
+fn pressure<L: Load<f64>>(load: L) -> Result<f64, ContactError> {
+    let contact = Contact::new(Paraboloid, *paraboloid().medium(), load)?;
+    contact.at(20.0).map(|now| now.pressure(3.0))
+}
+
+#[test]
+fn a_knot_that_is_not_ahead_is_none() -> Result<(), ContactError> {
+    let expected = pressure(Stepped(|t| (t < 10.0).then_some(10.0)))?;
+    let wrong: [fn(f64) -> Option<f64>; 4] =
+        [|_| Some(10.0), |t| (t <= 10.0).then_some(10.0), Some, |_| Some(f64::NAN)];
+    for (which, next_knot) in wrong.into_iter().enumerate() {
+        let found = pressure(Stepped(next_knot))?;
+        // A step that no knot tells of is found within 2^−20 of the time.
+        assert!((found / expected - 1.0).abs() < 1e-6, "{which}: {found} instead of {expected}");
+    }
+    Ok(())
+}
+
+/// A load with a force and an impulse of its own between 5 s and 8 s.
+struct Disturbed {
+    force: f64,
+    impulse: f64,
+}
+
+impl Load<f64> for Disturbed {
+    fn force(&self, t: f64) -> f64 {
+        if (5.0..8.0).contains(&t) { self.force } else { 100.0 }
+    }
+    fn impulse(&self, t: f64) -> f64 {
+        if (5.0..8.0).contains(&t) { self.impulse } else { 100.0 * t }
+    }
+}
+
+#[test]
+fn what_was_no_force_in_the_past_is_refused() {
+    for value in NOT_AN_AMOUNT {
+        let is_force = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidForce { time, .. }) if (5.0..8.0).contains(time));
+        refused(pressure(Disturbed { force: value, impulse: 600.0 }), is_force, &value.to_string());
+    }
+}
+
+/// A sensor's load in single precision: it holds each value for 1/5 s, and does not say when it changes.
+struct Held;
+
+impl Load<f32> for Held {
+    fn force(&self, t: f32) -> f32 {
+        100.0 + (5.0 * t).floor()
+    }
+    fn impulse(&self, t: f32) -> f32 {
+        let count = (5.0 * t).floor();
+        100.0 * t + count * (t - 0.2 * count) + 0.1 * count * (count - 1.0)
+    }
+}
+
+#[test]
+fn steps_that_no_knot_tells_of_are_passed_in_single_precision() {
+    let medium = Medium::from_constants(0.375_f32, 0.02).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(Paraboloid, medium, Held).unwrap_or_else(|error| unreachable!("{error}"));
+    let times: Vec<f32> = (0..60).map(|k| 0.5 * k as f32).collect();
+    let mut pressures = vec![0.0_f32; times.len()];
+    let filled = contact.pressure_field(&times, &[0.0], &mut pressures);
+    assert!(filled.is_ok(), "{filled:?}");
+    assert!(pressures.iter().all(|pressure| pressure.is_finite() && *pressure > 0.0), "{pressures:?}");
 }

@@ -15,7 +15,7 @@ use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
 use super::{Increment, Moment, Transition, not_negative};
 use crate::contact::{Contact, Loading};
-use crate::load::{Load, Piece};
+use crate::load::{Load, Piece, knot_between};
 use crate::{GapProfile, Scalar};
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
@@ -42,7 +42,7 @@ where
         has_strip: reach <= from.radius,
         transition: Transition::none(reach),
     };
-    let has_knots = contact.load().next_knot(from.time).is_some_and(|knot| knot < time);
+    let has_knots = knot_between(contact.load(), from.time, time).is_some();
     match (contact.load().is_linear_between_knots(), has_knots) {
         (true, true) => march.advance_in_pieces(),
         (true, false) => march.advance_in_one_piece(),
@@ -133,11 +133,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues to the end along a load that is not straight, and through its jumps.
     fn advance_from_knot_to_knot(&mut self) {
-        let load = self.contact.load();
         while self.now.time < self.time {
-            let end = load.next_knot(self.now.time).map_or(self.time, |knot| knot.min(self.time));
-            self.advance_in_steps(end);
-            self.jump(load.force_before(end), self.force_now());
+            let knot = knot_between(self.contact.load(), self.now.time, self.time);
+            self.advance_in_steps(knot.unwrap_or(self.time));
         }
     }
 

@@ -3,7 +3,8 @@
 //! Between knots such a load is followed in steps, within which its force is a
 //! [polynomial](crate::memory::force_series). A step is taken in one piece and in two halves; if the force is no polynomial,
 //! or has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
-//! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, so the march ends.
+//! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, nor than some roundings of
+//! the time, so the march ends.
 //!
 //! What drains follows from the force wherever a step resolves it, so that the two ways agree in the end even if the impulse
 //! is that of another load.
@@ -21,7 +22,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// Continues to a time before which there is no knot.
     pub(super) fn advance_in_steps(&mut self, end: T) {
         let half = T::constant(0.5);
-        let shortest = (end - self.now.time) * T::constant(1.0 / 1_048_576.0);
+        let share = (end - self.now.time) * T::constant(1.0 / 1_048_576.0);
+        // A step must move the time, also where all of them are few roundings of it.
+        let shortest = share.max(end * T::default_epsilon() * T::constant(4.0));
         let mut step = end - self.now.time;
         let mut doubts = MOST_DOUBTS;
         while self.now.time < end {
@@ -70,7 +73,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         force.is_loose(end) || force.misses(after - before, rounding * T::default_epsilon())
     }
 
-    /// Continues along a step.
+    /// Continues along a step, and through a jump at its end, of which a knot may tell or not.
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let start = self.now.time;
@@ -83,5 +86,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let radius = self.radius_under(end, last);
         self.cover(radius, Course::smooth(force), (first, last), force.gain() + chi * (gained - of_series));
         self.now.time = end;
+        self.jump(last, self.force_now());
     }
 }
