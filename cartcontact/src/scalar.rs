@@ -1,6 +1,6 @@
 //! The numbers the crate computes with.
 
-use core::any::TypeId;
+use core::any::{Any, TypeId};
 
 use simba::scalar::{RealField, SupersetOf};
 
@@ -50,9 +50,12 @@ impl<T: RealField + Copy> Scalar for T {
 /// ⌊x⌋ of a number that fits an `i32`; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
-    let value = x.value();
-    let toward_zero = value as i32;
-    toward_zero - i32::from(f64::from(toward_zero) > value)
+    let any: &dyn Any = &x;
+    let (toward_zero, is_above) = match any.downcast_ref::<f32>() {
+        Some(&single) => (single as i32, single < single as i32 as f32),
+        None => (x.value() as i32, x.value() < f64::from(x.value() as i32)),
+    };
+    toward_zero - i32::from(is_above)
 }
 
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
@@ -61,10 +64,16 @@ pub(crate) fn is_plain<T: Scalar>() -> bool {
     is::<T, f64>() || is::<T, f32>()
 }
 
+/// Whether a number has the digits and the range of single precision, such as f32 and its dual numbers.
+#[inline(always)]
+pub(crate) fn is_single<T: Scalar>() -> bool {
+    T::default_epsilon() > T::constant(1e-10)
+}
+
 /// The smallest number with all its digits.
 #[inline(always)]
 pub(crate) fn smallest_normal<T: Scalar>() -> T {
-    T::constant(if is::<T, f32>() { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE })
+    T::constant(if is_single::<T>() { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE })
 }
 
 /// Whether two types are the same.
@@ -80,6 +89,8 @@ mod tests {
     #[test]
     fn floor_rounds_down() {
         let floors = [(2.0, 2), (2.7, 2), (-2.0, -2), (-2.1, -3), (0.25, 0)];
-        assert!(floors.into_iter().all(|(x, expected)| floor::<f64>(x) == expected));
+        for (x, expected) in floors {
+            assert_eq!((floor::<f64>(x), floor::<f32>(x as f32)), (expected, expected), "{x}");
+        }
     }
 }

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use cartcontact::load::{Constant, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, Scalar, gap_profile};
-use num_dual::Dual64;
+use num_dual::{Dual32, Dual64};
 
 type Failure = Box<dyn core::error::Error>;
 
@@ -160,5 +160,25 @@ fn values_are_those_of_plain_numbers() -> Result<(), Failure> {
         assert_close(dual.re, plain, 1e-14);
         assert_eq!(dual.eps, 0.0);
     }
+    Ok(())
+}
+
+/// Numbers of single precision are known as such, also with derivatives.
+#[test]
+fn single_precision_has_its_own_range() -> Result<(), Failure> {
+    let dual = Dual32::from;
+    for tiny in [0.0, 1e-44] {
+        assert!(Medium::from_constants(dual(tiny), dual(0.0)).is_err(), "m = {tiny}");
+        assert!(Polynomial::new([(dual(tiny), dual(2.0))]).is_err(), "C = {tiny}");
+    }
+    let peak = |force: Dual32| -> Result<Dual32, Failure> {
+        let profile = Polynomial::new([(dual(0.025), dual(2.0))])?;
+        let medium = Medium::from_constants(dual(0.375), dual(0.0015))?;
+        Ok(Contact::new(profile, medium, Constant(force))?.at(dual(200.0))?.peak_pressure())
+    };
+    assert!(peak(dual(1e-40)).is_err());
+    let found = peak(dual(100.0).derivative())?;
+    // P ∝ F^(2/3) of a paraboloid.
+    assert!((found.eps * 100.0 / found.re - 2.0 / 3.0).abs() < 1e-5, "{found}");
     Ok(())
 }

@@ -7,7 +7,7 @@
 
 use super::Loading;
 use crate::Scalar;
-use crate::scalar::is;
+use crate::scalar::is_single;
 
 /// From 1/b to b.
 #[derive(Clone, Copy)]
@@ -19,7 +19,7 @@ pub(super) struct CommonSizes<T> {
 impl<T: Scalar> CommonSizes<T> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let (least, most) = if is::<T, f32>() { (1e-6, 1e6) } else { (1e-50, 1e50) };
+        let (least, most) = if is_single::<T>() { (1e-6, 1e6) } else { (1e-50, 1e50) };
         Self { least: T::constant(least), most: T::constant(most) }
     }
 

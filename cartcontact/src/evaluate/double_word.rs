@@ -10,6 +10,7 @@
 //! doi 10.1145/3121432 (product of double words, relative error below 7 · 2^-2p).
 
 use crate::Scalar;
+use crate::scalar::is_single;
 
 /// high + low with |low| ≤ ulp(high)/2.
 #[derive(Clone, Copy, Debug)]
@@ -131,8 +132,7 @@ impl<T: Scalar> core::ops::Neg for DoubleWord<T> {
 /// Cuts x into two halves of at most half the digits each, whose products are exact (Veltkamp).
 fn split<T: Scalar>(x: T) -> (T, T) {
     // 2^⌈p/2⌉ + 1 for the precision p = 53 of f64 and p = 24 of f32.
-    let single = T::default_epsilon() > T::constant(1e-10);
-    let splitter = if single { T::constant(4097.0) } else { T::constant(134_217_729.0) };
+    let splitter = if is_single::<T>() { T::constant(4097.0) } else { T::constant(134_217_729.0) };
     let scaled = splitter * x;
     let head = scaled - (scaled - x);
     (head, x - head)

@@ -33,11 +33,11 @@ pub(super) fn cosine(k: usize) -> f64 {
 /// The coefficients of the polynomial through values at cos(π j/N).
 pub(super) fn interpolate<T: Scalar>(values: Coefficients<T>) -> Coefficients<T> {
     // The first and the last count half in either sum.
-    let weight = |index: usize| if index.is_multiple_of(DEGREE) { 0.5 } else { 1.0 };
+    let weight = |index: usize| T::constant(if index.is_multiple_of(DEGREE) { 0.5 } else { 1.0 });
     core::array::from_fn(|k| {
         let terms =
-            values.iter().enumerate().map(|(j, &value)| value * T::constant(weight(j) * cosine(j * k)));
-        terms.fold(T::zero(), |sum, term| sum + term) * T::constant(weight(k) * 2.0 / DEGREE as f64)
+            values.iter().enumerate().map(|(j, &value)| value * weight(j) * T::constant(cosine(j * k)));
+        terms.fold(T::zero(), |sum, term| sum + term) * weight(k) * T::constant(2.0 / DEGREE as f64)
     })
 }
 

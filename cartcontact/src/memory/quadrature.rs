@@ -12,6 +12,7 @@
 //! quarter of the unit roundoff of f64 or f32.
 
 use crate::Scalar;
+use crate::scalar::is_single;
 
 /// The most nodes of a rule.
 pub(super) const MOST_NODES: usize = 24;
@@ -66,8 +67,7 @@ impl Rule {
 
     /// The most e-foldings it integrates to full accuracy in the arithmetic of `T`.
     pub(crate) fn folds<T: Scalar>(&self) -> T {
-        let single = T::default_epsilon() > T::constant(1e-10);
-        T::constant(if single { self.folds.1 } else { self.folds.0 })
+        T::constant(if is_single::<T>() { self.folds.1 } else { self.folds.0 })
     }
 
     /// How many nodes it has.
@@ -80,10 +80,12 @@ impl Rule {
     /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the nodes
     /// ±x of each pair.
     #[inline(always)]
-    pub(super) fn coefficients(&self) -> impl Iterator<Item = (f64, f64)> {
+    pub(super) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
         let (nodes, weights) = self.tables();
         let pairs = nodes.chunks_exact(2).zip(weights.chunks_exact(2)).zip(&self.highest);
-        pairs.map(|((x, weight), &highest)| (1.5 * x[1] * weight[1], highest))
+        pairs.map(|((x, weight), &highest)| {
+            (T::constant(1.5) * T::constant(x[1]) * T::constant(weight[1]), T::constant(highest))
+        })
     }
 
     /// Whether it integrates a function whose coefficient of degree n − 1 is `highest`, if they fall geometrically from
@@ -108,10 +110,10 @@ impl Rule {
     pub(super) fn resolves_values<T: Scalar>(&self, values: &[T], share: T) -> bool {
         let (mut first, mut highest) = (T::zero(), T::zero());
         let (pairs, _) = values.as_chunks::<2>();
-        for (pair, factors) in pairs.iter().zip(self.coefficients()) {
+        for (pair, factors) in pairs.iter().zip(self.coefficients::<T>()) {
             let difference = pair[1] - pair[0];
-            first += T::constant(factors.0) * difference;
-            highest += T::constant(factors.1) * difference;
+            first += factors.0 * difference;
+            highest += factors.1 * difference;
         }
         let size = values.last().map_or(T::zero(), |&value| value);
         self.resolves(first / size, highest / size, share)
@@ -229,7 +231,7 @@ mod tests {
         for rule in ALL {
             let n = rule.len();
             for degree in (1..n).step_by(2) {
-                let pairs = rule.nodes.chunks_exact(2).zip(rule.coefficients());
+                let pairs = rule.nodes.chunks_exact(2).zip(rule.coefficients::<f64>());
                 let (first, highest) = pairs.fold((0.0, 0.0), |sums, (x, factors)| {
                     let difference = legendre(degree, x[1]) - legendre(degree, x[0]);
                     (sums.0 + factors.0 * difference, sums.1 + factors.1 * difference)

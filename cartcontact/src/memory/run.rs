@@ -204,8 +204,8 @@ impl<T: Scalar> Run<T> {
     fn is_resolved(&self, radii: &[T], share: T) -> bool {
         let none = [T::zero(); MOST_PIECES];
         let (mut first, mut highest) = (none, none);
-        for (pair, factors) in radii.chunks_exact(2 * self.count.max(1)).zip(self.rule.coefficients()) {
-            let (to_first, to_highest) = (T::constant(factors.0), T::constant(factors.1));
+        let pairs = radii.chunks_exact(2 * self.count.max(1)).zip(self.rule.coefficients::<T>());
+        for (pair, (to_first, to_highest)) in pairs {
             let (later, earlier) = pair.split_at(self.count);
             let sums = first.iter_mut().zip(&mut highest);
             for ((first, highest), (&later, &earlier)) in sums.zip(later.iter().zip(earlier)) {
@@ -225,9 +225,9 @@ impl ShortRule {
     /// Whether the rule is long enough for a piece of some e-foldings and of which e^(−faded) is left, with Y, R and B.
     fn suffices<T: Scalar>(&self, folds: T, (hereditary, rate, bend): (T, T, T), faded: T) -> bool {
         // e^(faded/(2n+1)), or a little less.
-        let root = T::one() + faded * T::constant(0.25 / (2 * self.rule.len() + 1) as f64);
+        let root = T::one() + faded * T::constant(0.25) / T::constant((2 * self.rule.len() + 1) as f64);
         let square = root * root;
-        let of_distance = (square * square - folds * T::constant(self.folds.recip())).max(T::zero());
+        let of_distance = (square * square - folds / T::constant(self.folds)).max(T::zero());
         // |R| v + |B| v²/2 = Y at v = 2/(r + √(r² + 2 b)), with r = R/Y and b = |B|/Y.
         let two = T::constant(2.0);
         let (rate, bend) = (rate / hereditary, bend.abs() / hereditary);
