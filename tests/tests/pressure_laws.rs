@@ -105,7 +105,7 @@ fn knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
         for case in cases() {
             for (split, t) in [(&split[..], last), (&split[..], last + 1.0), (&split[..20], last)] {
                 let (plain, split) = (PiecewiseLinear::new(&plain[..]), PiecewiseLinear::new(split));
-                let (plain, split) = (plain.map_err(ContactError::Load)?, split.map_err(ContactError::Load)?);
+                let (plain, split) = (plain?, split?);
                 let (plain, split) = (contact(case, plain, 5.0, t)?, contact(case, split, 5.0, t)?);
                 let (plain, split) = (plain.at(t)?, split.at(t)?);
                 for r in [0.0, 2.0, 4.0, 4.9] {
@@ -125,7 +125,7 @@ fn ten_thousand_knots_where_nothing_happens_change_nothing() -> Result<(), Conta
     let mut errors = Errors::of(budget::PRESSURE);
     for t in [1.0, 20.0].map(|time| time / CHI) {
         let knots: Vec<(f64, f64)> = (0..=10_000).map(|part| (t * f64::from(part) / 1e4, 70.0)).collect();
-        let split = PiecewiseLinear::new(knots).map_err(ContactError::Load)?;
+        let split = PiecewiseLinear::new(knots)?;
         let (plain, split) =
             (contact(cases()[0], Constant(70.0), 5.0, t)?, contact(cases()[0], split, 5.0, t)?);
         let (plain, split) = (plain.at(t)?, split.at(t)?);
@@ -204,5 +204,15 @@ fn time_is_measured_in_units_of_the_memory() -> Result<(), ContactError> {
             }
         }
     }
+    Ok(())
+}
+
+#[test]
+fn a_snapshot_is_copied_whatever_load_it_belongs_to() -> Result<(), ContactError> {
+    let load = PiecewiseLinear::new(vec![(0.0, 100.0), (10.0, 120.0)])?;
+    let contact = contact(cases()[0], load, 5.0, 20.0)?;
+    let now = contact.at(20.0)?;
+    let copy = now;
+    assert_eq!(copy.peak_pressure(), now.peak_pressure());
     Ok(())
 }

@@ -34,7 +34,7 @@ impl Load<f64> for Dip {
 const SHARES: [f64; 3] = [0.0, 0.5, 0.9];
 
 fn pressures(load: &Dip, t: f64) -> Result<[f64; 3], ContactError> {
-    let gap = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)]).map_err(ContactError::Profile)?;
+    let gap = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?;
     let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
     let contact = Contact::new(gap, medium, load)?;
     let now = contact.at(t)?;

@@ -142,13 +142,17 @@ impl fmt::Display for ContactError {
     }
 }
 
-impl core::error::Error for ContactError {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Profile(error) => Some(error),
-            Self::Load(error) => Some(error),
-            Self::Radius { error, .. } => Some(error),
-            _ => None,
-        }
+// Without a source, because the message has that of the error inside; reports of a chain would print it twice.
+impl core::error::Error for ContactError {}
+
+impl From<ProfileError> for ContactError {
+    fn from(error: ProfileError) -> Self {
+        Self::Profile(error)
+    }
+}
+
+impl From<LoadError> for ContactError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
     }
 }

@@ -90,8 +90,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// [`ContactError`] if the values of the geometry's parameters or of the load are not usable.
     pub fn new(profile: P, medium: Medium<T>, load: L) -> Result<Self, ContactError> {
-        profile.check().map_err(ContactError::Profile)?;
-        load.check().map_err(ContactError::Load)?;
+        profile.check()?;
+        load.check()?;
         let max_radius = profile.max_radius();
         let per_stiffness = stiffness(&medium).recip();
         Ok(Self { profile, medium, load, max_radius, per_stiffness })
