@@ -184,12 +184,12 @@ pub enum MediumError {
         /// What was given, in mm⁴/(N s).
         permeability: f64,
     },
-    /// The stiffness m is not positive and finite.
+    /// The stiffness m is not positive and finite, or so small that it loses digits.
     Stiffness {
         /// What was given or follows from the layers, in MPa/mm³.
         m: f64,
     },
-    /// The rate χ is negative or not finite.
+    /// The rate χ is negative or not finite, or so small that it loses digits.
     Rate {
         /// What was given or follows from the layers, in 1/s.
         chi: f64,

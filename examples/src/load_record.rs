@@ -71,7 +71,8 @@ impl LoadRecord {
             let row = match error {
                 LoadError::InvalidTime { knot, .. }
                 | LoadError::Unsorted { knot, .. }
-                | LoadError::RepeatedTime { knot, .. } => Some(knot),
+                | LoadError::RepeatedTime { knot, .. }
+                | LoadError::TooSteep { knot, .. } => Some(knot),
                 LoadError::InvalidForce { .. } => {
                     self.knots.iter().position(|&(_, force)| !(force.is_finite() && force >= 0.0))
                 }
@@ -86,6 +87,7 @@ impl LoadRecord {
         let since = match error {
             ContactError::Receding { since, .. } => since,
             ContactError::BeyondRange { leaves_at, .. } => leaves_at,
+            ContactError::OutOfRange { time, .. } | ContactError::Radius { time, .. } => time,
             _ => 0.0,
         };
         let row = self.knots.iter().rposition(|&(time, _)| time <= since);

@@ -42,8 +42,8 @@ pub enum ContactError {
         /// The time at which the edge begins to recede, in s.
         since: f64,
     },
-    /// The load is so small that it, its quotient by m or its product with χ loses digits, or the latter or a⁴ leaves
-    /// the format.
+    /// A number that the result depends on is so small that it loses digits, or infinite;
+    /// [`Contact::at`](crate::Contact::at) lists them.
     OutOfRange {
         /// The time, in s.
         time: f64,

@@ -94,7 +94,7 @@ pub enum ProfileError {
         /// The exponent.
         exponent: f64,
     },
-    /// The end of the range of contact radii is not a positive number.
+    /// The end of the range of contact radii is not a positive, finite number.
     InvalidMaxRadius {
         /// What was given, in mm.
         max_radius: f64,

@@ -194,7 +194,7 @@ pub trait GapProfile<T: Scalar> {
         })
     }
 
-    /// δ₀′(s), in 1, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth: what a memory integral asks for at its nodes.
+    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth: what a memory integral asks for at its nodes.
     ///
     /// The four slices have one length. `radii` and `depths` say the same, each rounded to its own digits; the drops,
     /// and slopes of high powers, keep the digits of the depths.
@@ -230,7 +230,7 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if a coefficient is not finite or the geometry is not admissible.
+    /// [`ProfileError`] if a coefficient is not finite or so small that it loses digits, or the geometry is not admissible.
     fn check(&self) -> Result<(), ProfileError> {
         Ok(())
     }
