@@ -41,7 +41,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
     pub fn approach(&self) -> T {
         let moment = self.contact.precise_moment(self.time, self.radius);
-        self.contact.profile().approach(self.radius) + moment.strip(self.contact.per_stiffness())
+        self.contact.profile().approach(self.radius) + moment.strip(self.contact.integral_per_load())
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
@@ -96,7 +96,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         // A loop without branches; what it gives beyond the start means nothing and is replaced by the next.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
         let share = if start.time.is_zero() { m } else { T::zero() };
-        let (a, strip) = (start.radius, start.strip(self.contact.per_stiffness()) * T::constant(0.25));
+        let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()) * T::constant(0.25));
         let initial = &mut *pressures;
         wide(
             #[inline(always)]
@@ -125,7 +125,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// m G(a, r), the pressure before anything has drained.
     fn undrained_pressure(&self, moment: Moment<T>, r: T) -> T {
         let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), moment.radius);
-        let strip = moment.strip(self.contact.per_stiffness()) * T::constant(0.25) * ((a - r) * (a + r));
+        let strip = moment.strip(self.contact.integral_per_load()) * T::constant(0.25) * ((a - r) * (a + r));
         not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
     }
 

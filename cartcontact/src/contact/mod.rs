@@ -2,48 +2,21 @@
 
 mod common;
 mod error;
+mod loading;
 mod radii;
+mod range;
 
 use core::fmt;
 
-use common::CommonSizes;
 pub use error::ContactError;
+pub(crate) use loading::Loading;
 
-use crate::load::{Load, LoadError, is_force};
+use crate::load::Load;
 use crate::medium::Medium;
 use crate::memory::{Moment, surplus_that_counts};
 use crate::profile::{GapProfile, RadiusError};
-use crate::scalar::smallest_normal;
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
-
-/// A load at a time: F, ∫F and Y = F + χ ∫F.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Loading<T> {
-    pub(crate) force: T,
-    pub(crate) impulse: T,
-    pub(crate) hereditary: T,
-}
-
-impl<T: Scalar> Loading<T> {
-    /// From a force and an impulse.
-    #[inline(always)]
-    pub(crate) fn new(force: T, impulse: T, chi: T) -> Self {
-        Self { force, impulse, hereditary: force + chi * impulse }
-    }
-
-    /// Whether the load has all its digits: as it is, over π m/4, times χ and times t.
-    #[inline(always)]
-    fn has_digits(&self, chi: T, load_integral: T) -> bool {
-        let (force, least) = (self.force, smallest_normal());
-        let drained = chi * force;
-        let has_drained = chi.is_zero() | ((drained >= least) & (drained + drained).is_finite());
-        let has_force = force.is_zero() | ((force >= least) & has_drained);
-        // Of an impulse only what is not rounding beside the force has to be right.
-        let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
-        has_force & has_impulse & (load_integral >= least)
-    }
-}
 
 /// The contact of two cartilage layers: the solution for a geometry, a medium and a load.
 ///
@@ -73,7 +46,7 @@ pub struct Contact<T, P, L> {
     load: L,
     max_radius: T,
     /// A multiplication takes a third of the time of a division.
-    per_stiffness: T,
+    integral_per_load: T,
 }
 
 // Not derived, because geometries are mostly unit structs without `Debug`.
@@ -93,8 +66,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         profile.check()?;
         load.check()?;
         let max_radius = profile.max_radius();
-        let per_stiffness = stiffness(&medium).recip();
-        Ok(Self { profile, medium, load, max_radius, per_stiffness })
+        let integral_per_load = load_per_integral(&medium).recip();
+        Ok(Self { profile, medium, load, max_radius, integral_per_load })
     }
 
     /// The geometry.
@@ -189,18 +162,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     /// The hereditary load of a radius is this times its load integral: π m/4.
-    pub(crate) fn stiffness(&self) -> T {
-        stiffness(&self.medium)
+    pub(crate) fn load_per_integral(&self) -> T {
+        load_per_integral(&self.medium)
     }
 
     /// The load integral over its hereditary load.
-    pub(crate) fn per_stiffness(&self) -> T {
-        self.per_stiffness
+    pub(crate) fn integral_per_load(&self) -> T {
+        self.integral_per_load
     }
 
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of(hereditary * self.per_stiffness)
+        self.radius_of(hereditary * self.integral_per_load)
     }
 
     /// The contact radius of a load integral.
@@ -211,7 +184,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radii under many hereditary loads, which are replaced by their load integrals.
     pub(crate) fn radii_under(&self, hereditary: &mut [T], radii: &mut [T]) -> Result<(), RadiusError> {
         for load in hereditary.iter_mut() {
-            *load *= self.per_stiffness;
+            *load *= self.integral_per_load;
         }
         self.radii_of(hereditary, radii)
     }
@@ -219,6 +192,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radii of many load integrals.
     pub(crate) fn radii_of(&self, load_integrals: &[T], radii: &mut [T]) -> Result<(), RadiusError> {
         self.profile.radii_within(load_integrals, self.max_radius, radii)
+    }
+
+    /// What is known of the load at a time.
+    #[inline(always)]
+    pub(crate) fn loading(&self, t: T) -> Loading<T> {
+        Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
     }
 
     /// A time with its contact radius, for integrals that begin or end there.
@@ -237,155 +216,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     fn moment_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Moment<T> {
-        let surplus = loading.hereditary - self.stiffness() * load_integral;
+        let surplus = loading.hereditary - self.load_per_integral() * load_integral;
         let surplus = surplus_that_counts(surplus, loading.force);
         Moment { time, radius, surplus, impulse: loading.impulse.into() }
-    }
-
-    #[inline]
-    pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.common_radius_at(t, || !self.recedes_until(t)).map_or_else(|| self.checked_radius_at(t), Ok)
-    }
-
-    /// [`radius_at`](Self::radius_at) a time until which the edge does not [recede](Self::recedes_until).
-    pub(crate) fn covered_radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
-    }
-
-    /// Whether the load falls too fast up to a time.
-    #[inline(always)]
-    pub(crate) fn recedes_until(&self, t: T) -> bool {
-        self.load.recession(self.medium.chi(), t).is_some()
-    }
-
-    /// The contact radius, if all numbers on the way to it are of common size and the history is one that the solution
-    /// covers.
-    #[inline(always)]
-    fn common_radius_at(&self, t: T, is_covered: impl FnOnce() -> bool) -> Option<T> {
-        let (sizes, chi, loading) = (CommonSizes::new(), self.medium.chi(), self.loading(t));
-        let load_integral = loading.hereditary * self.per_stiffness;
-        let is_common = sizes.contain_rate(chi) & sizes.contain_load(t, loading, load_integral);
-        if !is_common || !is_covered() {
-            return None;
-        }
-        self.radius_of(load_integral).ok().filter(|&radius| sizes.contain(radius))
-    }
-
-    /// The contact radius, or the first of its faults.
-    #[inline(never)]
-    fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
-        let loading = self.loading_at(t)?;
-        let load_integral = loading.hereditary * self.per_stiffness;
-        let radius = self.radius_of(load_integral).map_err(|error| match error {
-            RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
-                time: t.value(),
-                leaves_at: self.time_of_leaving(t).value(),
-                max_radius,
-            },
-            other => ContactError::Radius { time: t.value(), error: other },
-        })?;
-        if self.keeps_digits(loading.force, radius, load_integral) {
-            Ok(radius)
-        } else {
-            Err(ContactError::OutOfRange { time: t.value(), force: loading.force.value() })
-        }
-    }
-
-    /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
-    ///
-    /// J/a⁵ is δ₀′ but for a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
-    #[inline(always)]
-    fn keeps_digits(&self, force: T, radius: T, load_integral: T) -> bool {
-        let square = radius * radius;
-        let power = square * square;
-        let slope = self.profile.quick_approach_slope(radius);
-        let has_power = (power >= smallest_normal()) & power.is_finite();
-        let has_slope = is_normal(load_integral / radius, power) & slope.is_finite();
-        let has_increments = (power * slope * radius).is_finite();
-        let has_pressure = force.is_zero() | is_normal(force, power);
-        radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)
-    }
-
-    /// What is known of the load at a time.
-    #[inline(always)]
-    pub(crate) fn loading(&self, t: T) -> Loading<T> {
-        Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
-    }
-
-    /// The loading at a time that the solution covers.
-    fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
-        let loading = self.valid_loading(t)?;
-        let (time, force) = (t.value(), loading.force.value());
-        let chi = self.medium.chi();
-        if let Some(since) = self.load.recession(chi, t) {
-            let receding = ContactError::Receding { time, since: since.value() };
-            return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
-        }
-        if self.has_digits(loading) { Ok(loading) } else { Err(ContactError::OutOfRange { time, force }) }
-    }
-
-    /// The loading at a time, from a load that a user may have got wrong.
-    fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
-        let time = t.value();
-        if !is_time(t) {
-            return Err(ContactError::InvalidTime { time });
-        }
-        let loading = self.loading(t);
-        let (force, impulse) = (loading.force.value(), loading.impulse.value());
-        if !is_force(loading.force) {
-            return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
-        }
-        if !is_force(loading.impulse) {
-            return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
-        }
-        Ok(loading)
-    }
-
-    /// Whether there is no load, or one with all its digits.
-    fn has_digits(&self, loading: Loading<T>) -> bool {
-        let Loading { hereditary, .. } = loading;
-        hereditary.is_zero() || loading.has_digits(self.medium.chi(), hereditary * self.per_stiffness)
-    }
-
-    /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit; 0 if it never is.
-    fn time_of_leaving(&self, t: T) -> T {
-        let is_inside = |time| self.radius_under(self.loading(time).hereditary).is_ok();
-        let half = T::constant(0.5);
-        let (mut inside, mut outside) = (T::zero(), t);
-        // Halving towards a zero that is never admissible would only end after all exponents of the format.
-        if !is_inside(inside) {
-            return inside;
-        }
-        loop {
-            let middle = inside + (outside - inside) * half;
-            if !(inside < middle && middle < outside) {
-                return inside;
-            }
-            if is_inside(middle) {
-                inside = middle;
-            } else {
-                outside = middle;
-            }
-        }
     }
 }
 
 /// The hereditary load of a radius over its load integral: π m/4.
-fn stiffness<T: Scalar>(medium: &Medium<T>) -> T {
+fn load_per_integral<T: Scalar>(medium: &Medium<T>) -> T {
     medium.m() * T::frac_pi_4()
-}
-
-/// Whether a quotient is neither subnormal nor infinite.
-#[inline(always)]
-fn is_normal<T: Scalar>(value: T, unit: T) -> bool {
-    // Subnormal products would be slow; infinite ones are not.
-    let most = smallest_normal::<T>().recip();
-    (unit <= value * most) & (value <= unit * most)
-}
-
-#[inline(always)]
-fn is_time<T: Scalar>(t: T) -> bool {
-    (t >= T::zero()) & t.is_finite()
 }
 
 /// Compares the length of a slice with the one it must have.

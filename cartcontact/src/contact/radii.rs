@@ -55,12 +55,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// The load integrals; false if not all of them and of the forces are of common size.
     #[inline(always)]
     fn take_load_integrals(&mut self) -> bool {
-        let (sizes, chi, per_stiffness) =
-            (CommonSizes::new(), self.contact.medium.chi(), self.contact.per_stiffness);
+        let (sizes, chi, integral_per_load) =
+            (CommonSizes::new(), self.contact.medium.chi(), self.contact.integral_per_load);
         let mut are_common = sizes.contain_rate(chi);
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let loading = self.contact.loading(time);
-            *load_integral = loading.hereditary * per_stiffness;
+            *load_integral = loading.hereditary * integral_per_load;
             are_common &= sizes.contain_load(time, loading, *load_integral);
         }
         are_common

@@ -23,14 +23,17 @@ pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
 #[inline]
 pub(crate) fn scale<T: Scalar>(x: T, e: i32) -> T {
     if (-126..=127).contains(&e) {
-        return x * power_of_two(e);
+        return x * clamped_power_of_two(e);
     }
     // In three factors: 2^e, and even its root, may lie outside the format although x · 2^e does not.
     let third = e / 3;
-    x * power_of_two::<T>(third) * power_of_two::<T>(third) * power_of_two::<T>(e - 2 * third)
+    x * clamped_power_of_two::<T>(third)
+        * clamped_power_of_two::<T>(third)
+        * clamped_power_of_two::<T>(e - 2 * third)
 }
 
-fn power_of_two<T: Scalar>(e: i32) -> T {
+/// 2^e, or the nearest power of two with all its digits; of any scalar.
+fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
     if (-126..=127).contains(&e) {
         <T as SupersetOf<f32>>::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
     } else {
@@ -100,11 +103,11 @@ mod tests {
     #[test]
     fn fraction_and_exponent_are_those_of_the_format() {
         for e in -1074..1024 {
-            let x = if e < -1022 { f64::from_bits(1 << (e + 1074)) } else { power_of_two(e) };
+            let x = if e < -1022 { f64::from_bits(1 << (e + 1074)) } else { clamped_power_of_two(e) };
             assert_eq!(split(x), (1.0, e));
         }
         for e in -149..128 {
-            let x = if e < -126 { f32::from_bits(1 << (e + 149)) } else { power_of_two(e) };
+            let x = if e < -126 { f32::from_bits(1 << (e + 149)) } else { clamped_power_of_two(e) };
             assert_eq!(split(x), (1.0, e));
         }
     }

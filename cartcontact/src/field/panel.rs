@@ -41,8 +41,8 @@ pub(super) struct Panel<'a, T, P, L> {
     /// Reciprocal of half the duration.
     scale: T,
     /// q of the module documentation, and q (a² − a₁²), times half the duration.
-    slope: Polynomial<T>,
-    offset: Polynomial<T>,
+    slope: Interpolant<T>,
+    offset: Interpolant<T>,
     load_rate: T,
 }
 
@@ -95,7 +95,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
             slopes[k] = (below.0, above.0);
             offsets[k] = (below.1, above.1);
         }
-        let (slope, offset) = (Polynomial::through(slopes), Polynomial::through(offsets));
+        let (slope, offset) = (Interpolant::through(slopes), Interpolant::through(offsets));
         let size = slope.size();
         let resolved = slope.is_resolved(size) && offset.is_resolved(size * start.radius * start.radius);
         resolved.then(|| Self { contact, start, scale: half.recip(), slope, offset, load_rate })
@@ -157,7 +157,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
     /// The pressure at a radius that the edge passes between two times of the panel.
     pub(super) fn first_pressure(&self, before: Edge<T>, now: Edge<T>, r: T) -> T {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        let deficit = contact.stiffness() * contact.profile().load_integral_drop(now.radius, now.radius - r);
+        let deficit =
+            contact.load_per_integral() * contact.profile().load_integral_drop(now.radius, now.radius - r);
         let rate = self.load_rate + chi * contact.load().force_before(now.time);
         let age = age_along_line(rate, (chi, self.load_rate), deficit);
         let elapsed = now.time - self.start.time;
@@ -185,12 +186,12 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
 /// A polynomial of degree 7 on [−1, 1]: its even part and its odd part over x, as cubics in x² in Newton's
 /// form on the squares of [`NODES`].
 #[derive(Clone, Copy, Debug)]
-struct Polynomial<T> {
+struct Interpolant<T> {
     even: [T; 4],
     odd: [T; 4],
 }
 
-impl<T: Scalar> Polynomial<T> {
+impl<T: Scalar> Interpolant<T> {
     /// The polynomial with the values (f(−x), f(x)) at the [`NODES`] x.
     fn through(values: [(T, T); 4]) -> Self {
         let half = T::constant(0.5);
@@ -243,12 +244,12 @@ fn divided_differences<T: Scalar>(mut values: [T; 4]) -> [T; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Medium, Polynomial as Gap, load};
+    use crate::{Medium, Polynomial, load};
 
     #[test]
     fn polynomials_up_to_degree_7_are_exact() {
         let f = |x: f64| 1.0 + x * (0.5 + x * (-0.25 + x * x * x * (0.125 - 0.0625 * x * x)));
-        let polynomial = Polynomial::through(NODES.map(|x| (f(-x), f(x))));
+        let polynomial = Interpolant::through(NODES.map(|x| (f(-x), f(x))));
         for k in -50..=50 {
             let x = f64::from(k) / 50.0;
             assert!((polynomial.at(x) - f(x)).abs() < 4.0 * f64::EPSILON, "{x}");
@@ -257,7 +258,7 @@ mod tests {
 
     #[test]
     fn a_polynomial_knows_when_it_falls_short() {
-        let exponential = |c: f64| Polynomial::through(NODES.map(|x| ((-c * x).exp(), (c * x).exp())));
+        let exponential = |c: f64| Interpolant::through(NODES.map(|x| ((-c * x).exp(), (c * x).exp())));
         // The first coefficient left out, 2 I₈(c), is 1e-19 for c = 0.03 and 8e-16 for c = 0.09.
         assert!(exponential(0.03).is_resolved(1.0));
         assert!(!exponential(0.09).is_resolved(1.0));
@@ -267,7 +268,7 @@ mod tests {
     /// The changes computed with wide vectors, beside the same arithmetic row by row.
     fn check<T: Scalar>() -> Option<()> {
         let medium = Medium::from_constants(T::constant(0.375), T::constant(0.0015)).ok()?;
-        let gap = Gap::new([(T::constant(0.025), T::constant(2.0))]).ok()?;
+        let gap = Polynomial::new([(T::constant(0.025), T::constant(2.0))]).ok()?;
         let contact = Contact::new(gap, medium, load::Constant(T::constant(100.0))).ok()?;
         let time = T::constant(10.0);
         let start = Edge { time, radius: contact.radius_at(time).ok()? };

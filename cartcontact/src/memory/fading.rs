@@ -1,6 +1,11 @@
-//! What a short time takes from a memory: e^(−x) − 1.
+//! What time takes from a memory, all of it or e^(−x) − 1.
 
 use crate::Scalar;
+
+/// After how many e-foldings a pressure is below rounding, with a margin.
+pub(crate) fn faded_folds<T: Scalar>() -> T {
+    -T::default_epsilon().ln() + T::constant(4.0)
+}
 
 /// The most e-foldings for which [`decay_gain`] is meant.
 pub(crate) const FEW_FOLDS: f64 = 1.0 / 8.0;

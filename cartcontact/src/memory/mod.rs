@@ -26,9 +26,9 @@ mod time_form;
 use crate::Scalar;
 use crate::load::Sum;
 
-pub(crate) use fading::{FEW_FOLDS, decay_gain};
+pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
 pub(crate) use force_series::ForceSeries;
-pub(crate) use march::{faded_folds, march, surplus_that_counts};
+pub(crate) use march::march;
 pub(crate) use stretch::age_along_line;
 
 /// A time with the contact radius at it.
@@ -65,14 +65,24 @@ pub(crate) struct Increment<T> {
 impl<T: Scalar> Moment<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
     #[inline(always)]
-    pub(crate) fn strip(&self, per_stiffness: T) -> T {
+    pub(crate) fn strip(&self, integral_per_load: T) -> T {
         if self.surplus.is_zero() {
             return T::zero();
         }
         // One division, and a⁴ need not be in range.
         let per_square = (self.radius * self.radius).recip();
-        T::constant(2.0) * self.surplus * per_stiffness * per_square * per_square
+        T::constant(2.0) * self.surplus * integral_per_load * per_square * per_square
     }
+}
+
+/// The surplus of a moment, unless it is too large for its radius to be taken as exact to first order.
+///
+/// A surplus of x times the force is a pressure of x times the force, and makes all ages later by x e-foldings; to
+/// first order the two cancel, since a held load has little more to drain. When the hereditary load is 1/√ε times
+/// the force and more, its rounding makes x² more than rounding. Leaving the surplus out moves the radius by a rounding
+/// error and no more.
+pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
+    if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
 
 impl<T: Scalar> Transition<T> {

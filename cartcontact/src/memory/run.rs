@@ -163,7 +163,7 @@ impl<T: Scalar> Run<T> {
             #[inline(always)]
             || {
                 // The weights are forces.
-                let factor = T::constant(2.0) * contact.per_stiffness();
+                let factor = T::constant(2.0) * contact.integral_per_load();
                 let increment = Increment::over_time(radii, weights, low).times(factor);
                 self.is_resolved(radii, share).then_some(increment)
             },

@@ -202,7 +202,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// By how much the hereditary load at the end exceeds that of a radius whose J is less by a drop.
     #[inline(always)]
     fn deficit(&self, drop: T) -> T {
-        self.contact.stiffness() * drop + self.surplus
+        self.contact.load_per_integral() * drop + self.surplus
     }
 
     /// What is left at the end of what was laid at radii whose J is less by some drops, e^(−χ age). The drops become
@@ -234,7 +234,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 let load_integral = profile.quick_load_integral(top);
                 let deficit = (rate / load_rate) * (rate / chi) * half;
                 // In shares of J at `top`: the deficit is a force, and over π m/4 it may be out of range.
-                let share_of_deficit = deficit / (self.contact.stiffness() * load_integral);
+                let share_of_deficit = deficit / (self.contact.load_per_integral() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
                 let degree = self.degree(top, load_integral);
                 let radius = top * singular.abs().powf(degree.recip());

@@ -43,7 +43,7 @@ where
 {
     let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
     let final_integral =
-        contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.per_stiffness();
+        contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.integral_per_load();
     let history = History { contact, final_integral, low, shortfall };
     let longest = chi * stretch.age_at(stretch.high - low);
     let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
@@ -98,7 +98,8 @@ where
     fn age_of_nothing(&self, (rate, rise): (T, T), longest: T) -> T {
         let two = T::constant(2.0);
         // In shares of what there was: the squares of forces may be out of range.
-        let hereditary = self.contact.stiffness() * self.contact.profile().quick_load_integral(self.low);
+        let hereditary =
+            self.contact.load_per_integral() * self.contact.profile().quick_load_integral(self.low);
         let (rate, rise) = (rate / hereditary, rise / hereditary);
         let before = two / (rate + (rate * rate + two * rise).sqrt());
         // However little there was, panels must not shrink to nothing.
@@ -129,11 +130,11 @@ where
     /// The load integrals at ages, and the weights of the integrand without s⁻⁴ {s² − low², 1}.
     #[inline(always)]
     fn fill(&self, ages: impl Iterator<Item = (T, T)>, load_integrals: &mut [T], weights: &mut [T]) {
-        let per_stiffness = self.contact.per_stiffness();
+        let integral_per_load = self.contact.integral_per_load();
         for ((load_integral, weight), (x, dx)) in load_integrals.iter_mut().zip(weights).zip(ages) {
             let (deficit, rate) = (self.shortfall)(x);
-            *load_integral = self.final_integral - deficit * per_stiffness;
-            *weight = dx * T::constant(2.0) * per_stiffness * rate * decay(x);
+            *load_integral = self.final_integral - deficit * integral_per_load;
+            *weight = dx * T::constant(2.0) * integral_per_load * rate * decay(x);
         }
     }
 

@@ -11,9 +11,10 @@
 
 mod steps;
 
+use super::fading::faded_folds;
 use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
-use super::{Increment, Moment, Transition, not_negative};
+use super::{Increment, Moment, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
 use crate::{GapProfile, Scalar};
@@ -51,21 +52,6 @@ where
     march.set_strip(true);
     march.transition.offset = not_negative(march.transition.offset);
     (march.transition, march.now)
-}
-
-/// After how many e-foldings a pressure is below rounding, with a margin.
-pub(crate) fn faded_folds<T: Scalar>() -> T {
-    -T::default_epsilon().ln() + T::constant(4.0)
-}
-
-/// The surplus of a moment, unless it is too large for its radius to be taken as exact to first order.
-///
-/// A surplus of x times the force is a pressure of x times the force, and makes all ages later by x e-foldings; to
-/// first order the two cancel, since a held load has little more to drain. When the hereditary load is 1/√ε times
-/// the force and more, its rounding makes x² more than rounding. Leaving the surplus out moves the radius by a rounding
-/// error and no more.
-pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
-    if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
 
 /// What is left of the gain of a stretch at its end, F₂ − E F₁.
@@ -248,7 +234,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let kept = is_left_out.then(|| kept_of(forces, folds));
         let mut increment = Stretch { contact, course, low, high, surplus }.increment();
         if let Some(kept) = kept {
-            increment.carry(kept / contact.stiffness(), (low, high));
+            increment.carry(kept / contact.load_per_integral(), (low, high));
         }
         self.transition.advance(folds, self.quarter_m(), increment, low);
         self.now = Moment { radius: high, surplus, ..self.now };
@@ -258,7 +244,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn surplus_at(&self, radius: T, gain: T) -> T {
         let contact = self.contact;
         let growth = contact.profile().load_integral_drop(radius, radius - self.now.radius);
-        self.now.surplus + (gain - contact.stiffness() * growth)
+        self.now.surplus + (gain - contact.load_per_integral() * growth)
     }
 
     /// Adds or takes away what lies between the rounded radius and the exact one.
@@ -267,7 +253,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             return;
         }
         let (radius, reach) = (self.now.radius, self.transition.reach);
-        let strip = self.now.strip(self.contact.per_stiffness());
+        let strip = self.now.strip(self.contact.integral_per_load());
         let increment = Increment::at(radius, if wanted { strip } else { -strip }, reach);
         self.transition.add(self.quarter_m(), increment, reach);
         self.has_strip = wanted;
@@ -281,7 +267,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T)) {
         let kept = Moment { radius: high, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
-        let increment = Increment::at(high, kept.strip(self.contact.per_stiffness()), low);
+        let increment = Increment::at(high, kept.strip(self.contact.integral_per_load()), low);
         self.transition.advance(folds, self.quarter_m(), increment, low);
         self.now.radius = high;
     }

@@ -1,0 +1,32 @@
+//! What is known of a load at a time.
+
+use crate::Scalar;
+use crate::scalar::smallest_normal;
+
+/// A load at a time: F, ∫F and Y = F + χ ∫F.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Loading<T> {
+    pub(crate) force: T,
+    pub(crate) impulse: T,
+    pub(crate) hereditary: T,
+}
+
+impl<T: Scalar> Loading<T> {
+    /// From a force and an impulse.
+    #[inline(always)]
+    pub(crate) fn new(force: T, impulse: T, chi: T) -> Self {
+        Self { force, impulse, hereditary: force + chi * impulse }
+    }
+
+    /// Whether the load has all its digits: as it is, over π m/4, times χ and times t.
+    #[inline(always)]
+    pub(super) fn has_digits(&self, chi: T, load_integral: T) -> bool {
+        let (force, least) = (self.force, smallest_normal());
+        let drained = chi * force;
+        let has_drained = chi.is_zero() | ((drained >= least) & (drained + drained).is_finite());
+        let has_force = force.is_zero() | ((force >= least) & has_drained);
+        // Of an impulse only what is not rounding beside the force has to be right.
+        let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
+        has_force & has_impulse & (load_integral >= least)
+    }
+}

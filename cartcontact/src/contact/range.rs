@@ -1,0 +1,145 @@
+//! The contact radius at a time, and what keeps a contact from having one.
+
+use super::common::CommonSizes;
+use super::loading::Loading;
+use super::{Contact, ContactError};
+use crate::Scalar;
+use crate::load::{Load, LoadError, is_force};
+use crate::profile::{GapProfile, RadiusError};
+use crate::scalar::smallest_normal;
+
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
+    #[inline]
+    pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
+        self.common_radius_at(t, || !self.recedes_until(t)).map_or_else(|| self.checked_radius_at(t), Ok)
+    }
+
+    /// [`radius_at`](Self::radius_at) a time until which the edge does not [recede](Self::recedes_until).
+    pub(crate) fn covered_radius_at(&self, t: T) -> Result<T, ContactError> {
+        self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
+    }
+
+    /// Whether the load falls too fast up to a time.
+    #[inline(always)]
+    pub(crate) fn recedes_until(&self, t: T) -> bool {
+        self.load.recession(self.medium.chi(), t).is_some()
+    }
+
+    /// The contact radius, if all numbers on the way to it are of common size and the history is one that the solution
+    /// covers.
+    #[inline(always)]
+    fn common_radius_at(&self, t: T, is_covered: impl FnOnce() -> bool) -> Option<T> {
+        let (sizes, chi, loading) = (CommonSizes::new(), self.medium.chi(), self.loading(t));
+        let load_integral = loading.hereditary * self.integral_per_load;
+        let is_common = sizes.contain_rate(chi) & sizes.contain_load(t, loading, load_integral);
+        if !is_common || !is_covered() {
+            return None;
+        }
+        self.radius_of(load_integral).ok().filter(|&radius| sizes.contain(radius))
+    }
+
+    /// The contact radius, or the first of its faults.
+    #[inline(never)]
+    fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
+        let loading = self.loading_at(t)?;
+        let load_integral = loading.hereditary * self.integral_per_load;
+        let radius = self.radius_of(load_integral).map_err(|error| match error {
+            RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
+                time: t.value(),
+                leaves_at: self.time_of_leaving(t).value(),
+                max_radius,
+            },
+            other => ContactError::Radius { time: t.value(), error: other },
+        })?;
+        if self.keeps_digits(loading.force, radius, load_integral) {
+            Ok(radius)
+        } else {
+            Err(ContactError::OutOfRange { time: t.value(), force: loading.force.value() })
+        }
+    }
+
+    /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
+    ///
+    /// J/a⁵ is δ₀′ but for a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
+    #[inline(always)]
+    pub(super) fn keeps_digits(&self, force: T, radius: T, load_integral: T) -> bool {
+        let square = radius * radius;
+        let power = square * square;
+        let slope = self.profile.quick_approach_slope(radius);
+        let has_power = (power >= smallest_normal()) & power.is_finite();
+        let has_slope = is_normal_quotient(load_integral / radius, power) & slope.is_finite();
+        let has_increments = (power * slope * radius).is_finite();
+        let has_pressure = force.is_zero() | is_normal_quotient(force, power);
+        radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)
+    }
+
+    /// The loading at a time that the solution covers.
+    fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
+        let loading = self.valid_loading(t)?;
+        let (time, force) = (t.value(), loading.force.value());
+        let chi = self.medium.chi();
+        if let Some(since) = self.load.recession(chi, t) {
+            let receding = ContactError::Receding { time, since: since.value() };
+            return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
+        }
+        if self.has_digits(loading) { Ok(loading) } else { Err(ContactError::OutOfRange { time, force }) }
+    }
+
+    /// The loading at a time, from a load that a user may have got wrong.
+    pub(super) fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
+        let time = t.value();
+        if !is_time(t) {
+            return Err(ContactError::InvalidTime { time });
+        }
+        let loading = self.loading(t);
+        let (force, impulse) = (loading.force.value(), loading.impulse.value());
+        if !is_force(loading.force) {
+            return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
+        }
+        if !is_force(loading.impulse) {
+            return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
+        }
+        Ok(loading)
+    }
+
+    /// Whether there is no load, or one with all its digits.
+    pub(super) fn has_digits(&self, loading: Loading<T>) -> bool {
+        let Loading { hereditary, .. } = loading;
+        hereditary.is_zero() || loading.has_digits(self.medium.chi(), hereditary * self.integral_per_load)
+    }
+
+    /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit; 0 if it never is.
+    fn time_of_leaving(&self, t: T) -> T {
+        let is_inside = |time| self.radius_under(self.loading(time).hereditary).is_ok();
+        let half = T::constant(0.5);
+        let (mut inside, mut outside) = (T::zero(), t);
+        // Halving towards a zero that is never admissible would only end after all exponents of the format.
+        if !is_inside(inside) {
+            return inside;
+        }
+        loop {
+            let middle = inside + (outside - inside) * half;
+            if !(inside < middle && middle < outside) {
+                return inside;
+            }
+            if is_inside(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+    }
+}
+
+/// Whether a quotient is neither subnormal nor infinite.
+#[inline(always)]
+fn is_normal_quotient<T: Scalar>(value: T, unit: T) -> bool {
+    // Subnormal products would be slow; infinite ones are not.
+    let most = smallest_normal::<T>().recip();
+    (unit <= value * most) & (value <= unit * most)
+}
+
+#[inline(always)]
+fn is_time<T: Scalar>(t: T) -> bool {
+    (t >= T::zero()) & t.is_finite()
+}
