@@ -74,6 +74,16 @@ impl<T: Scalar> Medium<T> {
     ///
     /// [`MediumError`] as for [`between`](Self::between).
     ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Layer, Medium};
+    /// let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+    /// let printed = Medium::between_as_printed_2011(layer, layer)?;
+    /// assert_eq!(printed.chi(), 2.0 * Medium::between(layer, layer)?.chi());
+    /// # Ok::<(), cartcontact::MediumError>(())
+    /// ```
+    ///
     /// # References
     ///
     /// I. Argatov, Mech. Res. Commun. 38 (2011), section 2, doi 10.1016/j.mechrescom.2010.11.006.
@@ -93,6 +103,16 @@ impl<T: Scalar> Medium<T> {
     /// # Errors
     ///
     /// [`MediumError`] as for [`between`](Self::between).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Layer, Medium};
+    /// let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+    /// let medium = Medium::against_rigid(layer)?;
+    /// assert_eq!((medium.m(), medium.chi()), (0.75, 0.0015));
+    /// # Ok::<(), cartcontact::MediumError>(())
+    /// ```
     pub fn against_rigid(layer: Layer<T>) -> Result<Self, MediumError> {
         let m = layer.compliance()?.recip();
         Self::from_constants(m, layer.rate_within(m))

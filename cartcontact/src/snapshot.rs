@@ -10,6 +10,22 @@ use crate::memory::{Moment, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
+///
+/// # Examples
+///
+/// ```
+/// # use cartcontact::{Contact, Medium, Polynomial, load};
+/// # let medium = Medium::from_constants(0.375, 0.0015)?;
+/// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
+/// let now = contact.at(0.0)?;
+/// let a = now.radius();
+/// assert_eq!((now.time(), now.force()), (0.0, 100.0));
+/// // Of a paraboloid C r² before anything has drained: δ₀ = C a²/2 and P = (m C/16) (a² − r²)².
+/// assert!((now.approach() - 0.025 * a * a / 2.0_f64).abs() < 1e-15);
+/// assert!((now.pressure(3.0) - 0.375 * 0.025 / 16.0 * (a * a - 9.0_f64).powi(2)).abs() < 1e-14);
+/// assert_eq!((now.peak_pressure(), now.pressure(a)), (now.pressure(0.0), 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Snapshot<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     time: T,
@@ -26,12 +42,12 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         self.time
     }
 
-    /// The contact radius a(t), in mm: Eq. (14).
+    /// The contact radius a(t), in mm: Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn radius(&self) -> T {
         self.radius
     }
 
-    /// The approach δ₀(t) of the bones, in mm: Eq. (10).
+    /// The approach δ₀(t) of the bones, in mm: Eq. (10), doi 10.1016/j.mechrescom.2010.11.006.
     ///
     /// It belongs to the exact contact radius rather than to the rounded one, so that high powers do not multiply
     /// the rounding.

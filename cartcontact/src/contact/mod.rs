@@ -107,6 +107,20 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// geometry, the load has fallen so fast that the edge recedes or its impulse is not that of its force, or
     /// these numbers leave the range of the format.
     ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, ContactError, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let oblate = Polynomial::with_max_radius([(0.025, 2.0), (-1e-4, 4.0)], 8.0)?;
+    /// let contact = Contact::new(oblate, medium, load::Constant(100.0))?;
+    /// assert!((contact.at(100.0)?.radius() - 7.94_f64).abs() < 0.01);
+    /// // With time the contact outgrows the geometry, and the error says when.
+    /// let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(200.0) else { unreachable!() };
+    /// assert!(100.0 < leaves_at && leaves_at < 200.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # References
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
@@ -120,6 +134,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # Errors
     ///
     /// [`ContactError`] if the slices are empty or differ in length, and for every time as [`at`](Self::at).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
+    /// let mut radii = [0.0; 3];
+    /// contact.radii(&[0.0, 100.0, 200.0], &mut radii)?;
+    /// assert_eq!(radii[2], contact.at(200.0)?.radius());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         if times.is_empty() {
             return Err(ContactError::Empty { what: "times" });
