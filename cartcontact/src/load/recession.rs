@@ -64,6 +64,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     let mut search = Search {
         load,
         chi,
+        negligible: hereditary * T::default_epsilon() * T::constant(64.0),
         tolerance: contradiction::tolerance(hereditary, chi),
         time: zero,
         impulse: zero,
@@ -82,20 +83,12 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     None
 }
 
-/// The first time at which a load has a force, in a panel, or an impulse, at its end, that is none.
-fn invalid<T: Scalar>(force: &ForceSeries<T>, (end, impulse): (T, T)) -> Option<(T, LoadError)> {
-    if let Some((time, force)) = force.invalid_force(end) {
-        return Some((time, LoadError::InvalidForce { time: time.value(), force: force.value() }));
-    }
-    // Early on, a good impulse may be negative by rounding; what is more is a contradiction.
-    let error = LoadError::InvalidImpulse { time: end.value(), impulse: impulse.value() };
-    (!impulse.is_finite()).then_some((end, error))
-}
-
 /// A history on its way.
 struct Search<'a, T, L: ?Sized> {
     load: &'a L,
     chi: T,
+    /// Up to where a negative force is rounding.
+    negligible: T,
     /// By how much an impulse may be off.
     tolerance: T,
     time: T,
@@ -132,8 +125,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step = stop - self.time;
             let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
             let impulse = self.load.impulse(stop);
-            if let Some((time, error)) = invalid(&force, (stop, impulse)) {
-                return Some(Fault::IsInvalid(time, error));
+            let fault = self.invalid(&force, (stop, impulse));
+            if fault.is_some() {
+                return fault;
             }
             // Half of it is no less than `short`.
             let is_short = step <= short + short;
@@ -169,6 +163,19 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step += step;
         }
         None
+    }
+
+    /// The first force of a panel that is none, or its impulse at the end if that is none.
+    fn invalid(&self, force: &ForceSeries<T>, (end, impulse): (T, T)) -> Option<Fault<T>> {
+        let (time, error) = if let Some((time, force)) = force.invalid_force(end, self.negligible) {
+            (time, LoadError::InvalidForce { time: time.value(), force: force.value() })
+        } else if impulse.is_finite() {
+            // Early on, a good one may be negative by rounding; what is more is a contradiction.
+            return None;
+        } else {
+            (end, LoadError::InvalidImpulse { time: end.value(), impulse: impulse.value() })
+        };
+        Some(Fault::IsInvalid(time, error))
     }
 
     /// Passes a jump of the load, if there is one.

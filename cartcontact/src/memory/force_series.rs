@@ -190,12 +190,10 @@ impl<T: Scalar> ForceSeries<T> {
         self.forces[node]
     }
 
-    /// The first node with a force that no contact can carry, if the step ends at `end`: its time and the force.
-    ///
-    /// Where a force vanishes it may be negative by rounding.
-    pub(crate) fn invalid_force(&self, end: T) -> Option<(T, T)> {
-        let rounding = self.size * T::default_epsilon() * T::constant(64.0);
-        let is_valid = |force: T| force >= -rounding && force.is_finite();
+    /// The first node with a force that is negative by more than what is negligible, or not finite, if the step ends at
+    /// `end`: its time and the force.
+    pub(crate) fn invalid_force(&self, end: T, negligible: T) -> Option<(T, T)> {
+        let is_valid = |force: T| force >= -negligible && force.is_finite();
         let node = (0..=Self::START).rev().find(|&node| !is_valid(self.forces[node]))?;
         Some((self.time(node, end), self.forces[node]))
     }
