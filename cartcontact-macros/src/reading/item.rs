@@ -114,10 +114,10 @@ impl Item {
     }
 
     pub(crate) fn meaning(&self, name: &Ident) -> Meaning<'_> {
-        if let Some(field) = self.fields.iter().find(|field| field.ident == *name) {
+        if let Some(field) = self.fields.iter().find(|field| is_same(&field.ident, name)) {
             return Meaning::Symbol(field);
         }
-        match self.others.iter().find(|(ident, _)| ident == name) {
+        match self.others.iter().find(|(ident, _)| is_same(ident, name)) {
             Some((_, ty)) => Meaning::WrongType(ty),
             None => Meaning::Unknown { remedy: self.remedy(name) },
         }
@@ -163,6 +163,11 @@ impl Item {
             }
         }
     }
+}
+
+/// Whether two names are one, as `r#radius` and `radius` are.
+pub(crate) fn is_same(one: &Ident, other: &Ident) -> bool {
+    one.unraw() == other.unraw()
 }
 
 /// `f64` and `f32` under any path, or one of the struct's own type parameters.

@@ -81,6 +81,18 @@ fn fields_are_symbols() {
 }
 
 #[test]
+fn raw_names_are_names() {
+    let item = quote!(
+        struct Ball {
+            r#radius: f64,
+            r#type: f64,
+        }
+    );
+    let ball = run("radius * r^2 + r#type * r^4, positive = (radius, type)".parse().unwrap(), item);
+    assert!(matches!(ball.map(|geometry| geometry.proof), Ok(Proof::AllRadii { .. })));
+}
+
+#[test]
 fn signs_that_no_field_can_change_are_known() {
     let proof = |text| on_ball(text).map(|geometry| geometry.proof);
     for text in
