@@ -2,6 +2,7 @@
 
 pub(crate) mod attribute;
 mod call;
+mod entry;
 pub(crate) mod item;
 pub(crate) mod literal;
 pub(crate) mod parse;
