@@ -8,3 +8,4 @@ pub(crate) mod literal;
 pub(crate) mod parse;
 pub(crate) mod positive;
 pub(crate) mod syntax;
+pub(crate) mod unit;
