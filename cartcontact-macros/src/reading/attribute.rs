@@ -35,6 +35,14 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut digits_before_comma = None;
     for entry in entries(tokens, diagnostics) {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
+        if let Some(message) = entry.without_comma() {
+            diagnostics.report(entry.extent(), message);
+            match entry.option() {
+                Some(_) => attribute.miss_option(&entry),
+                None => attribute.fail_at(&entry),
+            }
+            continue;
+        }
         match entry.option() {
             Some((name, _, _)) if names.contains(&name) => {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
@@ -58,7 +66,6 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 .without_equals()
                 .inspect(|_| attribute.miss_option(&entry))
                 .or_else(|| attribute.decimals(&entry, before))
-                .or_else(|| entry.without_comma().inspect(|_| attribute.fail_at(&entry)))
                 .or_else(|| attribute.named(&entry).inspect(|_| attribute.fail_at(&entry)))
                 .or_else(|| attribute.no_room_for(&entry))
             {

@@ -71,7 +71,7 @@ impl Entry {
         Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
     }
 
-    /// What to say about an option right behind a gap, `r^2 max_radius = 6` or `r^2 positive`.
+    /// What to say about an option right behind a gap or another option, `r^2 max_radius = 6`, `order = 4 positive`.
     pub(super) fn without_comma(&self) -> Option<String> {
         let assigned = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
             [TokenTree::Ident(name), equals] if is_punct(equals, '=') => {
