@@ -169,6 +169,10 @@ impl Attribute {
         let decimals = entry.first_digits()?;
         let number = match option {
             None => self.gap.as_mut(),
+            Some(name) if name == "upper" || name == "lower" => {
+                self.fail_at(entry);
+                None
+            }
             // The gap may stand behind its options.
             Some(_) if self.gap.is_none() && entry.tokens.len() > 1 => return None,
             Some(name) => self.slot(&name).and_then(Option::as_mut),

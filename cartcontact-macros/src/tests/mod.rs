@@ -206,6 +206,7 @@ fn likely_slips_are_understood() {
         ("upper = sphere(10) lower = 0, order = 4", "a comma is missing before `lower`"),
         ("sphere(10), order = 4, tolerance = 0,001, max_radius = 3", "write `0.001`"),
         ("upper = sphere(10), lower = 0, order = 4, 0.025 * r^2", "remove `upper`"),
+        ("lower = 0,05 * r^2, upper = 0", "write `0.05`"),
         ("upper: sphere(10), lower = 0, order = 4", "as in `upper = sphere(20)`"),
         ("Upper = sphere(10), lower = 0, order = 4", "did you mean `upper`?"),
         ("lower = 0, upper, order = 4", "as in `upper = sphere(20)`"),
