@@ -1,49 +1,56 @@
 struct Knee<T> {
     radius: T,
 }
-#[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
-impl<T> Knee<T> {
-    #[doc(hidden)]
-    pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); 0] = [];
-    #[doc(hidden)]
-    pub const MAX_RADIUS: ::core::primitive::f64 = 0.0;
-    #[doc(hidden)]
-    pub const TRUNCATION_ERROR: ::core::primitive::f64 = 0.0;
-}
-#[automatically_derived]
-impl<T, T_> ::cartcontact::GapProfile<T_> for Knee<T>
-where
-    T_: ::cartcontact::Scalar,
-{
-    fn gap(&self, _: T_) -> T_ {
-        loop {}
+const _: () = {
+    use ::cartcontact::generated::root as __cartcontact;
+    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    impl<T> Knee<T> {
+        #[doc(hidden)]
+        pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); 0] = [];
+        #[doc(hidden)]
+        pub const MAX_RADIUS: ::core::primitive::f64 = 0.0;
+        #[doc(hidden)]
+        pub const TRUNCATION_ERROR: ::core::primitive::f64 = 0.0;
+        #[doc(hidden)]
+        pub fn terms(&self) -> [(T, T); 0] {
+            []
+        }
     }
-    fn approach(&self, _: T_) -> T_ {
-        loop {}
+    #[automatically_derived]
+    impl<T, T_> __cartcontact::GapProfile<T_> for Knee<T>
+    where
+        T_: __cartcontact::Scalar,
+    {
+        fn gap(&self, _: T_) -> T_ {
+            loop {}
+        }
+        fn approach(&self, _: T_) -> T_ {
+            loop {}
+        }
+        fn approach_slope(&self, _: T_) -> T_ {
+            loop {}
+        }
+        fn load_integral(&self, _: T_) -> T_ {
+            loop {}
+        }
+        fn log_kernel(&self, _: T_) -> T_ {
+            loop {}
+        }
+        fn pressure_kernel(&self, _: T_, _: T_) -> T_ {
+            loop {}
+        }
+        fn radius_within(
+            &self,
+            _: T_,
+            _: T_,
+        ) -> ::core::result::Result<T_, __cartcontact::RadiusError> {
+            loop {}
+        }
+        fn max_radius(&self) -> T_ {
+            loop {}
+        }
     }
-    fn approach_slope(&self, _: T_) -> T_ {
-        loop {}
-    }
-    fn load_integral(&self, _: T_) -> T_ {
-        loop {}
-    }
-    fn log_kernel(&self, _: T_) -> T_ {
-        loop {}
-    }
-    fn pressure_kernel(&self, _: T_, _: T_) -> T_ {
-        loop {}
-    }
-    fn radius_within(
-        &self,
-        _: T_,
-        _: T_,
-    ) -> ::core::result::Result<T_, ::cartcontact::RadiusError> {
-        loop {}
-    }
-    fn max_radius(&self) -> T_ {
-        loop {}
-    }
-}
+};
 ::core::compile_error! {
     "`2r` reads as one literal; write `2 * r`"
 }

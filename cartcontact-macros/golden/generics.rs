@@ -496,11 +496,11 @@ const _: () = {
             <S as __cartcontact::Scalar>::constant(2.5f64)
         }
         #[inline]
-        fn is_smooth_at_centre(&self) -> bool {
+        fn is_smooth_at_centre(&self) -> ::core::primitive::bool {
             false
         }
         #[inline]
-        fn has_only_positive_terms(&self) -> bool {
+        fn has_only_positive_terms(&self) -> ::core::primitive::bool {
             let [__c0, __c1]: [S; 2usize] = coefficients(self);
             __c0 >= <S as __cartcontact::Scalar>::constant(0.0f64)
         }

@@ -305,11 +305,11 @@ const _: () = {
             <T as __cartcontact::Scalar>::constant(4.0f64)
         }
         #[inline]
-        fn is_smooth_at_centre(&self) -> bool {
+        fn is_smooth_at_centre(&self) -> ::core::primitive::bool {
             true
         }
         #[inline]
-        fn has_only_positive_terms(&self) -> bool {
+        fn has_only_positive_terms(&self) -> ::core::primitive::bool {
             false
         }
     }

@@ -10,7 +10,7 @@ use super::coefficients::Coefficients;
 use super::{Names, arguments, bounded_generics};
 use crate::geometry::{Geometry, Range};
 use crate::number::literal;
-use crate::reading::item::Item;
+use crate::reading::item::{FieldKind, Item};
 
 pub(super) fn block(
     item: &Item,
@@ -36,10 +36,20 @@ pub(super) fn block(
 }
 
 /// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors.
-pub(super) fn stub(item: &Item) -> TokenStream {
+pub(super) fn stub(item: &Item, names: &Names<'_>) -> TokenStream {
     let (ident, number, quiet) = (&item.ident, quote!(::core::primitive::f64), quiet());
     let (impl_generics, _, where_clause) = item.generics.split_for_impl();
     let type_generics = arguments(&item.generics);
+    let terms = item.fields.first().map(|field| {
+        let (parameter, scalar) = match &field.kind {
+            FieldKind::TypeParameter(own) => (None, own),
+            _ => (Some(own_parameter(names)), &names.scalar),
+        };
+        quote! {
+            #[doc(hidden)]
+            pub fn terms #parameter (&self) -> [(#scalar, #scalar); 0] { [] }
+        }
+    });
     quote! {
         #quiet
         impl #impl_generics #ident #type_generics #where_clause {
@@ -49,6 +59,7 @@ pub(super) fn stub(item: &Item) -> TokenStream {
             pub const MAX_RADIUS: #number = 0.0;
             #[doc(hidden)]
             pub const TRUNCATION_ERROR: #number = 0.0;
+            #terms
         }
     }
 }

@@ -59,10 +59,8 @@ pub(crate) fn solver(
     geometry: &Geometry,
     krate: &TokenStream,
 ) -> TokenStream {
-    // What follows a failed import causes no further errors.
     let root = local("cartcontact").into_token_stream();
-    let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
-    let generated = Ident::new("generated", Span::call_site().located_at(place));
+    let import = import(krate, &root);
     let names = Names { krate: &root, scalar: scalar_of(item) };
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
@@ -111,7 +109,7 @@ pub(crate) fn solver(
     quote! {
         #documented
         const _: () = {
-            use #krate::#generated::root as #root;
+            #import
             #shared
             #beside_inversion
             #[automatically_derived]
@@ -127,31 +125,44 @@ pub(crate) fn solver(
     }
 }
 
+/// The run-time crate under the name that generated code has for it. What follows a failed import causes no further
+/// errors.
+fn import(krate: &TokenStream, root: &TokenStream) -> TokenStream {
+    let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
+    let generated = Ident::new("generated", Span::call_site().located_at(place));
+    quote!(use #krate::#generated::root as #root;)
+}
+
 /// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes
 /// no further errors.
 pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) -> TokenStream {
-    let names = Names { krate, scalar: scalar_of(item) };
+    let root = local("cartcontact").into_token_stream();
+    let import = import(krate, &root);
+    let names = Names { krate: &root, scalar: scalar_of(item) };
     let scalar = &names.scalar;
     let header = implementation(item, &names);
     let evaluators = ["gap", "approach", "approach_slope", "load_integral", "log_kernel"].map(|name| {
         let name = format_ident!("{name}");
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
-    let inherent = inherent::stub(item);
+    let inherent = inherent::stub(item, &names);
     quote! {
         #input
-        #inherent
-        #[automatically_derived]
-        #header {
-            #(#evaluators)*
-            fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
-            fn radius_within(
-                &self,
-                _: #scalar,
-                _: #scalar,
-            ) -> ::core::result::Result<#scalar, #krate::RadiusError> { loop {} }
-            fn max_radius(&self) -> #scalar { loop {} }
-        }
+        const _: () = {
+            #import
+            #inherent
+            #[automatically_derived]
+            #header {
+                #(#evaluators)*
+                fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
+                fn radius_within(
+                    &self,
+                    _: #scalar,
+                    _: #scalar,
+                ) -> ::core::result::Result<#scalar, #root::RadiusError> { loop {} }
+                fn max_radius(&self) -> #scalar { loop {} }
+            }
+        };
     }
 }
 
@@ -230,6 +241,7 @@ fn bounded_generics(item: &Item, names: &Names<'_>) -> syn::Generics {
 fn shape(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
+    let truth = quote!(::core::primitive::bool);
     let is_smooth = terms.iter().all(|term| term.exponent.is_integer());
     let has_only_positive = match coefficients.of_uncertain_sign() {
         None => quote!(false),
@@ -244,9 +256,9 @@ fn shape(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>
         fn highest_exponent(&self) -> #scalar { #constant(#highest) }
 
         #[inline]
-        fn is_smooth_at_centre(&self) -> bool { #is_smooth }
+        fn is_smooth_at_centre(&self) -> #truth { #is_smooth }
 
         #[inline]
-        fn has_only_positive_terms(&self) -> bool { #has_only_positive }
+        fn has_only_positive_terms(&self) -> #truth { #has_only_positive }
     }
 }

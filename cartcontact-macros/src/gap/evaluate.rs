@@ -17,13 +17,15 @@ use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
 pub(crate) struct Evaluator<'a> {
     item: &'a Item,
     diagnostics: &'a mut Diagnostics,
+    /// Whether r may be meant by a name that is like it.
+    knows_r: bool,
     /// Fields whose type has been reported.
     mistyped: Vec<Ident>,
 }
 
 impl<'a> Evaluator<'a> {
     pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, mistyped: Vec::new() }
+        Evaluator { item, diagnostics, knows_r: true, mistyped: Vec::new() }
     }
 
     /// What a gap is worth as far as it can be evaluated, and whether that is all.
@@ -36,7 +38,7 @@ impl<'a> Evaluator<'a> {
 
     /// An expression without r, such as a radius.
     pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
-        let coefficient = self.shape(expression)?.as_coefficient();
+        let coefficient = self.without_r(expression)?.as_coefficient();
         if coefficient.is_none() {
             self.diagnostics.report(
                 expression.extent,
@@ -44,6 +46,23 @@ impl<'a> Evaluator<'a> {
             );
         }
         coefficient
+    }
+
+    /// A number, which `rule` asks for.
+    pub(crate) fn number(&mut self, expression: &Expression, rule: &str) -> Option<Rational> {
+        let number = self.without_r(expression)?.as_coefficient().and_then(|value| value.as_constant());
+        if number.is_none() {
+            self.diagnostics.report(expression.extent, rule);
+        }
+        number
+    }
+
+    /// The value of an expression in which r has no place.
+    fn without_r(&mut self, expression: &Expression) -> Option<Shape> {
+        let outside = core::mem::replace(&mut self.knows_r, false);
+        let value = self.shape(expression);
+        self.knows_r = outside;
+        value
     }
 
     fn shape(&mut self, expression: &Expression) -> Option<Shape> {
@@ -74,8 +93,11 @@ impl<'a> Evaluator<'a> {
                 Some(constant(Coefficient::positive_field(ident.clone()), extent))
             }
             Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
-            Meaning::Unknown { .. } if !self.item.is_struct => None,
-            Meaning::Unknown { remedy } => self.fault(extent, format!("`{name}` is unknown; {remedy}")),
+            Meaning::Unknown if !self.item.is_struct => None,
+            Meaning::Unknown => {
+                let remedy = self.item.remedy(name, self.knows_r);
+                self.fault(extent, format!("`{name}` is unknown; {remedy}"))
+            }
             Meaning::WrongType(ty) => {
                 if !self.mistyped.contains(name) {
                     self.mistyped.push(name.clone());
@@ -130,7 +152,7 @@ impl<'a> Evaluator<'a> {
 
     fn power(&mut self, base: &Expression, exponent: &Expression) -> Option<Shape> {
         let value = self.shape(base);
-        let number = self.exponent(exponent);
+        let number = self.number(exponent, EXPONENT);
         let power = value?.power(&number?);
         self.checked(power, Extent::between(base.extent, exponent.extent))
     }
@@ -149,17 +171,6 @@ impl<'a> Evaluator<'a> {
         Some(Surface::new(radius, conic_constant, extent).into())
     }
 
-    fn exponent(&mut self, expression: &Expression) -> Option<Rational> {
-        let number = self.shape(expression)?.as_coefficient().and_then(|value| value.as_constant());
-        if number.is_none() {
-            self.diagnostics.report(
-                expression.extent,
-                "an exponent must be a number: which powers a gap has is fixed when it is compiled; write it out, as in `r^2`",
-            );
-        }
-        number
-    }
-
     fn checked<T>(&mut self, result: Result<T, &'static str>, extent: Extent) -> Option<T> {
         result.map_err(|message| self.diagnostics.report(extent, message)).ok()
     }
@@ -170,6 +181,8 @@ impl<'a> Evaluator<'a> {
         None
     }
 }
+
+const EXPONENT: &str = "an exponent must be a number: which powers a gap has is fixed when it is compiled; write it out, as in `r^2`";
 
 fn constant(value: Coefficient, extent: Extent) -> Shape {
     Polynomial::constant(value, extent).into()

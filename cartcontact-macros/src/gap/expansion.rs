@@ -12,7 +12,7 @@ use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
 use crate::geometry::Range;
-use crate::number::{Rational, decimal, integer};
+use crate::number::{Rational, decimal, integer, nearest};
 use crate::reading::attribute::Attribute;
 use crate::reading::syntax::{Expression, Kind};
 
@@ -59,11 +59,10 @@ fn transposed<T>(option: Option<Option<T>>) -> Option<Option<T>> {
 
 fn read_order(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Order, Extent)> {
     let extent = written.extent;
-    if matches!(&written.kind, Kind::Name(name) if name == "auto") {
-        return Some((Order::Smallest, extent));
-    }
-    let Some(number) = evaluator.coefficient(written, "order")?.as_constant() else {
-        return evaluator.fault(extent, "order must be an even number, as in `order = 4`, or `auto`");
+    let number = match &written.kind {
+        Kind::Name(name) if name == "auto" => return Some((Order::Smallest, extent)),
+        Kind::Name(_) => return evaluator.fault(extent, ORDER),
+        _ => evaluator.number(written, ORDER)?,
     };
     if number > integer(HIGHEST_ORDER) {
         let message =
@@ -74,24 +73,26 @@ fn read_order(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Or
         Some(half) => Some((Order::Fixed(2 * half), extent)),
         None => {
             let next = (number.max(Rational::one()) / integer(2)).ceil() * integer(2);
-            let message =
-                format!("order must be even, as surfaces have even powers of r only; write `order = {next}`");
+            let message = format!(
+                "order must be even and above 0, as surfaces have even powers of r only; write `order = {next}`"
+            );
             evaluator.fault(extent, message)
         }
     }
 }
 
 fn read_tolerance(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Rational, Extent)> {
-    let tolerance = evaluator.coefficient(written, "tolerance")?.as_constant();
-    match tolerance.filter(|value| value.is_positive() && *value < Rational::one()) {
-        Some(tolerance) => Some((tolerance, written.extent)),
-        None => {
-            let message =
-                "tolerance must be a number between 0 and 1, a fraction of the gap; write `tolerance = 1e-6`";
-            evaluator.fault(written.extent, message)
-        }
+    let tolerance = evaluator.number(written, TOLERANCE)?;
+    let is_fraction = tolerance.is_positive() && tolerance < Rational::one() && nearest(&tolerance).is_some();
+    match is_fraction {
+        true => Some((tolerance, written.extent)),
+        false => evaluator.fault(written.extent, TOLERANCE),
     }
 }
+
+const ORDER: &str = "order must be an even number, as in `order = 4`, or `auto`";
+const TOLERANCE: &str =
+    "tolerance must be a number between 0 and 1, a fraction of the gap; write `tolerance = 1e-6`";
 
 /// Expands the surfaces, if there are any; `limit` is where max_radius was written.
 pub(crate) fn expand(
@@ -102,8 +103,11 @@ pub(crate) fn expand(
 ) -> Result<(Polynomial, Option<Truncation>), Fault> {
     let Some(first) = shape.surfaces.first() else { return without_surfaces(shape.powers, options) };
     let Some((order, place)) = &options.order else {
-        let message = "a surface is expanded in powers of r; say how far, as in `order = 4`, after a comma";
-        return Err((first.extent, message.to_owned()));
+        let wanted = if options.tolerance.is_some() { "auto" } else { "4" };
+        let message = format!(
+            "a surface is expanded in powers of r; say how far, as in `order = {wanted}`, after a comma"
+        );
+        return Err((first.extent, message));
     };
     let wanted = Wanted { shape: &shape, range, limit };
     let order = wanted.order(order, *place, options.tolerance.as_ref())?;
@@ -130,17 +134,21 @@ fn without_surfaces(
     powers: Polynomial,
     options: &Options,
 ) -> Result<(Polynomial, Option<Truncation>), Fault> {
-    let order = options.order.as_ref().map(|(_, extent)| ("order", extent));
-    let tolerance = options.tolerance.as_ref().map(|(_, extent)| ("tolerance", extent));
-    match order.or(tolerance) {
-        // A gap of which nothing is left is reported when it is checked.
-        None => Ok((powers, None)),
-        Some(_) if powers.terms().is_empty() => Ok((powers, None)),
-        Some((name, extent)) => Err((
-            *extent,
-            format!("`{name}` is for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove it"),
-        )),
+    let order = options.order.as_ref().map(|(_, extent)| *extent);
+    let tolerance = options.tolerance.as_ref().map(|(_, extent)| *extent);
+    let (place, named, them) = match (order, tolerance) {
+        (Some(order), Some(_)) => (order, "`order` and `tolerance` are", "them"),
+        (Some(order), None) => (order, "`order` is", "it"),
+        (None, Some(tolerance)) => (tolerance, "`tolerance` is", "it"),
+        (None, None) => return Ok((powers, None)),
+    };
+    // A gap of which nothing is left is reported when it is checked.
+    if powers.terms().is_empty() {
+        return Ok((powers, None));
     }
+    let message =
+        format!("{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove {them}");
+    Err((place, message))
 }
 
 /// Surfaces and the range on which they are wanted; `limit` is where its end was written.
@@ -164,8 +172,10 @@ impl Wanted<'_> {
         match (order, tolerance) {
             (Order::Fixed(order), None) => Ok(*order),
             (Order::Smallest, None) => {
-                let message = "`order = auto` meets a tolerance; add one, as in `tolerance = 1e-6`";
-                Err((place, message.to_owned()))
+                let range = if self.limit.is_some() { "" } else { ", max_radius = 6.0" };
+                let message =
+                    format!("`order = auto` meets a tolerance; add one, as in `tolerance = 1e-6{range}`");
+                Err((place, message))
             }
             (Order::Smallest, Some((tolerance, extent))) => {
                 let smallest = neglected(HIGHEST_ORDER, *extent)?.smallest_order(tolerance);

@@ -34,7 +34,7 @@ pub(crate) struct Term {
     pub(crate) exponent: Rational,
     /// Not zero.
     pub(crate) coefficient: Coefficient,
-    /// Where the first contribution to it was written.
+    /// Where the first contribution to it was written, or the one that made its sign.
     pub(crate) extent: Extent,
 }
 
@@ -48,7 +48,8 @@ impl Gap {
             return None;
         }
         if terms.len() > MAXIMUM_TERMS {
-            diagnostics.report(extent, "a gap may have at most 256 terms");
+            diagnostics
+                .report(extent, "a gap may have at most 256 terms; leave out those that do not matter");
             return None;
         }
         Some(Gap { terms })

@@ -2,6 +2,7 @@
 //!
 //! Between the syntax and the gap: nothing is required of the exponents yet, so `(r^3 + r^5)/r` passes through.
 
+use num_bigint::Sign;
 use num_traits::{ToPrimitive, Zero};
 
 use crate::diagnostics::Extent;
@@ -21,13 +22,17 @@ pub(crate) struct Polynomial {
 #[derive(Clone)]
 pub(crate) struct Monomial {
     pub(crate) coefficient: Coefficient,
-    /// Where the first contribution to it was written.
+    /// Where the first contribution to it was written, or the one that made its sign.
     pub(crate) extent: Extent,
 }
 
 impl Summable for Monomial {
     fn add(&mut self, other: Self) {
-        self.coefficient = self.coefficient.add(&other.coefficient);
+        let sum = self.coefficient.add(&other.coefficient);
+        if sum.certain_sign() != self.coefficient.certain_sign() {
+            self.extent = other.extent;
+        }
+        self.coefficient = sum;
     }
 
     fn vanishes(&self) -> bool {
@@ -88,10 +93,16 @@ impl Polynomial {
             return Err("this multiplies out to too many terms; write a gap of at most 256 terms");
         }
         let mut product = Polynomial::default();
+        // What is multiplied out is between two sums.
+        let is_single = other.terms.len() == 1;
         for (exponent, monomial) in self.terms() {
             for (other_exponent, other_monomial) in other.terms() {
                 let coefficient = monomial.coefficient.multiply(&other_monomial.coefficient);
-                let monomial = Monomial { coefficient, extent: monomial.extent };
+                let extent = match is_single {
+                    true => monomial.extent,
+                    false => Extent::between(monomial.extent, other_monomial.extent),
+                };
+                let monomial = Monomial { coefficient, extent };
                 product.accumulate(exponent + other_exponent, monomial);
             }
         }
@@ -104,9 +115,10 @@ impl Polynomial {
             return Ok(Polynomial::new(coefficient, own * exponent, monomial.extent));
         }
         if self.terms.is_empty() {
-            return match exponent.is_positive() {
-                true => Ok(Polynomial::default()),
-                false => Err("a divisor must not be zero; this expression cancels to zero"),
+            return match exponent.numer().sign() {
+                Sign::Plus => Ok(Polynomial::default()),
+                Sign::NoSign => Err("0^0 has no value; write the number that is meant"),
+                Sign::Minus => Err("a divisor must not be zero; this expression cancels to zero"),
             };
         }
         if exponent.is_negative() || !exponent.is_integer() {
@@ -116,7 +128,7 @@ impl Polynomial {
             );
         }
         let exponent = exponent.to_u32().filter(|exponent| *exponent <= 4096);
-        self.repeated(exponent.ok_or("a sum may be raised to powers up to 4096")?)
+        self.repeated(exponent.ok_or("a sum may be raised to powers up to 4096; write a lower one")?)
     }
 
     /// By squaring, from the leading bit of the exponent down.

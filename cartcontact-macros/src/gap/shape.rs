@@ -38,7 +38,11 @@ impl Shape {
 
     /// A single term is where the whole expression that makes it is written.
     pub(crate) fn located(self, extent: Extent) -> Self {
-        Shape { powers: self.powers.located(extent), ..self }
+        let Shape { powers, mut surfaces } = self;
+        if let ([only], []) = (surfaces.as_mut_slice(), powers.terms()) {
+            only.extent = extent;
+        }
+        Shape { powers: powers.located(extent), surfaces }
     }
 
     pub(crate) fn add(&mut self, other: Shape) {

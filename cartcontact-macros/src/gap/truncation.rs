@@ -8,16 +8,17 @@
 //! ```
 //!
 //! on the range up to ρ, so all behind r^(2J) add up to at most M r^(2J+2) with M = Σ |w c_(J+1)| / (1 − q), summed
-//! over the surfaces with their weights w. The terms before that are added up with their signs, e_j = Σ w c_j:
+//! over the surfaces with their weights w; to |w c_(J+1)| alone where κ < 0, as the terms of a hyperboloid alternate.
+//! The terms before that are added up with their signs, e_j = Σ w c_j:
 //!
 //! ```text
-//! |E(r)| ≤ B(r) = Σ |e_j| r^(2j) + M r^(2J+2),    N < 2j ≤ 2J
-//!  Φ(r)  ≥ D(r) = the gap with its series up to r^(2J), − M r^(2J+2)
+//! ±E(r) ≤ B±(r) = ±Σ e_j r^(2j) + M r^(2J+2),    N < 2j ≤ 2J
+//!  Φ(r) ≥ D(r)  = the gap with its series up to r^(2J), − M r^(2J+2)
 //! ```
 //!
-//! |E| ≤ ε Φ on (0, ρ] if ε D − B, a sum of powers with rational coefficients, has no zero there, which is decided
-//! exactly; only to keep them short, the coefficients of B are rounded up and those of D down. B is as sharp as the
-//! series itself while the e_j have one sign, as those of two spheres have.
+//! |E| ≤ ε Φ on (0, ρ] if neither ε D − B₊ nor ε D − B₋, sums of powers with rational coefficients, has a zero there,
+//! which is decided exactly; only to keep them short, the coefficients of B are rounded up and those of D down. Where
+//! the e_j have one sign, as those of two spheres have, one of the two suffices.
 
 use core::cmp::Ordering;
 
@@ -57,18 +58,16 @@ pub(crate) struct Neglected {
     radius: Rational,
 }
 
-/// e_j and |e_j|, rounded to few digits in the direction that keeps D and B bounds.
+/// Few digits on either side of e_j.
 struct Bounds {
-    /// Not above e_j.
     below: Rational,
-    /// Not below |e_j|.
-    size: Rational,
+    above: Rational,
 }
 
-/// A weighted surface: w c_j for j = 1, 2, ..., and q.
+/// A weighted surface: w c_j for j = 1, 2, ..., and a bound of what they add up to from one on, in units of that.
 struct Series {
     terms: Vec<Rational>,
-    ratio: Rational,
+    rest: Rational,
 }
 
 /// The range reaches the radius, given here, where a series no longer converges.
@@ -98,26 +97,31 @@ impl Neglected {
 
     /// Whether |E| ≤ ε Φ on the whole range.
     pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, &'static str> {
-        let (below, above) = self.bounds(order);
-        let mut difference = above;
-        difference.map(|value| *value = -&*value);
-        for (exponent, value) in below {
-            difference.add(exponent, value * tolerance);
+        let (below, sides) = self.bounds(order);
+        for side in sides {
+            let mut difference = side;
+            difference.map(|value| *value = -&*value);
+            for (exponent, value) in below.iter() {
+                difference.add(exponent.clone(), value * tolerance);
+            }
+            if !difference.first().is_some_and(|(_, value)| value.is_positive()) {
+                return Ok(false);
+            }
+            if first_zero(&difference)?.is_some_and(|mut end| end.compare(&self.radius) != Ordering::Greater)
+            {
+                return Ok(false);
+            }
         }
-        if !difference.first().is_some_and(|(_, value)| value.is_positive()) {
-            return Ok(false);
-        }
-        let end = first_zero(&difference)?;
-        Ok(end.is_none_or(|mut end| end.compare(&self.radius) == Ordering::Greater))
+        Ok(true)
     }
 
     /// A proved bound of |E|/Φ, an `f64` of three digits; nothing if that is above 1.
     pub(crate) fn bound(&self, order: u32) -> Result<Option<Rational>, &'static str> {
-        let (below, above) = self.bounds(order);
-        if above.is_empty() {
+        let (below, sides) = self.bounds(order);
+        if sides.iter().all(|side| side.is_empty()) {
             return Ok(Some(Rational::zero()));
         }
-        let mut estimate = self.estimate(&below, &above);
+        let mut estimate = self.estimate(&below, &sides);
         let mut margin = 0.005;
         while estimate.is_finite() && estimate > 0.0 && estimate < 1.0 {
             let rounded = three_digits(estimate * (1.0 + margin));
@@ -134,8 +138,8 @@ impl Neglected {
 
     /// The smallest order within a tolerance, if there is one.
     ///
-    /// Bisection finds it, as every order is within what a lower one is: what M stands for includes the next term and
-    /// the next M, so B falls and D rises with the order.
+    /// Bisection ends where the next lower order is not. Where the e_j have one sign no other is either: what M stands
+    /// for includes the next term and the next M, so B falls and D rises with the order.
     pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, &'static str> {
         let (mut too_low, mut within) = (0, self.highest_order);
         if !self.is_within(tolerance, within)? {
@@ -151,37 +155,48 @@ impl Neglected {
         Ok(Some(within))
     }
 
-    /// D and B.
-    fn bounds(&self, order: u32) -> (Powers, Powers) {
+    /// D, and B₊ and B₋ as far as neither is below the other.
+    fn bounds(&self, order: u32) -> (Powers, Vec<Powers>) {
         let last = order / 2 + TERMS_AHEAD;
-        let (mut below, mut above) = (self.powers.clone(), Powers::default());
+        let (mut below, mut over, mut under) = (self.powers.clone(), Powers::default(), Powers::default());
+        let (mut rises, mut falls) = (false, false);
         for (j, sum) in (1..=last).zip(&self.sums) {
             let exponent = integer(2 * j);
             below.add(exponent.clone(), sum.below.clone());
             if 2 * j > order {
-                above.add(exponent, sum.size.clone());
+                rises |= sum.above.is_positive();
+                falls |= sum.below.is_negative();
+                over.add(exponent.clone(), sum.above.clone());
+                under.add(exponent, -&sum.below);
             }
         }
         let (rest, exponent) = (rest(&self.surfaces, last as usize), integer(2 * last + 2));
         below.add(exponent.clone(), -&rest);
-        above.add(exponent, rest);
-        (below, above)
+        over.add(exponent.clone(), rest.clone());
+        under.add(exponent, rest);
+        let sides = match (rises, falls) {
+            (true, true) => vec![over, under],
+            (_, false) => vec![over],
+            (false, true) => vec![under],
+        };
+        (below, sides)
     }
 
-    /// The largest B/D at some radii, in `f64`: not a bound, but near the smallest.
-    fn estimate(&self, below: &Powers, above: &Powers) -> f64 {
+    /// The largest B/D at some radii, in `f64`: not a bound, but near the smallest. Infinite where there is none.
+    fn estimate(&self, below: &Powers, sides: &[Powers]) -> f64 {
         let scaled = |powers: &Powers| -> Vec<(f64, f64)> {
             powers.iter().map(|(exponent, value)| self.at_end(exponent, value)).collect()
         };
-        let (below, above) = (scaled(below), scaled(above));
+        let (below, sides) = (scaled(below), sides.iter().map(scaled).collect::<Vec<_>>());
         let ratio = |sample: u32| {
             let x = f64::from(sample) / f64::from(SAMPLES);
-            let value = |terms: &[(f64, f64)]| terms.iter().map(|(n, term)| term * x.powf(*n)).sum::<f64>();
-            value(&above) / value(&below)
+            let value =
+                |terms: &Vec<(f64, f64)>| terms.iter().map(|(n, term)| term * x.powf(*n)).sum::<f64>();
+            let gap = value(&below);
+            let neglected = sides.iter().map(value).fold(0.0, f64::max);
+            if gap > 0.0 { neglected / gap } else { f64::INFINITY }
         };
-        (1..=SAMPLES)
-            .map(ratio)
-            .fold(0.0, |most, ratio| if ratio >= 0.0 { most.max(ratio) } else { f64::NAN })
+        (1..=SAMPLES).map(ratio).fold(0.0, f64::max)
     }
 
     /// The exponent, and the term at the end of the range: exact until it is rounded, as powers of lengths in metres
@@ -206,7 +221,11 @@ impl Series {
         }
         let terms = surface.series(count(highest_order) as u32).ok()?;
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
-        Some(Ok(Series { terms, ratio }))
+        let rest = match shape.is_negative() {
+            true => Rational::one(),
+            false => (Rational::one() - ratio).recip(),
+        };
+        Some(Ok(Series { terms, rest }))
     }
 }
 
@@ -214,17 +233,17 @@ impl Bounds {
     /// Those for j = index + 1.
     fn of(surfaces: &[Series], index: usize) -> Self {
         let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
-        Bounds { below: floor(&sum, DIGITS), size: -floor(&-sum.abs(), DIGITS) }
+        Bounds { below: floor(&sum, DIGITS), above: -floor(&-&sum, DIGITS) }
     }
 }
 
 /// Not below M, where the first term that is not summed has this index.
 fn rest(surfaces: &[Series], index: usize) -> Rational {
-    let geometric = |series: &Series| {
+    let of_series = |series: &Series| {
         let first = series.terms.get(index)?;
-        Some(-floor(&-first.abs(), DIGITS) / (Rational::one() - &series.ratio))
+        Some(-floor(&-first.abs(), DIGITS) * &series.rest)
     };
-    unreduced_sum(surfaces.iter().filter_map(geometric))
+    unreduced_sum(surfaces.iter().filter_map(of_series))
 }
 
 /// Without the greatest common divisors that take most of the time of such a sum.

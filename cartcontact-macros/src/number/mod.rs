@@ -39,17 +39,20 @@ pub(crate) fn literal(value: &Rational) -> Literal {
     format!("{nearest:?}f64").parse().unwrap_or_else(|_| Literal::f64_suffixed(nearest))
 }
 
+const TOO_LONG: &str = "a number may have at most 1000 digits; round it";
+
 /// `digits` with `decimals` of them behind the point, times a power of ten.
 pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Result<Rational, &'static str> {
     if digits.len() > MAXIMUM_DIGITS {
-        return Err("a number may have at most 1000 digits");
+        return Err(TOO_LONG);
     }
     if exponent.abs() > MAXIMUM_DECIMAL_EXPONENT {
-        return Err("the exponent of a number must lie between -400 and 400");
+        return Err(
+            "the exponent of a number must lie between -400 and 400; use a unit of length that brings it nearer to 1",
+        );
     }
     let digits: BigInt = digits.parse().map_err(|_| "a number is written with decimal digits")?;
-    let shift =
-        i32::try_from(exponent - decimals as i64).map_err(|_| "a number may have at most 1000 digits")?;
+    let shift = i32::try_from(exponent - decimals as i64).map_err(|_| TOO_LONG)?;
     Ok(integer(digits) * integer(10).pow(shift))
 }
 
@@ -71,6 +74,9 @@ pub(crate) fn power(base: &Rational, exponent: &BigInt) -> Option<Rational> {
 
 /// The root of a positive number, if it is rational.
 pub(crate) fn root(base: &Rational, index: &BigInt) -> Option<Rational> {
+    if base.is_one() {
+        return Some(Rational::one());
+    }
     let index = index.to_u32().filter(|index| *index > 0 && base.is_positive())?;
     let root = Rational::new(base.numer().nth_root(index), base.denom().nth_root(index));
     let exact = root.numer().pow(index) == *base.numer() && root.denom().pow(index) == *base.denom();
@@ -163,6 +169,7 @@ mod tests {
         assert_eq!(power(&integer(-1), &999_999_999.into()), Some(integer(-1)));
         assert_eq!(power(&integer(-1), &(-2).into()), Some(integer(1)));
         assert_eq!(root(&fraction(8, 27), &3.into()), Some(fraction(2, 3)));
+        assert_eq!(root(&integer(1), &BigInt::from(10).pow(20)), Some(integer(1)));
         assert_eq!(root(&integer(2), &2.into()), None);
         assert_eq!(root(&integer(-8), &3.into()), None);
     }

@@ -9,7 +9,7 @@ use syn::Path;
 use syn::parse::Parser;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::item::closest;
+use crate::reading::entry::{Entry, Whole, entries, is_punct, similar};
 use crate::reading::parse;
 use crate::reading::positive::Positive;
 use crate::reading::syntax::{Expression, Kind, Summand};
@@ -35,9 +35,18 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut digits_before_comma = None;
     for entry in entries(tokens, diagnostics) {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
+        if let Some(message) = entry.without_comma() {
+            diagnostics.report(entry.extent(), message);
+            match entry.option() {
+                Some(_) => attribute.miss_option(&entry),
+                None => attribute.fail_at(&entry),
+            }
+            continue;
+        }
         match entry.option() {
             Some((name, _, _)) if names.contains(&name) => {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
+                attribute.fail_if_body(&entry);
             }
             Some((name, equals, value)) if name == "positive" => {
                 let names_of_fields = equals.is_some().then_some(value);
@@ -50,16 +59,14 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 bodies.push((name, parse::expression(value, place, diagnostics)));
             }
             Some((name, equals, value)) => {
-                attribute.set(&name, equals.unwrap_or(name.span()), value, diagnostics);
+                attribute.set(&name, equals.unwrap_or(name.span()), value, &entry, diagnostics);
                 names.push(name);
             }
             None => match entry
                 .without_equals()
-                .inspect(|_| attribute.lacks_option = true)
+                .inspect(|_| attribute.miss_option(&entry))
                 .or_else(|| attribute.decimals(&entry, before))
-                .or_else(|| {
-                    entry.without_comma().or_else(|| entry.named()).inspect(|_| attribute.fail_at(&entry))
-                })
+                .or_else(|| attribute.named(&entry).inspect(|_| attribute.fail_at(&entry)))
                 .or_else(|| attribute.no_room_for(&entry))
             {
                 Some(message) => diagnostics.report(entry.extent(), message),
@@ -77,8 +84,15 @@ fn whole(
     bodies: Vec<(Ident, Expression)>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Expression> {
+    let summand = |expression| Summand { subtracted: false, expression };
     match (gap, bodies.as_slice()) {
         (gap @ Some(_), []) => gap,
+        // What could not be read may be a body.
+        (Some(gap @ Expression { kind: Kind::Faulty, .. }), _) => {
+            let extent = gap.extent;
+            let read = bodies.into_iter().map(|(_, expression)| expression);
+            Some(Expression { kind: Kind::Sum(read.chain([gap]).map(summand).collect()), extent })
+        }
         (Some(_), [(name, _), ..]) => {
             let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
             diagnostics.report(name.span(), message);
@@ -99,21 +113,31 @@ fn whole(
         }
         (None, [(_, first), .., (_, last)]) => {
             let extent = Extent::between(first.extent, last.extent);
-            let summand = |(_, expression)| Summand { subtracted: false, expression };
-            Some(Expression { kind: Kind::Sum(bodies.into_iter().map(summand).collect()), extent })
+            let bodies = bodies.into_iter().map(|(_, expression)| summand(expression));
+            Some(Expression { kind: Kind::Sum(bodies.collect()), extent })
         }
     }
 }
 
 impl Attribute {
-    fn set(&mut self, name: &Ident, equals: Span, value: TokenStream, diagnostics: &mut Diagnostics) {
-        let slot = match name.to_string().as_str() {
+    fn slot(&mut self, name: &Ident) -> Option<&mut Option<Expression>> {
+        match name.to_string().as_str() {
             "max_radius" => Some(&mut self.max_radius),
             "order" => Some(&mut self.order),
             "tolerance" => Some(&mut self.tolerance),
             _ => None,
-        };
-        if let Some(slot) = slot {
+        }
+    }
+
+    fn set(
+        &mut self,
+        name: &Ident,
+        equals: Span,
+        value: TokenStream,
+        entry: &Entry,
+        diagnostics: &mut Diagnostics,
+    ) {
+        if let Some(slot) = self.slot(name) {
             *slot = Some(parse::expression(value, equals, diagnostics));
         } else if name == "crate" {
             let place = Extent::of(value.clone().into_iter().map(|token| token.span()), equals);
@@ -122,15 +146,12 @@ impl Attribute {
                 Err(_) => diagnostics
                     .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`"),
             }
+        } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
+            self.fail_at(entry);
+            diagnostics.report(name.span(), written_first(&format!("{name} =")));
         } else {
-            let of_r = value.into_iter().any(|token| matches!(token, TokenTree::Ident(r) if r == "r"));
-            if self.gap.is_none() && (of_r || name == "gap") {
-                self.gap = Some(Expression { kind: Kind::Faulty, extent: name.span().into() });
-                let message = format!("the gap is written first and without a name; remove `{name} =`");
-                return diagnostics.report(name.span(), message);
-            }
-            self.lacks_option = true;
-            let remedy = match closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect()) {
+            self.miss_option(entry);
+            let remedy = match similar(name) {
                 Some(option) => format!("did you mean `{option}`?"),
                 None => {
                     "there are `upper`, `lower`, `max_radius`, `order`, `tolerance`, `positive` and `crate`"
@@ -141,15 +162,45 @@ impl Attribute {
         }
     }
 
-    /// What to say about the digits behind a comma that is meant as a decimal point. Where they belong to the gap, it
+    /// What to say about the digits behind a comma that is meant as a decimal point. The number that they belong to
     /// cannot be read.
     fn decimals(&mut self, entry: &Entry, before: Option<Whole>) -> Option<String> {
-        let Whole { digits: whole, of_gap } = before?;
+        let Whole { digits: whole, option } = before?;
         let decimals = entry.first_digits()?;
-        if let Some(gap) = self.gap.as_mut().filter(|_| of_gap) {
-            gap.kind = Kind::Faulty;
+        let number = match option {
+            None => self.gap.as_mut(),
+            Some(name) if name == "upper" || name == "lower" => {
+                self.fail_at(entry);
+                None
+            }
+            // The gap may stand behind its options.
+            Some(_) if self.gap.is_none() && entry.tokens.len() > 1 => return None,
+            Some(name) => self.slot(&name).and_then(Option::as_mut),
+        };
+        if let Some(number) = number {
+            number.kind = Kind::Faulty;
         }
         Some(format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`"))
+    }
+
+    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`.
+    fn named(&self, entry: &Entry) -> Option<String> {
+        if self.gap.is_some() {
+            return None;
+        }
+        let name = match entry.tokens.as_slice() {
+            [TokenTree::Ident(name), TokenTree::Group(variable), equals, ..] if is_punct(equals, '=') => {
+                format!("{name}{variable} =")
+            }
+            [TokenTree::Ident(name), equals, arrow, ..] if is_punct(equals, '=') && is_punct(arrow, '>') => {
+                format!("{name} =>")
+            }
+            [TokenTree::Ident(name), colon, next, ..] if is_punct(colon, ':') && !is_punct(next, ':') => {
+                format!("{name}:")
+            }
+            _ => return None,
+        };
+        Some(written_first(&name))
     }
 
     /// Notes that the gap is there, but cannot be read.
@@ -157,151 +208,52 @@ impl Attribute {
         self.gap.get_or_insert(Expression { kind: Kind::Faulty, extent: entry.extent() });
     }
 
+    fn fail_if_body(&mut self, entry: &Entry) {
+        if entry.is_body() {
+            self.fail_at(entry);
+        }
+    }
+
+    /// Notes that an option could not be read, which may be a body.
+    fn miss_option(&mut self, entry: &Entry) {
+        self.lacks_option = true;
+        self.fail_if_body(entry);
+    }
+
     /// What to say about an entry that could only be a second gap.
-    fn no_room_for(&self, entry: &Entry) -> Option<String> {
+    fn no_room_for(&mut self, entry: &Entry) -> Option<String> {
         self.gap.as_ref()?;
-        let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
-        Some(match (fields, entry.tokens.as_slice()) {
-            (Some(fields), [TokenTree::Ident(another)]) => {
-                format!("several fields stand in parentheses; write `positive = ({fields}, {another})`")
+        if let [TokenTree::Ident(name)] = entry.tokens.as_slice() {
+            let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
+            if let Some(fields) = fields {
+                return Some(format!(
+                    "several fields stand in parentheses; write `positive = ({fields}, {name})`"
+                ));
             }
-            _ => {
-                "a profile has one gap, of one expression or of two bodies, `upper = ..., lower = ...`; options such as \
-                 `max_radius = 6.0` follow it after a comma"
-                    .to_owned()
+            if let Some(option) = similar(name) {
+                self.miss_option(entry);
+                return Some(format!("`{name}` is not an option; did you mean `{option}`?"));
             }
-        })
-    }
-}
-
-const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
-
-/// Digits before a comma that may be meant as a decimal point.
-struct Whole {
-    digits: String,
-    of_gap: bool,
-}
-
-/// What stands between two commas.
-struct Entry {
-    tokens: Vec<TokenTree>,
-    /// The comma before it.
-    place: Span,
-}
-
-impl Entry {
-    /// `name = value`, or `positive` alone; `==` is left to the expression, which says what is wrong with it.
-    fn option(&self) -> Option<(Ident, Option<Span>, TokenStream)> {
-        let (name, equals, value) = match self.tokens.as_slice() {
-            [TokenTree::Ident(name)] if name == "positive" => {
-                return Some((name.clone(), None, TokenStream::new()));
-            }
-            [TokenTree::Ident(name), TokenTree::Punct(equals), value @ ..] => (name, equals, value),
-            _ => return None,
-        };
-        let comparison = matches!(value.first(), Some(TokenTree::Punct(next)) if next.as_char() == '=');
-        let assigns = equals.as_char() == '=' && !comparison;
-        assigns.then(|| (name.clone(), Some(equals.span()), value.iter().cloned().collect()))
-    }
-
-    /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`,
-    /// `max-radius = 6`. In an expression none of these has a meaning.
-    fn without_equals(&self) -> Option<String> {
-        let equals = self.tokens.iter().position(|token| is_punct(token, '='));
-        let name = match (self.tokens.as_slice(), equals) {
-            ([TokenTree::Ident(name)], None) => name.to_string(),
-            ([TokenTree::Ident(name), next, ..], None)
-                if is_punct(next, ':') || !matches!(next, TokenTree::Punct(_)) =>
-            {
-                name.to_string()
-            }
-            (tokens, Some(equals)) => {
-                let words = tokens.iter().take(equals).filter(|token| matches!(token, TokenTree::Ident(_)));
-                words.map(TokenTree::to_string).collect::<Vec<String>>().join("_")
-            }
-            _ => return None,
-        };
-        let option = OPTIONS.into_iter().find(|option| *option == name)?;
-        let value = match option {
-            "upper" | "lower" => "sphere(20)",
-            "positive" => "(c, d)",
-            "order" => "4",
-            "tolerance" => "1e-6",
-            "crate" => "::cartcontact",
-            _ => "6.0",
-        };
-        Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
-    }
-
-    /// What to say about an option right behind a gap, `r^2 max_radius = 6`.
-    fn without_comma(&self) -> Option<String> {
-        let option = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
-            [TokenTree::Ident(name), equals] if is_punct(equals, '=') => {
-                OPTIONS.into_iter().find(|option| name == option)
-            }
-            _ => None,
-        })?;
-        Some(format!("a comma is missing before `{option}`; options follow the gap after commas"))
-    }
-
-    /// What to say about a gap with a name, `gap(r) = r^2`.
-    fn named(&self) -> Option<String> {
-        match self.tokens.as_slice() {
-            [TokenTree::Ident(name), TokenTree::Group(variable), equals, ..] if is_punct(equals, '=') => {
-                Some(format!("the gap is written first and without a name; remove `{name}{variable} =`"))
-            }
-            _ => None,
         }
-    }
-
-    /// The digits in front of the comma behind this entry, unless they are an exponent.
-    fn last_digits(&self) -> Option<Whole> {
-        let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
-        if before.last().is_some_and(|token| is_punct(token, '^')) {
-            return None;
-        }
-        let digits = digits.to_string();
-        let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
-        is_whole.then(|| Whole { digits, of_gap: self.option().is_none() })
-    }
-
-    /// The number, with its suffix, that this entry begins with.
-    fn first_digits(&self) -> Option<String> {
-        let [TokenTree::Literal(digits), ..] = self.tokens.as_slice() else { return None };
-        Some(digits.to_string()).filter(|digits| digits.starts_with(|first: char| first.is_ascii_digit()))
-    }
-
-    fn stream(&self) -> TokenStream {
-        self.tokens.iter().cloned().collect()
-    }
-
-    fn extent(&self) -> Extent {
-        Extent::of(self.tokens.iter().map(TokenTree::span), self.place)
+        Some(
+            "a profile has one gap, of one expression or of two bodies, `upper = ..., lower = ...`; options such as \
+             `max_radius = 6.0` follow it after a comma"
+                .to_owned(),
+        )
     }
 }
 
-fn is_punct(token: &TokenTree, character: char) -> bool {
-    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+fn written_first(name: &str) -> String {
+    format!("the gap is written first and without a name; remove `{name}`")
 }
 
-fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {
-    let mut entries = Vec::new();
-    let mut current = Entry { tokens: Vec::new(), place: Span::call_site() };
-    for token in tokens {
-        match token {
-            TokenTree::Punct(comma) if comma.as_char() == ',' => {
-                if current.tokens.is_empty() {
-                    diagnostics.report(comma.span(), "nothing stands before this comma; remove it");
-                }
-                let next = Entry { tokens: Vec::new(), place: comma.span() };
-                entries.push(core::mem::replace(&mut current, next));
-            }
-            token => current.tokens.push(token),
-        }
-    }
-    entries.push(current);
-    entries.retain(|entry| !entry.tokens.is_empty());
-    entries
+/// Whether the distance r or a surface is mentioned.
+fn is_of_r(tokens: TokenStream) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Ident(name) => ["r", "sphere", "conic"].iter().any(|known| name == known),
+        TokenTree::Group(group) => is_of_r(group.stream()),
+        _ => false,
+    })
 }
 
 #[cfg(test)]

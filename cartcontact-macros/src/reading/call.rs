@@ -11,24 +11,18 @@ impl Parser<'_> {
     /// `sphere(R)` or `conic(R, k)`, its name having been read.
     pub(super) fn surface(&mut self, name: &Ident, group: &Group) -> Expression {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
-        let mut arguments: Vec<&[TokenTree]> = tokens.split(is_comma).collect();
-        arguments.pop_if(|last| last.is_empty());
         let named =
             tokens.iter().any(|token| matches!(token, TokenTree::Punct(equals) if equals.as_char() == '='));
-        let (radius, conic_constant) = match (name.to_string().as_str(), arguments.as_slice()) {
+        let (radius, conic_constant) = match (name.to_string().as_str(), arguments(&tokens).as_slice()) {
             ("sphere", [radius]) if !named => (*radius, None),
             ("conic", [radius, conic_constant]) if !named => (*radius, Some(*conic_constant)),
-            (known @ ("sphere" | "conic"), _) => {
-                let place = Extent::between(self.previous, group.span().into());
-                return self.fault(place, wrong_arguments(known));
+            _ => {
+                let place = Extent::between(name.span().into(), group.span().into());
+                return match wrong_arguments(name) {
+                    Some(message) => self.fault(place, message),
+                    None => self.function(name, group),
+                };
             }
-            ("pow" | "powi" | "powf", [base, exponent]) => {
-                let (base, exponent) = (written(base), written(exponent));
-                let message = format!("a power is written with `^`; write `{base}^{exponent}`");
-                let place = Extent::between(self.previous, group.span().into());
-                return self.fault(place, message);
-            }
-            (other, _) => return self.fault(name.span(), not_a_surface(other)),
         };
         self.take_token();
         let extent = Extent::between(name.span().into(), self.previous);
@@ -38,27 +32,60 @@ impl Parser<'_> {
         let kind = Kind::Surface(Box::new(Surface { radius, conic_constant }));
         self.unless_method(Expression { kind, extent })
     }
+
+    /// Whatever else has arguments.
+    pub(super) fn function(&mut self, name: &Ident, group: &Group) -> Expression {
+        let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+        match power(name, &arguments(&tokens)) {
+            Some(message) => self.fault(Extent::between(name.span().into(), group.span().into()), message),
+            None => self.fault(name.span(), not_a_surface(&name.to_string())),
+        }
+    }
+}
+
+/// What stands between the commas.
+fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
+    let mut arguments: Vec<&[TokenTree]> = tokens.split(is_comma).collect();
+    arguments.pop_if(|last| last.is_empty());
+    arguments
 }
 
 fn is_comma(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Punct(comma) if comma.as_char() == ',')
 }
 
-fn wrong_arguments(surface: &str) -> &'static str {
-    match surface {
-        "sphere" => "`sphere` takes the radius of the sphere; write `sphere(20)`",
-        _ => "`conic` takes the radius at the vertex and the conic constant; write `conic(20, -0.5)`",
+/// What to say about a surface that is not written as one.
+pub(super) fn wrong_arguments(surface: &Ident) -> Option<&'static str> {
+    match surface.to_string().as_str() {
+        "sphere" => Some("`sphere` takes the radius of the sphere; write `sphere(20)`"),
+        "conic" => {
+            Some("`conic` takes the radius at the vertex and the conic constant; write `conic(20, -0.5)`")
+        }
+        _ => None,
     }
 }
 
+/// What to say about a function that raises to a power.
+fn power(name: &Ident, arguments: &[&[TokenTree]]) -> Option<String> {
+    let power = match (name.to_string().to_lowercase().as_str(), arguments) {
+        ("pow" | "powi" | "powf" | "power", [base, exponent]) => {
+            format!("{}^{}", written(base), written(exponent))
+        }
+        ("sq" | "sqr" | "square", [base]) => format!("{}^2", written(base)),
+        ("pow" | "powi" | "powf" | "power", _) => "r^2".to_owned(),
+        _ => return None,
+    };
+    Some(format!("a power is written with `^`; write `{power}`"))
+}
+
 fn not_a_surface(name: &str) -> String {
-    if let Some(surface) = closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
-        return format!("`{name}` is not a surface; did you mean `{surface}`?");
+    match closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
+        Some(surface) if surface != name => format!("`{name}` is not a surface; did you mean `{surface}`?"),
+        _ => format!(
+            "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a \
+             root write `r^0.5`, for a product `*`"
+        ),
     }
-    format!(
-        "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a root \
-         write `r^0.5`, for a product `*`"
-    )
 }
 
 fn written(tokens: &[TokenTree]) -> String {

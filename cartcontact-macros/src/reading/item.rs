@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 use syn::{Data, DeriveInput, Fields, Generics, Type};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::literal;
+use crate::reading::unit;
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {
@@ -41,7 +41,7 @@ pub(crate) enum FieldKind {
 pub(crate) enum Meaning<'a> {
     Symbol(&'a Field),
     WrongType(&'a Type),
-    Unknown { remedy: String },
+    Unknown,
 }
 
 /// The item without further gap profiles, which are reported: each would implement the same trait again.
@@ -114,12 +114,12 @@ impl Item {
     }
 
     pub(crate) fn meaning(&self, name: &Ident) -> Meaning<'_> {
-        if let Some(field) = self.fields.iter().find(|field| field.ident == *name) {
+        if let Some(field) = self.fields.iter().find(|field| is_same(&field.ident, name)) {
             return Meaning::Symbol(field);
         }
-        match self.others.iter().find(|(ident, _)| ident == name) {
+        match self.others.iter().find(|(ident, _)| is_same(ident, name)) {
             Some((_, ty)) => Meaning::WrongType(ty),
-            None => Meaning::Unknown { remedy: self.remedy(name) },
+            None => Meaning::Unknown,
         }
     }
 
@@ -127,22 +127,27 @@ impl Item {
         self.fields.iter().map(|field| field.ident.to_string()).collect()
     }
 
-    fn remedy(&self, name: &Ident) -> String {
+    /// What to write in place of an unknown name, where r may be meant or where it may not.
+    pub(crate) fn remedy(&self, name: &Ident, knows_r: bool) -> String {
+        let written = name.unraw().to_string();
         let mut known = self.field_names();
-        known.push("r".to_owned());
-        let closest = closest(&name.to_string(), known).map(|known| format!("did you mean `{known}`?"));
+        known.extend(knows_r.then(|| "r".to_owned()));
+        let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
+        let only = if knows_r { "only `r` is known here; " } else { "" };
+        let known = if knows_r { "`r`" } else { "a number" };
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
             None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
-            None if literal::is_unit(&name.to_string()) => format!("{}; remove it", literal::NO_UNITS),
-            None if self.fields.is_empty() && self.others.is_empty() => {
-                format!(
-                    "only `r` is known here; a field declares a symbol, as in `struct {} {{ {name}: f64 }}`",
-                    self.ident
-                )
+            None if unit::is_unit(&written) => format!("{}; remove it", unit::NO_UNITS),
+            // Words of Rust cannot name a field.
+            None if syn::parse_str::<Ident>(&name.to_string()).is_err() => {
+                format!("write {known} or a field")
             }
-            None => format!("write `r` or a field of `{}`", self.ident),
+            None if self.fields.is_empty() && self.others.is_empty() => {
+                format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
+            }
+            None => format!("write {known} or a field of `{}`", self.ident),
         }
     }
 
@@ -163,6 +168,11 @@ impl Item {
             }
         }
     }
+}
+
+/// Whether two names are one, as `r#radius` and `radius` are.
+pub(crate) fn is_same(one: &Ident, other: &Ident) -> bool {
+    one.unraw() == other.unraw()
 }
 
 /// `f64` and `f32` under any path, or one of the struct's own type parameters.
@@ -273,13 +283,12 @@ mod tests {
             }
         ));
         let item = item.unwrap();
-        let remedy = |name| match item.meaning(&format_ident!("{name}")) {
-            Meaning::Unknown { remedy } => remedy,
-            _ => String::new(),
-        };
+        let remedy = |name| item.remedy(&format_ident!("{name}"), true);
         assert_eq!(remedy("raduis"), "did you mean `radius`?");
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
+        assert_eq!(remedy("true"), "write `r` or a field");
+        assert_eq!(item.remedy(&format_ident!("R"), false), "write a number or a field of `Ball`");
         assert_eq!((distance("kitten", "sitting"), distance("", "abc")), (3, 3));
     }
 

@@ -3,20 +3,12 @@
 //! `0.025` is 1/40, not the `f64` nearest to it.
 
 use crate::number::{self, Rational};
+use crate::reading::unit::{NO_UNITS, is_unit};
 
 const NUMERIC_SUFFIXES: [&str; 16] = [
     "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64",
     "u128", "usize",
 ];
-
-/// Of lengths, as they are written behind a number.
-const UNITS: [&str; 7] = ["mm", "cm", "m", "um", "µm", "nm", "in"];
-
-pub(crate) const NO_UNITS: &str = "numbers have no units: all lengths are in one unit, such as mm";
-
-pub(crate) fn is_unit(name: &str) -> bool {
-    UNITS.contains(&name)
-}
 
 /// The number that a literal stands for, or the rule that it breaks.
 pub(crate) fn number(text: &str) -> Result<Rational, String> {

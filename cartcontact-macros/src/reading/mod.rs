@@ -2,8 +2,10 @@
 
 pub(crate) mod attribute;
 mod call;
+mod entry;
 pub(crate) mod item;
 pub(crate) mod literal;
 pub(crate) mod parse;
 pub(crate) mod positive;
 pub(crate) mod syntax;
+pub(crate) mod unit;

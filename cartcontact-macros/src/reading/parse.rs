@@ -8,6 +8,7 @@ use num_traits::One;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::call;
 use crate::reading::item::known_number;
 use crate::reading::literal;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
@@ -21,11 +22,11 @@ pub(crate) fn expression(tokens: TokenStream, place: Span, diagnostics: &mut Dia
 }
 
 pub(super) struct Parser<'a> {
-    rest: &'a [TokenTree],
+    pub(super) rest: &'a [TokenTree],
     /// What was read last: the place of "something is missing here".
     pub(super) previous: Extent,
     depth: usize,
-    diagnostics: &'a mut Diagnostics,
+    pub(super) diagnostics: &'a mut Diagnostics,
 }
 
 impl<'a> Parser<'a> {
@@ -150,20 +151,37 @@ impl<'a> Parser<'a> {
     }
 
     fn name(&mut self, name: &Ident) -> Expression {
-        if let Some(TokenTree::Group(arguments)) = self.rest.first()
-            && arguments.delimiter() == Delimiter::Parenthesis
+        if let Some(arguments) = self.arguments()
+            && name != "r"
         {
             return self.surface(name, arguments);
+        }
+        if let Some(next @ (TokenTree::Group(_) | TokenTree::Literal(_))) = self.rest.first()
+            && let Some(message) = call::wrong_arguments(name)
+        {
+            let place = Extent::between(name.span().into(), next.span().into());
+            return self.fault(place, message);
         }
         if is_case(name) {
             return self.case(name);
         }
         if let Some(last) = self.end_of_path() {
+            if let Some(arguments) = self.arguments() {
+                return self.function(&last, arguments);
+            }
             let place = Extent::between(name.span().into(), last.span().into());
             let remedy = known_number(&last).unwrap_or("write the number, or a field of the struct");
             return self.fault(place, format!("constants of a program are not known here; {remedy}"));
         }
         self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
+    }
+
+    /// What stands in parentheses behind a name.
+    fn arguments(&self) -> Option<&'a Group> {
+        match self.rest.first()? {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => Some(group),
+            _ => None,
+        }
     }
 
     /// The last name of a path such as `f64::INFINITY`, whose first has been read.
@@ -181,12 +199,15 @@ impl<'a> Parser<'a> {
     }
 
     fn case(&mut self, word: &Ident) -> Expression {
-        self.diagnostics.report(
-            word.span(),
-            format!(
+        let message = match word == "let" {
+            true => {
+                "a gap is one expression, without `let`; write the number in place of its name".to_owned()
+            }
+            false => format!(
                 "a gap is one expression for all radii, without cases such as `{word}`; use a sum of powers"
             ),
-        );
+        };
+        self.diagnostics.report(word.span(), message);
         self.rest = &[];
         Expression { kind: Kind::Faulty, extent: word.span().into() }
     }
@@ -222,8 +243,9 @@ impl<'a> Parser<'a> {
         if dot.as_char() != '.' {
             return receiver;
         }
+        let is_call = matches!(self.rest.get(2), Some(TokenTree::Group(_)));
         let message = match &receiver.kind {
-            Kind::Name(name) if name == "self" => {
+            Kind::Name(name) if name == "self" || (name != "r" && !is_call) => {
                 format!("fields are written by name alone; write `{member}`")
             }
             Kind::Number(_) if member.to_string().starts_with(['e', 'E']) => {
@@ -275,6 +297,9 @@ impl<'a> Parser<'a> {
         if matches!(next, TokenTree::Punct(_)) {
             return None;
         }
+        if self.reads_unit() {
+            return self.next_product_operator();
+        }
         // Which parentheses are read is said where they are.
         if matches!(next, TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket))
         {
@@ -282,20 +307,21 @@ impl<'a> Parser<'a> {
         }
         let place = Extent::between(self.previous, next.span().into());
         if let TokenTree::Ident(word) = next {
-            if literal::is_unit(&word.to_string()) {
-                let message = format!(
-                    "{}; remove `{word}`, or write `*` before it if it is a field",
-                    literal::NO_UNITS
-                );
-                self.diagnostics.report(place, message);
+            if (word == "x" || word == "X")
+                && self.rest.get(1).is_some_and(|next| !matches!(next, TokenTree::Punct(_)))
+            {
+                self.diagnostics.report(word.span(), format!("a product is written with `*`, not `{word}`"));
                 self.take_token();
-                return self.next_product_operator();
+                return Some(false);
             }
             if word == "as" {
                 let message = "numbers here are exact and have no type; remove `as` and what follows it";
                 self.diagnostics.report(word.span(), message);
                 self.take_token();
                 self.take_token();
+                if self.take_punct('^').is_some() {
+                    self.deeper(Self::factor);
+                }
                 return self.next_product_operator();
             }
             if is_case(word) {
@@ -357,7 +383,7 @@ impl<'a> Parser<'a> {
 }
 
 fn is_case(name: &Ident) -> bool {
-    ["if", "else", "match", "for", "while", "where"].iter().any(|word| name == word)
+    ["if", "else", "match", "for", "while", "where", "let"].iter().any(|word| name == word)
 }
 
 fn is_double_star(first: &Punct, second: &Punct) -> bool {

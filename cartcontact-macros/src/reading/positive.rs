@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::item::{Item, Meaning, closest};
+use crate::reading::item::{Item, Meaning, closest, is_same};
 
 /// The option as it was written, at `place`.
 pub(crate) struct Positive {
@@ -27,7 +27,7 @@ impl Positive {
             Err(place) => return diagnostics.report(place, syntax(item)),
         };
         for name in names {
-            let fault = match item.fields.iter_mut().find(|field| field.ident == name) {
+            let fault = match item.fields.iter_mut().find(|field| is_same(&field.ident, &name)) {
                 Some(field) if field.is_positive => Some(format!("`{name}` is named twice; keep one")),
                 Some(field) => {
                     field.is_positive = true;
@@ -50,7 +50,7 @@ impl Positive {
             return;
         };
         for name in listed(names.clone(), self.place).unwrap_or_default() {
-            if item.fields.iter().any(|field| field.ident == name && !field.used) {
+            if item.fields.iter().any(|field| is_same(&field.ident, &name) && !field.used) {
                 let message = format!("the geometry does not depend on `{name}`; remove it from `positive`");
                 diagnostics.report(name.span(), message);
             }

@@ -62,6 +62,8 @@ fn the_language_means_what_it_says() {
         ("r^(5/2)/2 + r^2.5", "1.5 r^5/2"),
         ("r^-2 * r^4", "1 r^2"),
         ("r^4/r^2/2*3", "1.5 r^2"),
+        ("r^2.3333333333", "1 r^23333333333/10000000000"),
+        ("max_radius = 6, 2 * r^2", "2 r^2"),
         ("+r^2 + r^4 - r^2 * r^2", "1 r^2"),
         ("r*(1 + r) - r", "1 r^2"),
         ("(4*r^2)^0.5", "2 r^1"),
@@ -78,6 +80,18 @@ fn fields_are_symbols() {
     assert!(
         on_ball("r^2/(radius - radius)").err().unwrap().iter().any(|message| message.contains("divisor"))
     );
+}
+
+#[test]
+fn raw_names_are_names() {
+    let item = quote!(
+        struct Ball {
+            r#radius: f64,
+            r#type: f64,
+        }
+    );
+    let ball = run("radius * r^2 + r#type * r^4, positive = (radius, type)".parse().unwrap(), item);
+    assert!(matches!(ball.map(|geometry| geometry.proof), Ok(Proof::AllRadii { .. })));
 }
 
 #[test]
@@ -168,6 +182,37 @@ fn likely_slips_are_understood() {
         ("r^1000000000000000000000", "at most 1024"),
         ("radius * r^2, positive(radius)", "write it as in `positive = (c, d)`"),
         ("radius * r^2, positive = radius, depth", "write `positive = (radius, depth)`"),
+        ("0.025 mm^-1 * r^2", "remove `mm^-1`"),
+        ("0.025 1/mm * r^2", "remove `1/mm`"),
+        ("0.025 (1/mm) * r^2", "numbers have no units"),
+        ("r^2, max_radius = 6 [mm]", "remove `[mm]`"),
+        ("0.025 x r^2", "a product is written with `*`, not `x`"),
+        ("r as f64 ^ 2", "remove `as`"),
+        ("f64::powi(r, 2)", "write `r^2`"),
+        ("Pow(2 * r, 2)", "write `(2 * r)^2`"),
+        ("pow(r)", "write `r^2`"),
+        ("0.025 * square(r)", "write `r^2`"),
+        ("f64::sin(r)", "functions such as `sin`"),
+        ("r (1 + r)", "an operator is missing"),
+        ("Ball.radius * r^2", "write `radius`"),
+        ("gap: r^2", "remove `gap:`"),
+        ("r => r^2", "remove `r =>`"),
+        ("phi = sphere(10), order = 4", "remove `phi =`"),
+        ("let c = 2; c * r^2", "without `let`"),
+        ("radius * r^2 positive", "a comma is missing before `positive`"),
+        ("radius * r^2, Positive", "did you mean `positive`?"),
+        ("sphere(10), max_radius = 6 order = 4", "a comma is missing before `order`"),
+        ("radius * r^2, max_radius = 6 positive", "a comma is missing before `positive`"),
+        ("upper = sphere(10) lower = 0, order = 4", "a comma is missing before `lower`"),
+        ("sphere(10), order = 4, tolerance = 0,001, max_radius = 3", "write `0.001`"),
+        ("upper = sphere(10), lower = 0, order = 4, 0.025 * r^2", "remove `upper`"),
+        ("lower = 0,05 * r^2, upper = 0", "write `0.05`"),
+        ("upper: sphere(10), lower = 0, order = 4", "as in `upper = sphere(20)`"),
+        ("Upper = sphere(10), lower = 0, order = 4", "did you mean `upper`?"),
+        ("lower = 0, upper, order = 4", "as in `upper = sphere(20)`"),
+        ("upper = r^2, upper = r^2", "given twice"),
+        ("sphere(R), order = 4", "write a number or a field of `Ball`"),
+        ("r^2, max_radius = R", "write a number or a field of `Ball`"),
     ] {
         let messages = on_ball(text).err().unwrap();
         assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
@@ -220,6 +265,8 @@ fn each_fault_is_named() {
         ("r^1025", "at most 1024"),
         ("1e-390*r", "does not fit"),
         ("2^0.5*r", "not a fraction"),
+        ("(-4)^0.5*r", "no root"),
+        ("0^0*r", "no value"),
         ("r^2, max_radius = 0", "greater than 0"),
         ("r^2, max_radius = r", "must not depend on r"),
         ("r^2, max_radius = 1e400", "does not fit"),

@@ -53,11 +53,15 @@ fn the_bound_holds_and_is_sharp() {
         ("7.3", "2", "3.5", 8),
         ("20", "-0.75", "19", 2),
         ("5", "0", "4.5", 64),
+        // The terms of a hyperboloid alternate.
+        ("5", "-2", "4.5", 8),
+        ("5", "-2", "4.5", 30),
+        ("10", "-5.5", "4.478", 126),
     ] {
         let bound = bound(&format!("conic({radius}, {k}), order = {order}, max_radius = {range}"));
         let range = exact(range);
         let total = partial_sum(radius, k, &range, 2..=300);
-        let ratio = partial_sum(radius, k, &range, order + 2..=300) / total;
+        let ratio = partial_sum(radius, k, &range, order + 2..=300).abs() / total;
         assert!(
             bound >= ratio && bound <= &ratio * exact("1.1"),
             "{radius} {k} {range} {order}: {bound} {ratio}"
@@ -80,14 +84,17 @@ fn the_bound_covers_the_whole_range() {
 
 #[test]
 fn the_smallest_order_is_found() {
-    for tolerance in ["0.1", "1e-3", "1e-6", "1e-12"] {
-        let gap = format!("sphere(10) - sphere(20), max_radius = 8, tolerance = {tolerance}");
-        let found = order(&format!("{gap}, order = auto"));
-        assert!(bound(&format!("{gap}, order = auto")) <= exact(tolerance) * exact("1.02"));
-        assert_eq!(order(&format!("{gap}, order = {}", found + 2)), found + 2);
-        if found > 2 {
-            let messages = on_unit(&format!("{gap}, order = {}", found - 2)).err().unwrap();
-            assert!(messages.iter().all(|message| message.ends_with(&format!("write `order = {found}`"))));
+    for gap in ["sphere(10) - sphere(20), max_radius = 8", "conic(10, -3) - sphere(20), max_radius = 5"] {
+        for tolerance in ["0.1", "1e-3", "1e-6", "1e-12"] {
+            let gap = format!("{gap}, tolerance = {tolerance}");
+            let found = order(&format!("{gap}, order = auto"));
+            assert!(bound(&format!("{gap}, order = auto")) <= exact(tolerance) * exact("1.02"));
+            assert_eq!(order(&format!("{gap}, order = {}", found + 2)), found + 2);
+            if found > 2 {
+                let messages = on_unit(&format!("{gap}, order = {}", found - 2)).err().unwrap();
+                let remedy = format!("write `order = {found}`");
+                assert!(messages.iter().all(|message| message.ends_with(&remedy)));
+            }
         }
     }
 }
@@ -103,7 +110,16 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(10), order = -7", "write `order = 2`"),
         ("sphere(10), order = 2.5", "write `order = 4`"),
         ("sphere(10), order = 130", "at most 128"),
-        ("sphere(10), order = r", "must not depend on r"),
+        ("sphere(10), order = r", "an even number"),
+        ("sphere(10), order = Auto", "or `auto`"),
+        ("sphere(10), order = 4, tolerance = r", "between 0 and 1"),
+        ("sphere(10), order = 4, tolerance = 1e-400, max_radius = 3", "between 0 and 1"),
+        ("sphere(10), tolerance = 1e-6, max_radius = 3", "as in `order = auto`"),
+        ("sphere(10), order = auto", "add one, as in `tolerance = 1e-6, max_radius = 6.0`"),
+        ("r^2, order = 4, tolerance = 1e-6", "`order` and `tolerance` are for surfaces"),
+        ("sphere[10], order = 4", "write `sphere(20)`"),
+        ("sphere 10, order = 4", "write `sphere(20)`"),
+        ("conic{10, -0.5}, order = 4", "write `conic(20, -0.5)`"),
         ("sphere(0), order = 4", "must not be zero"),
         ("sphere(1 - 1), order = 4", "must not be zero"),
         ("-sphere(10), order = 4", "falls from the centre"),

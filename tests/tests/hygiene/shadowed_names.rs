@@ -15,6 +15,8 @@ struct Iterator;
 struct Scalar;
 struct GapProfile;
 struct PositiveTerm;
+#[allow(non_camel_case_types, reason = "it is in the way on purpose")]
+struct bool;
 mod core {}
 mod generated {}
 fn coefficients() {}

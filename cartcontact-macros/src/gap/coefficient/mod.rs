@@ -207,8 +207,7 @@ impl Product {
     }
 
     fn integer_power(mut self, exponent: &BigInt) -> Result<Product, &'static str> {
-        let number = number::power(&self.number, exponent)
-            .ok_or("this power is too large or too small to compute with")?;
+        let number = number::power(&self.number, exponent).ok_or(TOO_LARGE)?;
         let factor = number::integer(exponent.clone());
         self.powers.map(|own| *own = &*own * &factor);
         Product { number, ..self }.limited()
@@ -218,7 +217,7 @@ impl Product {
         let limit = number::integer(MAXIMUM_POWER);
         match self.powers.iter().all(|(_, exponent)| exponent.abs() <= limit) {
             true => Ok(self),
-            false => Err("a field may be raised to powers up to 1024"),
+            false => Err("a field may be raised to powers up to 1024; write a lower one"),
         }
     }
 
@@ -245,10 +244,16 @@ impl From<Product> for Coefficient {
     }
 }
 
+const TOO_LARGE: &str =
+    "this power is too large or too small to compute with; keep it within the range of an `f64`";
+
 fn root_of_number(number: &Rational, exponent: &Rational) -> Result<Rational, &'static str> {
+    if number.is_negative() {
+        return Err("a negative number has no root here; write a positive one");
+    }
     let root = number::root(number, exponent.denom())
         .ok_or("this root is not a fraction, and numbers are kept exact; write it as a decimal")?;
-    number::power(&root, exponent.numer()).ok_or("this power is too large or too small to compute with")
+    number::power(&root, exponent.numer()).ok_or(TOO_LARGE)
 }
 
 #[cfg(test)]

@@ -1,0 +1,153 @@
+//! What stands between two commas of `#[gap_profile(...)]`, and what is meant by it where it is not as it should be.
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+
+use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::item::closest;
+
+pub(super) const OPTIONS: [&str; 7] =
+    ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
+
+/// The option that a name is likely to stand for.
+pub(super) fn similar(name: &Ident) -> Option<String> {
+    closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect())
+}
+
+/// Digits before a comma that may be meant as a decimal point.
+pub(super) struct Whole {
+    pub(super) digits: String,
+    /// Whose value they are; nothing for the gap.
+    pub(super) option: Option<Ident>,
+}
+
+/// What stands between two commas.
+pub(super) struct Entry {
+    pub(super) tokens: Vec<TokenTree>,
+    /// The comma before it.
+    pub(super) place: Span,
+}
+
+impl Entry {
+    /// `name = value`, or `positive` alone; `==` and `=>` are left to others, who say what is wrong with them.
+    pub(super) fn option(&self) -> Option<(Ident, Option<Span>, TokenStream)> {
+        let (name, equals, value) = match self.tokens.as_slice() {
+            [TokenTree::Ident(name)] if name == "positive" => {
+                return Some((name.clone(), None, TokenStream::new()));
+            }
+            [TokenTree::Ident(name), TokenTree::Punct(equals), value @ ..] => (name, equals, value),
+            _ => return None,
+        };
+        let continues = value.first().is_some_and(|next| is_punct(next, '=') || is_punct(next, '>'));
+        let assigns = equals.as_char() == '=' && !continues;
+        assigns.then(|| (name.clone(), Some(equals.span()), value.iter().cloned().collect()))
+    }
+
+    /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`,
+    /// `max-radius = 6`. In an expression none of these has a meaning.
+    pub(super) fn without_equals(&self) -> Option<String> {
+        let equals = self.tokens.iter().position(|token| is_punct(token, '='));
+        let name = match (self.tokens.as_slice(), equals) {
+            ([TokenTree::Ident(name)], None) => name.to_string(),
+            ([TokenTree::Ident(name), next, ..], None)
+                if is_punct(next, ':') || !matches!(next, TokenTree::Punct(_)) =>
+            {
+                name.to_string()
+            }
+            (tokens, Some(equals)) => {
+                let words = tokens.iter().take(equals).filter(|token| matches!(token, TokenTree::Ident(_)));
+                words.map(TokenTree::to_string).collect::<Vec<String>>().join("_")
+            }
+            _ => return None,
+        };
+        let option = OPTIONS.into_iter().find(|option| *option == name)?;
+        let value = match option {
+            "upper" | "lower" => "sphere(20)",
+            "positive" => "(c, d)",
+            "order" => "4",
+            "tolerance" => "1e-6",
+            "crate" => "::cartcontact",
+            _ => "6.0",
+        };
+        Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
+    }
+
+    /// What to say about an option right behind a gap or another option, `r^2 max_radius = 6`, `order = 4 positive`.
+    pub(super) fn without_comma(&self) -> Option<String> {
+        let assigned = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
+            [TokenTree::Ident(name), equals] if is_punct(equals, '=') => {
+                OPTIONS.into_iter().find(|option| name == option)
+            }
+            _ => None,
+        });
+        let option = assigned.or_else(|| match self.tokens.as_slice() {
+            [
+                ..,
+                TokenTree::Group(_) | TokenTree::Ident(_) | TokenTree::Literal(_),
+                TokenTree::Ident(last),
+            ] => (last == "positive").then_some("positive"),
+            _ => None,
+        })?;
+        Some(format!("a comma is missing before `{option}`; options follow the gap after commas"))
+    }
+
+    /// Whether this is meant as one of the two bodies.
+    pub(super) fn is_body(&self) -> bool {
+        let name = self.tokens.first().and_then(|first| match first {
+            TokenTree::Ident(name) => similar(name),
+            _ => None,
+        });
+        name.is_some_and(|name| name == "upper" || name == "lower")
+    }
+
+    /// The digits in front of the comma behind this entry, unless they are an exponent.
+    pub(super) fn last_digits(&self) -> Option<Whole> {
+        let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
+        if before.last().is_some_and(|token| is_punct(token, '^')) {
+            return None;
+        }
+        let digits = digits.to_string();
+        let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
+        is_whole.then(|| Whole { digits, option: self.option().map(|(name, _, _)| name) })
+    }
+
+    /// The number without a point, but with its suffix, that this entry begins with.
+    pub(super) fn first_digits(&self) -> Option<String> {
+        let [TokenTree::Literal(digits), ..] = self.tokens.as_slice() else { return None };
+        let is_whole = |digits: &String| {
+            digits.starts_with(|first: char| first.is_ascii_digit()) && !digits.contains('.')
+        };
+        Some(digits.to_string()).filter(is_whole)
+    }
+
+    pub(super) fn stream(&self) -> TokenStream {
+        self.tokens.iter().cloned().collect()
+    }
+
+    pub(super) fn extent(&self) -> Extent {
+        Extent::of(self.tokens.iter().map(TokenTree::span), self.place)
+    }
+}
+
+pub(super) fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}
+
+pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    let mut current = Entry { tokens: Vec::new(), place: Span::call_site() };
+    for token in tokens {
+        match token {
+            TokenTree::Punct(comma) if comma.as_char() == ',' => {
+                if current.tokens.is_empty() {
+                    diagnostics.report(comma.span(), "nothing stands before this comma; remove it");
+                }
+                let next = Entry { tokens: Vec::new(), place: comma.span() };
+                entries.push(core::mem::replace(&mut current, next));
+            }
+            token => current.tokens.push(token),
+        }
+    }
+    entries.push(current);
+    entries.retain(|entry| !entry.tokens.is_empty());
+    entries
+}

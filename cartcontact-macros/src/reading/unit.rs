@@ -1,0 +1,55 @@
+//! What people write behind a number as its unit: `mm`, `mm^-1`, `1/mm`, `(1/mm)`, `[mm]`.
+
+use proc_macro2::TokenTree;
+
+use crate::diagnostics::Extent;
+use crate::reading::parse::Parser;
+
+/// Of lengths.
+const UNITS: [&str; 8] = ["mm", "cm", "m", "um", "µm", "nm", "in", "inch"];
+
+pub(crate) const NO_UNITS: &str = "numbers have no units: all lengths are in one unit, such as mm";
+
+pub(crate) fn is_unit(name: &str) -> bool {
+    UNITS.contains(&name)
+}
+
+impl Parser<'_> {
+    /// Reads over a unit, if there is one, and reports it.
+    pub(super) fn reads_unit(&mut self) -> bool {
+        let Some(length) = length(self.rest) else { return false };
+        let number = self.previous;
+        let written: String = self.rest.iter().take(length).map(ToString::to_string).collect();
+        (0..length).for_each(|_| self.take_token());
+        let message = format!("{NO_UNITS}; remove `{written}`, or write `*` before it if it is a field");
+        self.diagnostics.report(Extent::between(number, self.previous), message);
+        true
+    }
+}
+
+/// How many of the next tokens are a unit; nothing if there is none.
+fn length(tokens: &[TokenTree]) -> Option<usize> {
+    match tokens {
+        [TokenTree::Ident(name), rest @ ..] if is_unit(&name.to_string()) => Some(1 + exponent(rest)),
+        [TokenTree::Literal(one), TokenTree::Punct(slash), rest @ ..]
+            if one.to_string() == "1" && slash.as_char() == '/' =>
+        {
+            Some(2 + length(rest)?)
+        }
+        [TokenTree::Group(group), ..] => {
+            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+            length(&inner).filter(|length| *length == inner.len()).map(|_| 1)
+        }
+        _ => None,
+    }
+}
+
+/// How many tokens `^2` and `^-2` are.
+fn exponent(tokens: &[TokenTree]) -> usize {
+    let is = |token: &TokenTree, sign| matches!(token, TokenTree::Punct(own) if own.as_char() == sign);
+    match tokens {
+        [power, TokenTree::Literal(_), ..] if is(power, '^') => 2,
+        [power, minus, TokenTree::Literal(_), ..] if is(power, '^') && is(minus, '-') => 3,
+        _ => 0,
+    }
+}
