@@ -7,7 +7,7 @@ use num_traits::{ToPrimitive, Zero};
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::{LikeTerms, Summable};
-use crate::number::Rational;
+use crate::number::{Rational, integer};
 
 /// Bounds the work of multiplying out, far above what a profile needs.
 const MAXIMUM_PRODUCTS: usize = 1 << 14;
@@ -42,6 +42,10 @@ impl Polynomial {
 
     pub(crate) fn constant(coefficient: Coefficient, extent: Extent) -> Self {
         Polynomial::new(coefficient, Rational::zero(), extent)
+    }
+
+    pub(crate) fn one(extent: Extent) -> Self {
+        Polynomial::constant(Coefficient::constant(integer(1)), extent)
     }
 
     pub(crate) fn terms(&self) -> &[(Rational, Monomial)] {
@@ -119,10 +123,13 @@ impl Polynomial {
         self.repeated(exponent.ok_or("a sum may be raised to powers up to 4096")?)
     }
 
-    /// By squaring, from the leading bit of the exponent down.
+    /// By squaring, from the leading bit of the exponent down, which 0 has not.
     fn repeated(&self, exponent: u32) -> Result<Polynomial, &'static str> {
         let mut result = self.clone();
-        for bit in (0..exponent.checked_ilog2().unwrap_or(0)).rev() {
+        let Some(leading) = exponent.checked_ilog2() else {
+            return Ok(self.terms().first().map_or(result, |(_, first)| Polynomial::one(first.extent)));
+        };
+        for bit in (0..leading).rev() {
             result = result.multiply(&result)?;
             if (exponent >> bit) & 1 == 1 {
                 result = result.multiply(self)?;
