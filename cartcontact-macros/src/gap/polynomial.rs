@@ -11,6 +11,9 @@ use crate::number::{Rational, integer};
 
 /// Bounds the work of multiplying out, far above what a profile needs.
 const MAXIMUM_PRODUCTS: usize = 1 << 14;
+/// The same where coefficients depend on fields: sums in them are not multiplied out, so they grow several times over
+/// with each square. Up to here they take about as long as as many terms.
+const MAXIMUM_SIZE: usize = 1 << 10;
 
 /// Terms by exponent; no coefficient is zero.
 #[derive(Clone, Default)]
@@ -91,6 +94,13 @@ impl Polynomial {
         if self.terms.len().saturating_mul(other.terms.len()) > MAXIMUM_PRODUCTS {
             return Err("this multiplies out to too many terms; write a gap of at most 256 terms");
         }
+        // Each coefficient stands in as many products as the other sum has terms.
+        if self.terms.len() * other.size() + other.terms.len() * self.size() > MAXIMUM_SIZE {
+            return Err(
+                "this multiplies out to too long an expression in the fields, which every evaluation would have to \
+                        compute; declare a field for each coefficient of the gap, and compute its value in the program",
+            );
+        }
         let mut product = Polynomial::default();
         for (exponent, monomial) in self.terms() {
             for (other_exponent, other_monomial) in other.terms() {
@@ -136,6 +146,11 @@ impl Polynomial {
             }
         }
         Ok(result)
+    }
+
+    /// How many fields are written in its coefficients, each as often as it is.
+    fn size(&self) -> usize {
+        self.terms().iter().map(|(_, monomial)| monomial.coefficient.size()).sum()
     }
 
     pub(crate) fn accumulate(&mut self, exponent: Rational, monomial: Monomial) {
