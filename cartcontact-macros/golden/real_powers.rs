@@ -20,14 +20,14 @@
 struct RealPowers;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: __cartcontact::Scalar>(
+    fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
@@ -222,12 +222,12 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match SEEDS
+            match __SEEDS
                 .radius(
                     __load_integral,
                     __limit,
                     __cartcontact::generated::OwnUnits,
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -310,13 +310,13 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            SEEDS
+            __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
                     __cartcontact::generated::OwnUnits,
                     #[inline(always)]
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -15,6 +15,7 @@ mod steepness;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::GenericParam;
+use syn::ext::IdentExt;
 
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
@@ -169,24 +170,29 @@ fn documented(item: &TokenStream, lines: &[String]) -> TokenStream {
     quote!(#attributes #(#[doc = #lines])* #rest)
 }
 
-/// The type parameter that the used fields have, or one of the implementation's own.
+/// The type parameter that the used fields have, or one of the implementation's own. As that is seen in documentation,
+/// it is `T` unless the struct's parameters or their bounds mean something else by it.
 fn scalar_of(item: &Item) -> Ident {
     let own = item.fields.iter().filter(|field| field.used).find_map(|field| match &field.kind {
         FieldKind::TypeParameter(parameter) => Some(parameter.clone()),
         _ => None,
     });
     own.unwrap_or_else(|| {
-        let taken = |name: &str| {
-            item.ident == name
-                || item.generics.params.iter().any(|parameter| match parameter {
-                    GenericParam::Type(parameter) => parameter.ident == name,
-                    GenericParam::Const(parameter) => parameter.ident == name,
-                    GenericParam::Lifetime(_) => false,
-                })
-        };
+        let Item { ident, generics, .. } = item;
+        let (parameters, bounds) = (&generics.params, &generics.where_clause);
+        let taken = quote!(#ident #parameters #bounds);
         let mut names = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
-        let name = names.find(|name| !taken(name)).unwrap_or_default();
+        let name = names.find(|name| !names_something(&taken, name)).unwrap_or_default();
         Ident::new(&name, Span::call_site())
+    })
+}
+
+/// Whether a name occurs in some tokens: a parameter that is called so, or a type in a bound.
+fn names_something(tokens: &TokenStream, name: &str) -> bool {
+    tokens.clone().into_iter().any(|token| match token {
+        TokenTree::Ident(own) => own.unraw() == name,
+        TokenTree::Group(group) => names_something(&group.stream(), name),
+        _ => false,
     })
 }
 
