@@ -138,7 +138,7 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
         let name = format_ident!("{name}");
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
-    let inherent = inherent::stub(item);
+    let inherent = inherent::stub(item, &names);
     quote! {
         #input
         #inherent

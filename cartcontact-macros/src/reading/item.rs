@@ -146,6 +146,17 @@ impl Item {
         }
     }
 
+    /// Notes which fields a faulty attribute names, or may mean: its geometry would depend on them.
+    pub(crate) fn mark_named(&mut self, written: TokenStream) {
+        let mut names = Vec::new();
+        collect_names(written, &mut names);
+        let known = self.field_names();
+        let meant: Vec<String> = names.iter().filter_map(|name| closest(name, known.clone())).collect();
+        for field in &mut self.fields {
+            field.used = meant.contains(&field.ident.to_string());
+        }
+    }
+
     /// Notes which fields a geometry depends on. They share one scalar type, so they may name one parameter at most.
     pub(crate) fn mark_used(&mut self, used: impl Fn(&Ident) -> bool, diagnostics: &mut Diagnostics) {
         let mut parameter: Option<Ident> = None;
@@ -215,6 +226,18 @@ fn distance(left: &str, right: &str) -> usize {
         row = next;
     }
     row.last().copied().unwrap_or(0)
+}
+
+/// The names in some tokens, without that of the distance r.
+fn collect_names(tokens: TokenStream, names: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) if name == "r" => {}
+            TokenTree::Ident(name) => names.push(name.to_string()),
+            TokenTree::Group(group) => collect_names(group.stream(), names),
+            _ => {}
+        }
+    }
 }
 
 #[cfg(test)]
