@@ -5,11 +5,11 @@
 ///
 /// ```text
 /// gap, mm               Φ(r)   = 0.025 r² + 1.09375e-4 r⁴
-/// approach, mm          δ₀(a)  = 0.0125 a² + 7/192000 a⁴    (10)
-/// slope of the approach δ₀′(a) = 0.025 a + 7/48000 a³
-/// load integral, mm⁵    J(a)   = 1/480 a⁶ + 7/768000 a⁸    (14)
-/// log kernel, mm³       L(x)   = 0.0015625 x⁴ + 7/2304000 x⁶    (28)
-/// pressure kernel, mm³  G(a,r) = (a² − r²)² [0.0015625 + 7/2304000 (2 a² + r²)]    (28)
+/// approach, mm          δ₀(a)  = 0.0125 a² + (7/192000) a⁴    (10)
+/// slope of the approach δ₀′(a) = 0.025 a + (7/48000) a³
+/// load integral, mm⁵    J(a)   = (1/480) a⁶ + (7/768000) a⁸    (14)
+/// log kernel, mm³       L(x)   = 0.0015625 x⁴ + (7/2304000) x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = (a² − r²)² [0.0015625 + (7/2304000) (2 a² + r²)]    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///

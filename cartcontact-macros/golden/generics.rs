@@ -4,12 +4,12 @@
 /// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
 ///
 /// ```text
-/// gap, mm               Φ(r)   = c r² + 1/c^0.5 r^2.5
-/// approach, mm          δ₀(a)  = c/2 a² + 4/(9·c^0.5) a^2.5    (10)
-/// slope of the approach δ₀′(a) = c a + 10/(9·c^0.5) a^1.5
-/// load integral, mm⁵    J(a)   = c/12 a⁶ + 10/(117·c^0.5) a^6.5    (14)
-/// log kernel, mm³       L(x)   = c/16 x⁴ + 4/(81·c^0.5) x^4.5    (28)
-/// pressure kernel, mm³  G(a,r) = c/32 a⁴ K(2, r/a) + 2/(81·c^0.5) a^4.5 K(2.5, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// gap, mm               Φ(r)   = c r² + (1/c^0.5) r^2.5
+/// approach, mm          δ₀(a)  = (c/2) a² + (4/(9·c^0.5)) a^2.5    (10)
+/// slope of the approach δ₀′(a) = c a + (10/(9·c^0.5)) a^1.5
+/// load integral, mm⁵    J(a)   = (c/12) a⁶ + (10/(117·c^0.5)) a^6.5    (14)
+/// log kernel, mm³       L(x)   = (c/16) x⁴ + (4/(81·c^0.5)) x^4.5    (28)
+/// pressure kernel, mm³  G(a,r) = (c/32) a⁴ K(2, r/a) + (2/(81·c^0.5)) a^4.5 K(2.5, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///

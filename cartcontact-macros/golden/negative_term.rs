@@ -5,11 +5,11 @@
 ///
 /// ```text
 /// gap, mm               Φ(r)   = 0.05 r² − 0.004 r³ + 2e-4 r⁴
-/// approach, mm          δ₀(a)  = 0.025 a² − 0.0016 a³ + 1/15000 a⁴    (10)
-/// slope of the approach δ₀′(a) = 0.05 a − 0.0048 a² + 1/3750 a³
-/// load integral, mm⁵    J(a)   = 1/240 a⁶ − 3/8750 a⁷ + 1/60000 a⁸    (14)
-/// log kernel, mm³       L(x)   = 0.003125 x⁴ − 1.6e-4 x⁵ + 1/180000 x⁶    (28)
-/// pressure kernel, mm³  G(a,r) = 0.0015625 a⁴ K(2, r/a) − 8e-5 a⁵ K(3, r/a) + 1/360000 a⁶ K(4, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// approach, mm          δ₀(a)  = 0.025 a² − 0.0016 a³ + (1/15000) a⁴    (10)
+/// slope of the approach δ₀′(a) = 0.05 a − 0.0048 a² + (1/3750) a³
+/// load integral, mm⁵    J(a)   = (1/240) a⁶ − (3/8750) a⁷ + (1/60000) a⁸    (14)
+/// log kernel, mm³       L(x)   = 0.003125 x⁴ − 1.6e-4 x⁵ + (1/180000) x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = 0.0015625 a⁴ K(2, r/a) − 8e-5 a⁵ K(3, r/a) + (1/360000) a⁶ K(4, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///

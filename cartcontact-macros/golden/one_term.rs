@@ -8,7 +8,7 @@
 /// gap, mm               Φ(r)   = 0.025 r²
 /// approach, mm          δ₀(a)  = 0.0125 a²    (10)
 /// slope of the approach δ₀′(a) = 0.025 a
-/// load integral, mm⁵    J(a)   = 1/480 a⁶    (14)
+/// load integral, mm⁵    J(a)   = (1/480) a⁶    (14)
 /// log kernel, mm³       L(x)   = 0.0015625 x⁴    (28)
 /// pressure kernel, mm³  G(a,r) = (a² − r²)² [0.0015625]    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)

@@ -4,12 +4,12 @@
 /// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
 ///
 /// ```text
-/// gap, mm               Φ(r)   = c r² + 1/(8·radius^3) r⁴
-/// approach, mm          δ₀(a)  = c/2 a² + 1/(24·radius^3) a⁴    (10)
-/// slope of the approach δ₀′(a) = c a + 1/(6·radius^3) a³
-/// load integral, mm⁵    J(a)   = c/12 a⁶ + 1/(96·radius^3) a⁸    (14)
-/// log kernel, mm³       L(x)   = c/16 x⁴ + 1/(288·radius^3) x⁶    (28)
-/// pressure kernel, mm³  G(a,r) = (a² − r²)² [c/16 + 1/(288·radius^3) (2 a² + r²)]    (28)
+/// gap, mm               Φ(r)   = c r² + (1/(8·radius^3)) r⁴
+/// approach, mm          δ₀(a)  = (c/2) a² + (1/(24·radius^3)) a⁴    (10)
+/// slope of the approach δ₀′(a) = c a + (1/(6·radius^3)) a³
+/// load integral, mm⁵    J(a)   = (c/12) a⁶ + (1/(96·radius^3)) a⁸    (14)
+/// log kernel, mm³       L(x)   = (c/16) x⁴ + (1/(288·radius^3)) x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = (a² − r²)² [c/16 + (1/(288·radius^3)) (2 a² + r²)]    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///

@@ -5,11 +5,11 @@
 ///
 /// ```text
 /// gap, mm               Φ(r)   = 0.01 r^1.5 + 0.002 r^3.25
-/// approach, mm          δ₀(a)  = 1/175 a^1.5 + 2/2625 a^3.25    (10)
-/// slope of the approach δ₀′(a) = 3/350 a^0.5 + 13/5250 a^2.25
-/// load integral, mm⁵    J(a)   = 3/3850 a^5.5 + 13/76125 a^7.25    (14)
-/// log kernel, mm³       L(x)   = 1/1225 x^3.5 + 4/55125 x^5.25    (28)
-/// pressure kernel, mm³  G(a,r) = 1/2450 a^3.5 K(1.5, r/a) + 2/55125 a^5.25 K(3.25, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// approach, mm          δ₀(a)  = (1/175) a^1.5 + (2/2625) a^3.25    (10)
+/// slope of the approach δ₀′(a) = (3/350) a^0.5 + (13/5250) a^2.25
+/// load integral, mm⁵    J(a)   = (3/3850) a^5.5 + (13/76125) a^7.25    (14)
+/// log kernel, mm³       L(x)   = (1/1225) x^3.5 + (4/55125) x^5.25    (28)
+/// pressure kernel, mm³  G(a,r) = (1/2450) a^3.5 K(1.5, r/a) + (2/55125) a^5.25 K(3.25, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///

@@ -70,8 +70,8 @@ fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
     let mut text = String::new();
     for (coefficient, power) in products {
         let (negative, size) = match coefficient.as_constant() {
-            Some(number) => (number.is_negative(), decimal(&number.abs())),
-            None => (false, parenthesised(&coefficient.to_string())),
+            Some(number) => (number.is_negative(), factor(&decimal(&number.abs()), &power)),
+            None => (false, factor(&coefficient.to_string(), &power)),
         };
         text += match (text.is_empty(), negative) {
             (true, false) => "",
@@ -87,11 +87,13 @@ fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
     text
 }
 
-fn parenthesised(coefficient: &str) -> String {
-    if coefficient.contains(" + ") || coefficient.contains(" - ") {
-        format!("({coefficient})")
-    } else {
-        coefficient.to_owned()
+/// A coefficient as it stands before a power or a unit, if there is one: in parentheses if it is a sum, or a fraction
+/// that could seem to go on.
+fn factor(coefficient: &str, behind: &str) -> String {
+    let is_sum = coefficient.contains(" + ") || coefficient.contains(" - ");
+    match is_sum || (coefficient.contains('/') && !behind.is_empty()) {
+        true => format!("({coefficient})"),
+        false => coefficient.to_owned(),
     }
 }
 
