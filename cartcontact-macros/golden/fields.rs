@@ -13,7 +13,7 @@
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
-/// Admissibility depends on the fields and is checked when a `Contact` is made.
+/// Admissibility up to `limit` mm depends on the fields and is checked when a `Contact` is made.
 ///
 /// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
 ///

@@ -13,7 +13,7 @@
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
-/// Admissible for every contact radius: no coefficient can be negative, whatever values the fields may have.
+/// Admissible for every contact radius (no coefficient can be negative with the fields declared positive); used up to `radius/2` mm.
 ///
 /// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
 ///

@@ -13,7 +13,7 @@
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
-/// Admissibility depends on the fields and is checked when a `Contact` is made.
+/// Admissibility up to 6 mm depends on the fields and is checked when a `Contact` is made.
 ///
 /// Surfaces are expanded in powers of r up to r⁴. How much this neglects depends on the radius and is not bounded here.
 ///

@@ -108,7 +108,8 @@ pub(crate) fn solver(
     let shared = coefficients.function();
     let header = implementation(item, &names);
     let beside = Operations::of_function(&shared);
-    let documented = documented(input, &documentation::lines(geometry, seeds.as_ref(), &operations, beside));
+    let documented =
+        documented(input, &documentation::lines(item, geometry, seeds.as_ref(), &operations, beside));
     quote! {
         #documented
         const _: () = {
