@@ -20,6 +20,7 @@ use syn::ext::IdentExt;
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
 use crate::reading::item::{FieldKind, Item};
+use crate::seeds::Seeds;
 use coefficients::Coefficients;
 use operations::Operations;
 
@@ -60,15 +61,52 @@ pub(crate) fn solver(
     geometry: &Geometry,
     krate: &TokenStream,
 ) -> TokenStream {
-    // What follows a failed import causes no further errors.
+    // All generated code reaches the run-time crate by one import, as the compiler is silent about what follows from a
+    // failed one: a wrong path is one error, where it is written.
     let root = local("cartcontact").into_token_stream();
     let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
     let generated = Ident::new("generated", Span::call_site().located_at(place));
     let names = Names { krate: &root, scalar: scalar_of(item) };
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
-    let scalar = &names.scalar;
+    let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
+    let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
+    let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
+    let beside_inversion = beside_inversion(geometry, &forms, seeds.as_ref(), &coefficients, &names);
+    let range = range::methods(item, geometry, &coefficients, &names);
+    let inherent = inherent::block(item, geometry, &coefficients, &names);
+    let shape = shape(geometry, &coefficients, &names);
+    let shared = coefficients.function();
+    let header = implementation(item, &names);
+    let beside = Operations::of_function(&shared);
+    let lines = documentation::lines(item, geometry, seeds.as_ref(), &operations, beside);
+    let documented = documented(input, &lines);
+    quote! {
+        #documented
+        const _: () = {
+            use #krate::#generated::root as #root;
+            #shared
+            #beside_inversion
+            #[automatically_derived]
+            #header {
+                #evaluators
+                #inversion
+                #range
+                #shape
+            }
+            #inherent
+        };
+    }
+}
 
+/// The methods that evaluate closed forms, and the operations that those of the interface take.
+fn evaluators(
+    geometry: &Geometry,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> (TokenStream, Vec<Operations>) {
+    let (scalar, preamble) = (&names.scalar, coefficients.preamble());
     let sums: [(_, _, _, power_sum::Form); 8] = [
         ("gap", "r", &forms.gap, power_sum::value),
         ("approach", "a", &forms.approach, power_sum::value),
@@ -82,8 +120,7 @@ pub(crate) fn solver(
     let mut operations: Vec<Operations> = Vec::new();
     let evaluators = sums.map(|(name, variable, sum, form)| {
         let (name, variable) = (format_ident!("{name}"), local(variable));
-        let preamble = coefficients.preamble();
-        let body = form(sum, &variable, &coefficients, &names);
+        let body = form(sum, &variable, coefficients, names);
         operations.push(body.operations);
         let body = body.code;
         quote! {
@@ -93,39 +130,23 @@ pub(crate) fn solver(
     });
     // The quick forms, which are the last, are not part of the interface.
     operations.truncate(5);
-    let pressure_kernels = pressure_kernel::methods(&geometry.gap, &coefficients, &names);
+    let pressure_kernels = pressure_kernel::methods(&geometry.gap, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));
-    let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
-    let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
-    let beside_inversion = match &seeds {
-        Some(seeds) => Some(seeds::items(seeds, &forms.load_integral, &coefficients, &names)),
-        None if leading_term::is_for(&geometry.gap) => leading_term::items(&forms.load_integral, &names),
+    (quote!(#(#evaluators)* #(#pressure_kernels)*), operations)
+}
+
+/// What the inversion calls that is no method: a table and the step from it, or the step alone.
+fn beside_inversion(
+    geometry: &Geometry,
+    forms: &ClosedForms,
+    seeds: Option<&Seeds>,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> Option<TokenStream> {
+    match seeds {
+        Some(seeds) => Some(seeds::items(seeds, &forms.load_integral, coefficients, names)),
+        None if leading_term::is_for(&geometry.gap) => leading_term::items(&forms.load_integral, names),
         None => None,
-    };
-    let range = range::methods(item, geometry, &coefficients, &names);
-    let inherent = inherent::block(item, geometry, &coefficients, &names);
-    let shape = shape(geometry, &coefficients, &names);
-    let shared = coefficients.function();
-    let header = implementation(item, &names);
-    let beside = Operations::of_function(&shared);
-    let documented =
-        documented(input, &documentation::lines(item, geometry, seeds.as_ref(), &operations, beside));
-    quote! {
-        #documented
-        const _: () = {
-            use #krate::#generated::root as #root;
-            #shared
-            #beside_inversion
-            #[automatically_derived]
-            #header {
-                #(#evaluators)*
-                #(#pressure_kernels)*
-                #inversion
-                #range
-                #shape
-            }
-            #inherent
-        };
     }
 }
 
