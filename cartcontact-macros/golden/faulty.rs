@@ -11,10 +11,6 @@ const _: () = {
         pub const MAX_RADIUS: ::core::primitive::f64 = 0.0;
         #[doc(hidden)]
         pub const TRUNCATION_ERROR: ::core::primitive::f64 = 0.0;
-        #[doc(hidden)]
-        pub fn terms(&self) -> [(T, T); 0] {
-            []
-        }
     }
     #[automatically_derived]
     impl<T, T_> __cartcontact::GapProfile<T_> for Knee<T>

@@ -4,12 +4,12 @@
 /// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
 ///
 /// ```text
-/// gap, mm               Φ(r)   = c r² + 1/c^0.5 r^2.5
-/// approach, mm          δ₀(a)  = c/2 a² + 4/(9·c^0.5) a^2.5    (10)
-/// slope of the approach δ₀′(a) = c a + 10/(9·c^0.5) a^1.5
-/// load integral, mm⁵    J(a)   = c/12 a⁶ + 10/(117·c^0.5) a^6.5    (14)
-/// log kernel, mm³       L(x)   = c/16 x⁴ + 4/(81·c^0.5) x^4.5    (28)
-/// pressure kernel, mm³  G(a,r) = c/32 a⁴ K(2, r/a) + 2/(81·c^0.5) a^4.5 K(2.5, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// gap, mm               Φ(r)   = c r² + (1/c^0.5) r^2.5
+/// approach, mm          δ₀(a)  = (c/2) a² + (4/(9·c^0.5)) a^2.5    (10)
+/// slope of the approach δ₀′(a) = c a + (10/(9·c^0.5)) a^1.5
+/// load integral, mm⁵    J(a)   = (c/12) a⁶ + (10/(117·c^0.5)) a^6.5    (14)
+/// log kernel, mm³       L(x)   = (c/16) x⁴ + (4/(81·c^0.5)) x^4.5    (28)
+/// pressure kernel, mm³  G(a,r) = (c/32) a⁴ K(2, r/a) + (2/(81·c^0.5)) a^4.5 K(2.5, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
@@ -35,7 +35,7 @@ const _: () = {
         reason = "generated operators seem to span an attribute's lines"
     )]
     #[inline]
-    fn coefficients<'a, S: Copy, T>(__profile: &Any<'a, S, T>) -> [S; 2usize]
+    fn __coefficients<'a, S: Copy, T>(__profile: &Any<'a, S, T>) -> [S; 2usize]
     where
         T: Clone,
         S: __cartcontact::Scalar,
@@ -49,14 +49,14 @@ const _: () = {
             ),
         ]
     }
-    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<S: __cartcontact::Scalar>(
+    fn __steepness<S: __cartcontact::Scalar>(
         __a: S,
         [__c0,
         __c1,
@@ -86,7 +86,7 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::power_sum(
                 __r,
                 [
@@ -100,7 +100,7 @@ const _: () = {
         }
         #[inline]
         fn approach(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::power_sum(
                 __a,
                 [
@@ -120,7 +120,7 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::power_sum(
                 __a,
                 [
@@ -137,7 +137,7 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::power_sum(
                 __a,
                 [
@@ -160,7 +160,7 @@ const _: () = {
         }
         #[inline]
         fn log_kernel(&self, __x: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::power_sum(
                 __x,
                 [
@@ -180,7 +180,7 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::quick_power_sum(
                 __a,
                 [
@@ -200,7 +200,7 @@ const _: () = {
         }
         #[inline]
         fn quick_approach_slope(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::quick_power_sum(
                 __a,
                 [
@@ -217,7 +217,7 @@ const _: () = {
         }
         #[inline]
         fn quick_load_integral(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::quick_power_sum(
                 __a,
                 [
@@ -240,7 +240,7 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::pressure_kernel(
                 __a,
                 __r,
@@ -255,7 +255,7 @@ const _: () = {
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::quick_pressure_kernel(
                 __a,
                 __r,
@@ -274,8 +274,8 @@ const _: () = {
             __load_integral: S,
             __limit: S,
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            match SEEDS
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            match __SEEDS
                 .radius(
                     __load_integral,
                     __limit,
@@ -295,7 +295,7 @@ const _: () = {
                             <S as __cartcontact::Scalar>::constant(6.5f64),
                         ),
                     ),
-                    |__a| steepness(__a, [__c0, __c1]),
+                    |__a| __steepness(__a, [__c0, __c1]),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -368,8 +368,8 @@ const _: () = {
             __limit: S,
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
-            SEEDS
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
@@ -390,7 +390,7 @@ const _: () = {
                         ),
                     ),
                     #[inline(always)]
-                    |__a| steepness(__a, [__c0, __c1]),
+                    |__a| __steepness(__a, [__c0, __c1]),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
@@ -400,7 +400,7 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: S, __depth: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::power_sum_drop(
                 __a,
                 __depth,
@@ -429,7 +429,7 @@ const _: () = {
             __places: (&[S], &[S]),
             __values: (&mut [S], &mut [S]),
         ) {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::fill_slopes_and_drops(
                 self,
                 __a,
@@ -455,7 +455,7 @@ const _: () = {
         }
         #[inline]
         fn max_radius(&self) -> S {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
                     (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
@@ -470,7 +470,7 @@ const _: () = {
             }
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
                     (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
@@ -501,7 +501,7 @@ const _: () = {
         }
         #[inline]
         fn has_only_positive_terms(&self) -> ::core::primitive::bool {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __c0 >= <S as __cartcontact::Scalar>::constant(0.0f64)
         }
     }
@@ -513,7 +513,7 @@ const _: () = {
     {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms(&self) -> [(S, S); 2usize] {
-            let [__c0, __c1]: [S; 2usize] = coefficients(self);
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             [
                 (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                 (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),

@@ -5,11 +5,11 @@
 ///
 /// ```text
 /// gap, mm               Φ(r)   = 0.05 r² − 0.004 r³ + 2e-4 r⁴
-/// approach, mm          δ₀(a)  = 0.025 a² − 0.0016 a³ + 1/15000 a⁴    (10)
-/// slope of the approach δ₀′(a) = 0.05 a − 0.0048 a² + 1/3750 a³
-/// load integral, mm⁵    J(a)   = 1/240 a⁶ − 3/8750 a⁷ + 1/60000 a⁸    (14)
-/// log kernel, mm³       L(x)   = 0.003125 x⁴ − 1.6e-4 x⁵ + 1/180000 x⁶    (28)
-/// pressure kernel, mm³  G(a,r) = 0.0015625 a⁴ K(2, r/a) − 8e-5 a⁵ K(3, r/a) + 1/360000 a⁶ K(4, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// approach, mm          δ₀(a)  = 0.025 a² − 0.0016 a³ + (1/15000) a⁴    (10)
+/// slope of the approach δ₀′(a) = 0.05 a − 0.0048 a² + (1/3750) a³
+/// load integral, mm⁵    J(a)   = (1/240) a⁶ − (3/8750) a⁷ + (1/60000) a⁸    (14)
+/// log kernel, mm³       L(x)   = 0.003125 x⁴ − 1.6e-4 x⁵ + (1/180000) x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = 0.0015625 a⁴ K(2, r/a) − 8e-5 a⁵ K(3, r/a) + (1/360000) a⁶ K(4, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
@@ -32,14 +32,14 @@
 struct MixedSign;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: __cartcontact::Scalar>(
+    fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
@@ -183,12 +183,12 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match SEEDS
+            match __SEEDS
                 .radius(
                     __load_integral,
                     __limit,
                     __cartcontact::generated::OwnUnits,
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -260,13 +260,13 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            SEEDS
+            __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
                     __cartcontact::generated::OwnUnits,
                     #[inline(always)]
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -8,7 +8,7 @@
 /// gap, mm               Φ(r)   = 0.025 r²
 /// approach, mm          δ₀(a)  = 0.0125 a²    (10)
 /// slope of the approach δ₀′(a) = 0.025 a
-/// load integral, mm⁵    J(a)   = 1/480 a⁶    (14)
+/// load integral, mm⁵    J(a)   = (1/480) a⁶    (14)
 /// log kernel, mm³       L(x)   = 0.0015625 x⁴    (28)
 /// pressure kernel, mm³  G(a,r) = (a² − r²)² [0.0015625]    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
@@ -33,14 +33,14 @@
 pub struct Paraboloid;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -148,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: __cartcontact::Scalar>(
+    fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
@@ -136,12 +136,12 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match SEEDS
+            match __SEEDS
                 .radius(
                     __load_integral,
                     __limit,
                     __cartcontact::generated::OwnUnits,
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -165,13 +165,13 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            SEEDS
+            __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
                     __cartcontact::generated::OwnUnits,
                     #[inline(always)]
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -4,16 +4,16 @@
 /// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
 ///
 /// ```text
-/// gap, mm               Φ(r)   = c r² + 1/(8·radius^3) r⁴
-/// approach, mm          δ₀(a)  = c/2 a² + 1/(24·radius^3) a⁴    (10)
-/// slope of the approach δ₀′(a) = c a + 1/(6·radius^3) a³
-/// load integral, mm⁵    J(a)   = c/12 a⁶ + 1/(96·radius^3) a⁸    (14)
-/// log kernel, mm³       L(x)   = c/16 x⁴ + 1/(288·radius^3) x⁶    (28)
-/// pressure kernel, mm³  G(a,r) = (a² − r²)² [c/16 + 1/(288·radius^3) (2 a² + r²)]    (28)
+/// gap, mm               Φ(r)   = c r² + (1/(8·radius^3)) r⁴
+/// approach, mm          δ₀(a)  = (c/2) a² + (1/(24·radius^3)) a⁴    (10)
+/// slope of the approach δ₀′(a) = c a + (1/(6·radius^3)) a³
+/// load integral, mm⁵    J(a)   = (c/12) a⁶ + (1/(96·radius^3)) a⁸    (14)
+/// log kernel, mm³       L(x)   = (c/16) x⁴ + (1/(288·radius^3)) x⁶    (28)
+/// pressure kernel, mm³  G(a,r) = (a² − r²)² [c/16 + (1/(288·radius^3)) (2 a² + r²)]    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
-/// Admissible for every contact radius: no coefficient can be negative, whatever values the fields may have.
+/// Admissible for every contact radius (no coefficient can be negative with the fields declared positive); used up to `radius/2` mm.
 ///
 /// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
 ///
@@ -45,7 +45,7 @@ const _: () = {
         reason = "generated operators seem to span an attribute's lines"
     )]
     #[inline]
-    fn coefficients<T>(__profile: &Worn) -> [T; 2usize]
+    fn __coefficients<T>(__profile: &Worn) -> [T; 2usize]
     where
         T: __cartcontact::Scalar,
     {
@@ -60,14 +60,14 @@ const _: () = {
                 }),
         ]
     }
-    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: __cartcontact::Scalar>(
+    fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         [__c0,
         __c1,
@@ -96,12 +96,12 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::precise_even_sum(__r, 2u32, [__c0, __c1])
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
@@ -113,7 +113,7 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::precise_even_sum(
                 __a,
                 1u32,
@@ -125,7 +125,7 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::precise_even_sum(
                 __a,
                 6u32,
@@ -138,7 +138,7 @@ const _: () = {
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
@@ -151,7 +151,7 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __s = __a * __a;
             (__c0 * <T as __cartcontact::Scalar>::constant(0.5f64)
                 + (__c1 * <T as __cartcontact::Scalar>::constant(0.3333333333333333f64))
@@ -159,7 +159,7 @@ const _: () = {
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __s = __a * __a;
             (__c0
                 + (__c1 * <T as __cartcontact::Scalar>::constant(1.3333333333333333f64))
@@ -167,7 +167,7 @@ const _: () = {
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __s = __a * __a;
             (__c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)
                 + (__c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64))
@@ -175,7 +175,7 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
@@ -188,7 +188,7 @@ const _: () = {
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::quick_even_pressure_kernel(
                 __a,
                 __r,
@@ -205,8 +205,8 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            match SEEDS
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            match __SEEDS
                 .radius(
                     __load_integral,
                     __limit,
@@ -226,7 +226,7 @@ const _: () = {
                             <T as __cartcontact::Scalar>::constant(8.0f64),
                         ),
                     ),
-                    |__a| steepness(__a, [__c0, __c1]),
+                    |__a| __steepness(__a, [__c0, __c1]),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -287,8 +287,8 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
-            SEEDS
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
@@ -309,7 +309,7 @@ const _: () = {
                         ),
                     ),
                     #[inline(always)]
-                    |__a| steepness(__a, [__c0, __c1]),
+                    |__a| __steepness(__a, [__c0, __c1]),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,
@@ -319,7 +319,7 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
@@ -348,7 +348,7 @@ const _: () = {
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::fill_by_functions(
                 __places,
                 __values,
@@ -402,7 +402,7 @@ const _: () = {
             } {
                 return ::core::result::Result::Err(__error);
             }
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
                 ::core::iter::IntoIterator::into_iter([
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
@@ -448,7 +448,7 @@ const _: () = {
     impl Worn {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms<T: __cartcontact::Scalar>(&self) -> [(T, T); 2usize] {
-            let [__c0, __c1]: [T; 2usize] = coefficients(self);
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             [
                 (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                 (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),

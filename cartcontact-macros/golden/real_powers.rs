@@ -5,11 +5,11 @@
 ///
 /// ```text
 /// gap, mm               Φ(r)   = 0.01 r^1.5 + 0.002 r^3.25
-/// approach, mm          δ₀(a)  = 1/175 a^1.5 + 2/2625 a^3.25    (10)
-/// slope of the approach δ₀′(a) = 3/350 a^0.5 + 13/5250 a^2.25
-/// load integral, mm⁵    J(a)   = 3/3850 a^5.5 + 13/76125 a^7.25    (14)
-/// log kernel, mm³       L(x)   = 1/1225 x^3.5 + 4/55125 x^5.25    (28)
-/// pressure kernel, mm³  G(a,r) = 1/2450 a^3.5 K(1.5, r/a) + 2/55125 a^5.25 K(3.25, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// approach, mm          δ₀(a)  = (1/175) a^1.5 + (2/2625) a^3.25    (10)
+/// slope of the approach δ₀′(a) = (3/350) a^0.5 + (13/5250) a^2.25
+/// load integral, mm⁵    J(a)   = (3/3850) a^5.5 + (13/76125) a^7.25    (14)
+/// log kernel, mm³       L(x)   = (1/1225) x^3.5 + (4/55125) x^5.25    (28)
+/// pressure kernel, mm³  G(a,r) = (1/2450) a^3.5 K(1.5, r/a) + (2/55125) a^5.25 K(3.25, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
 /// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// ```
 ///
@@ -20,14 +20,14 @@
 struct RealPowers;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
         first: -176,
         count: 256,
         single: true,
         rows: [/* 256 cubics */],
     };
     #[inline(always)]
-    fn steepness<T: __cartcontact::Scalar>(
+    fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
@@ -222,12 +222,12 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match SEEDS
+            match __SEEDS
                 .radius(
                     __load_integral,
                     __limit,
                     __cartcontact::generated::OwnUnits,
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -310,13 +310,13 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            SEEDS
+            __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
                     __cartcontact::generated::OwnUnits,
                     #[inline(always)]
-                    |__a| steepness(__a, []),
+                    |__a| __steepness(__a, []),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -55,6 +55,7 @@ pub fn gap_profile(
 /// The item as it was and, beside it, its solver; or every fault, and a stub so that the rest still compiles.
 fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
+    let written = attribute.clone();
     let attribute = attribute::parse(attribute, &mut diagnostics);
     let input = item::with_one_profile(input, &mut diagnostics);
     let item = item::parse(input.clone(), &mut diagnostics);
@@ -63,7 +64,10 @@ fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
         let geometry = geometry::geometry(&attribute, &mut item, &mut diagnostics);
         match geometry.filter(|_| diagnostics.is_empty()) {
             Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
-            None => emit::fallback(&input, &item, &crate_path),
+            None => {
+                item.mark_named(written);
+                emit::fallback(&input, &item, &crate_path)
+            }
         }
     });
     let output = output.unwrap_or(input);

@@ -33,7 +33,8 @@ const OCTAVES_ABOVE: i32 = 4;
 const OCTAVES_ABOVE_EQUALITY: i32 = 20;
 /// A shorter table is not worth its code.
 const FEWEST_ROWS: usize = 32;
-/// Logarithms of what a step begins with, up to which none of its products overflows: they have up to three factors.
+/// The products of a step have up to three of the numbers that it begins with for factors. While the logarithms of
+/// these are below the bound, none of the products overflows.
 const LARGEST_DOUBLE: f64 = 300.0;
 const LARGEST_SINGLE: f64 = 100.0;
 /// ε/8.

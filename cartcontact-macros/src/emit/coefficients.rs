@@ -87,7 +87,8 @@ impl<'a> Coefficients<'a> {
         if count == 0 {
             return TokenStream::new();
         }
-        quote!(let #variables: [#scalar; #count] = coefficients(self);)
+        let coefficients = name();
+        quote!(let #variables: [#scalar; #count] = #coefficients(self);)
     }
 
     /// The function that computes the coefficients that are not constants; empty if all are.
@@ -101,7 +102,7 @@ impl<'a> Coefficients<'a> {
         let type_generics = arguments(&self.item.generics);
         let generics = bounded_generics(self.item, self.names);
         let (impl_generics, _, where_clause) = generics.split_for_impl();
-        let profile = local("profile");
+        let (coefficients, profile) = (name(), local("profile"));
         let fields = self.fields(&quote!(#profile), &|field| {
             self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
         });
@@ -109,7 +110,7 @@ impl<'a> Coefficients<'a> {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
             #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
             #[inline]
-            fn coefficients #impl_generics (#profile: &#ident #type_generics) -> [#scalar; #count] #where_clause {
+            fn #coefficients #impl_generics (#profile: &#ident #type_generics) -> [#scalar; #count] #where_clause {
                 #fields
                 [#(#values),*]
             }
@@ -139,6 +140,11 @@ impl<'a> Coefficients<'a> {
         let terms = self.geometry.gap.terms.iter().map(|term| &term.coefficient).enumerate();
         terms.filter(|(_, coefficient)| coefficient.as_constant().is_none())
     }
+}
+
+/// The name of the function that computes them.
+fn name() -> Ident {
+    local("coefficients")
 }
 
 fn variable(term: usize) -> Ident {

@@ -10,10 +10,12 @@ use crate::gap::expansion::Truncation;
 use crate::geometry::{Geometry, Range};
 use crate::number::{Rational, decimal, integer};
 use crate::proof::Proof;
+use crate::reading::item::Item;
 use crate::seeds::Seeds;
 
 /// The lines of the documentation, to stand behind the item's own.
 pub(super) fn lines(
+    item: &Item,
     geometry: &Geometry,
     seeds: Option<&Seeds>,
     operations: &[Operations],
@@ -47,7 +49,7 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
         sum(&forms.load_integral, "a"),
         sum(&forms.log_kernel, "x"),
         kernel(gap),
-        admissibility(geometry),
+        admissibility(item, geometry),
         truncation(geometry),
         table(seeds, gap),
         effort(operations, shared),
@@ -70,8 +72,8 @@ fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
     let mut text = String::new();
     for (coefficient, power) in products {
         let (negative, size) = match coefficient.as_constant() {
-            Some(number) => (number.is_negative(), decimal(&number.abs())),
-            None => (false, parenthesised(&coefficient.to_string())),
+            Some(number) => (number.is_negative(), factor(&decimal(&number.abs()), &power)),
+            None => (false, factor(&coefficient.to_string(), &power)),
         };
         text += match (text.is_empty(), negative) {
             (true, false) => "",
@@ -87,11 +89,13 @@ fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
     text
 }
 
-fn parenthesised(coefficient: &str) -> String {
-    if coefficient.contains(" + ") || coefficient.contains(" - ") {
-        format!("({coefficient})")
-    } else {
-        coefficient.to_owned()
+/// A coefficient as it stands before a power, if there is one: in parentheses if it is a sum, or a fraction that could
+/// seem to go on.
+fn factor(coefficient: &str, power: &str) -> String {
+    let is_sum = coefficient.contains(" + ") || coefficient.contains(" - ");
+    match is_sum || (coefficient.contains('/') && !power.is_empty()) {
+        true => format!("({coefficient})"),
+        false => coefficient.to_owned(),
     }
 }
 
@@ -152,16 +156,34 @@ fn power(variable: &str, exponent: &Rational) -> String {
     variable.chars().chain(raised).collect()
 }
 
-fn admissibility(geometry: &Geometry) -> String {
-    match (&geometry.proof, &geometry.range) {
-        (Proof::AllRadii { by }, Range::Limited(end)) => {
-            format!("Admissible for every contact radius ({by}); used up to {} mm.", decimal(end))
+fn admissibility(item: &Item, geometry: &Geometry) -> String {
+    let end = match &geometry.range {
+        Range::Unbounded => None,
+        Range::Limited(end) => Some(decimal(end)),
+        Range::Symbolic(end) => Some(format!("`{end}`")),
+    };
+    match (&geometry.proof, end) {
+        (Proof::AllRadii { by }, None) => {
+            format!("Admissible for every contact radius: {}.", reason(item, geometry, by))
         }
-        (Proof::AllRadii { by }, _) => format!("Admissible for every contact radius: {by}."),
-        (Proof::OnRange, Range::Limited(end)) => {
-            format!("Proved admissible for contact radii up to {} mm.", decimal(end))
+        (Proof::AllRadii { by }, Some(end)) => {
+            let by = reason(item, geometry, by);
+            format!("Admissible for every contact radius ({by}); used up to {end} mm.")
         }
-        _ => "Admissibility depends on the fields and is checked when a `Contact` is made.".to_owned(),
+        (Proof::OnRange, Some(end)) => format!("Proved admissible for contact radii up to {end} mm."),
+        (_, end) => {
+            let range = end.map_or_else(String::new, |end| format!(" up to {end} mm"));
+            format!("Admissibility{range} depends on the fields and is checked when a `Contact` is made.")
+        }
+    }
+}
+
+/// Why a gap is admissible; what is declared of its fields is a part of it, as `check` refuses other values.
+fn reason(item: &Item, geometry: &Geometry, by: &'static str) -> &'static str {
+    let is_declared = item.fields.iter().any(|field| field.used && field.is_positive);
+    match is_declared && !geometry.gap.is_constant() {
+        true => "no coefficient can be negative with the fields declared positive",
+        false => by,
     }
 }
 

@@ -10,7 +10,7 @@ use super::coefficients::Coefficients;
 use super::{Names, arguments, bounded_generics};
 use crate::geometry::{Geometry, Range};
 use crate::number::literal;
-use crate::reading::item::{FieldKind, Item};
+use crate::reading::item::Item;
 
 pub(super) fn block(
     item: &Item,
@@ -18,54 +18,40 @@ pub(super) fn block(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let ident = &item.ident;
-    let quiet = quiet();
-    let is_own = |parameter: &syn::TypeParam| parameter.ident == names.scalar;
-    let declares_scalar = item.generics.type_params().any(is_own);
-    let (generics, content) = match geometry.gap.is_constant() {
-        true => (item.generics.clone(), constants(geometry)),
-        false if declares_scalar => (bounded_generics(item, names), terms(coefficients, names, None)),
-        false => (item.generics.clone(), terms(coefficients, names, Some(own_parameter(names)))),
+    match geometry.gap.is_constant() {
+        true => implementation(item, &item.generics, &constants(geometry)),
+        false => {
+            let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
+            of_fields(item, names, pairs.len(), &quote!(#preamble [#(#pairs),*]))
+        }
+    }
+}
+
+/// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors: of a gap
+/// that depends on fields if those that it names are marked as used.
+pub(super) fn stub(item: &Item, names: &Names<'_>) -> TokenStream {
+    if item.fields.iter().any(|field| field.used) {
+        return of_fields(item, names, 0, &quote!([]));
+    }
+    let number = quote!(::core::primitive::f64);
+    let constants = quote! {
+        #[doc(hidden)]
+        pub const TERMS: [(#number, #number); 0] = [];
+        #[doc(hidden)]
+        pub const MAX_RADIUS: #number = 0.0;
+        #[doc(hidden)]
+        pub const TRUNCATION_ERROR: #number = 0.0;
     };
+    implementation(item, &item.generics, &constants)
+}
+
+fn implementation(item: &Item, generics: &syn::Generics, content: &TokenStream) -> TokenStream {
     let (impl_generics, _, where_clause) = generics.split_for_impl();
-    let type_generics = arguments(&item.generics);
+    let (ident, type_generics) = (&item.ident, arguments(&item.generics));
     quote! {
-        #quiet
+        #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
         impl #impl_generics #ident #type_generics #where_clause { #content }
     }
-}
-
-/// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors.
-pub(super) fn stub(item: &Item, names: &Names<'_>) -> TokenStream {
-    let (ident, number, quiet) = (&item.ident, quote!(::core::primitive::f64), quiet());
-    let (impl_generics, _, where_clause) = item.generics.split_for_impl();
-    let type_generics = arguments(&item.generics);
-    let terms = item.fields.first().map(|field| {
-        let (parameter, scalar) = match &field.kind {
-            FieldKind::TypeParameter(own) => (None, own),
-            _ => (Some(own_parameter(names)), &names.scalar),
-        };
-        quote! {
-            #[doc(hidden)]
-            pub fn terms #parameter (&self) -> [(#scalar, #scalar); 0] { [] }
-        }
-    });
-    quote! {
-        #quiet
-        impl #impl_generics #ident #type_generics #where_clause {
-            #[doc(hidden)]
-            pub const TERMS: [(#number, #number); 0] = [];
-            #[doc(hidden)]
-            pub const MAX_RADIUS: #number = 0.0;
-            #[doc(hidden)]
-            pub const TRUNCATION_ERROR: #number = 0.0;
-            #terms
-        }
-    }
-}
-
-fn quiet() -> TokenStream {
-    quote!(#[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")])
 }
 
 fn constants(geometry: &Geometry) -> TokenStream {
@@ -102,19 +88,19 @@ fn constants(geometry: &Geometry) -> TokenStream {
     }
 }
 
-fn own_parameter(names: &Names<'_>) -> TokenStream {
+/// The method `terms`, over the scalar type of the fields, or over any if they have none.
+fn of_fields(item: &Item, names: &Names<'_>, count: usize, body: &TokenStream) -> TokenStream {
     let Names { krate, scalar } = names;
-    quote!(<#scalar: #krate::Scalar>)
-}
-
-fn terms(coefficients: &Coefficients<'_>, names: &Names<'_>, parameter: Option<TokenStream>) -> TokenStream {
-    let (scalar, preamble, pairs) = (&names.scalar, coefficients.preamble(), coefficients.terms());
-    let count = pairs.len();
-    quote! {
+    let declares_scalar = item.generics.type_params().any(|parameter| parameter.ident == *scalar);
+    let (generics, parameter) = match declares_scalar {
+        true => (bounded_generics(item, names), None),
+        false => (item.generics.clone(), Some(quote!(<#scalar: #krate::Scalar>))),
+    };
+    let terms = quote! {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms #parameter (&self) -> [(#scalar, #scalar); #count] {
-            #preamble
-            [#(#pairs),*]
+            #body
         }
-    }
+    };
+    implementation(item, &generics, &terms)
 }

@@ -66,10 +66,10 @@ pub(super) fn radii(
 /// J as `WholePowers`, if that is what they are.
 fn whole_powers(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
     let whole = whole(sum)?;
-    let all = names.generated("WholePowers");
+    let (all, steepness) = (names.generated("WholePowers"), steepness::name());
     let values = sum.summands.iter().map(|summand| coefficients.times(summand.term, &summand.weight));
     let powers = whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power));
-    Some(quote!(#all { coefficients: [#(#values),*], powers: [#(#powers),*], steepness }))
+    Some(quote!(#all { coefficients: [#(#values),*], powers: [#(#powers),*], steepness: #steepness }))
 }
 
 fn whole(sum: &PowerSum) -> Option<Whole> {

@@ -15,10 +15,12 @@ mod steepness;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::GenericParam;
+use syn::ext::IdentExt;
 
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
 use crate::reading::item::{FieldKind, Item};
+use crate::seeds::Seeds;
 use coefficients::Coefficients;
 use operations::Operations;
 
@@ -64,8 +66,44 @@ pub(crate) fn solver(
     let names = Names { krate: &root, scalar: scalar_of(item) };
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
-    let scalar = &names.scalar;
+    let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
+    let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
+    let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
+    let beside_inversion = beside_inversion(geometry, &forms, seeds.as_ref(), &coefficients, &names);
+    let range = range::methods(item, geometry, &coefficients, &names);
+    let inherent = inherent::block(item, geometry, &coefficients, &names);
+    let shape = shape(geometry, &coefficients, &names);
+    let shared = coefficients.function();
+    let header = implementation(item, &names);
+    let beside = Operations::of_function(&shared);
+    let lines = documentation::lines(item, geometry, seeds.as_ref(), &operations, beside);
+    let documented = documented(input, &lines);
+    quote! {
+        #documented
+        const _: () = {
+            #import
+            #shared
+            #beside_inversion
+            #[automatically_derived]
+            #header {
+                #evaluators
+                #inversion
+                #range
+                #shape
+            }
+            #inherent
+        };
+    }
+}
 
+/// The methods that evaluate closed forms, and the operations that those of the interface take.
+fn evaluators(
+    geometry: &Geometry,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> (TokenStream, Vec<Operations>) {
+    let (scalar, preamble) = (&names.scalar, coefficients.preamble());
     let sums: [(_, _, _, power_sum::Form); 8] = [
         ("gap", "r", &forms.gap, power_sum::value),
         ("approach", "a", &forms.approach, power_sum::value),
@@ -79,8 +117,7 @@ pub(crate) fn solver(
     let mut operations: Vec<Operations> = Vec::new();
     let evaluators = sums.map(|(name, variable, sum, form)| {
         let (name, variable) = (format_ident!("{name}"), local(variable));
-        let preamble = coefficients.preamble();
-        let body = form(sum, &variable, &coefficients, &names);
+        let body = form(sum, &variable, coefficients, names);
         operations.push(body.operations);
         let body = body.code;
         quote! {
@@ -90,43 +127,30 @@ pub(crate) fn solver(
     });
     // The quick forms, which are the last, are not part of the interface.
     operations.truncate(5);
-    let pressure_kernels = pressure_kernel::methods(&geometry.gap, &coefficients, &names);
+    let pressure_kernels = pressure_kernel::methods(&geometry.gap, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));
-    let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
-    let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
-    let beside_inversion = match &seeds {
-        Some(seeds) => Some(seeds::items(seeds, &forms.load_integral, &coefficients, &names)),
-        None if leading_term::is_for(&geometry.gap) => leading_term::items(&forms.load_integral, &names),
+    (quote!(#(#evaluators)* #(#pressure_kernels)*), operations)
+}
+
+/// What the inversion calls that is no method: a table and the step from it, or the step alone.
+fn beside_inversion(
+    geometry: &Geometry,
+    forms: &ClosedForms,
+    seeds: Option<&Seeds>,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> Option<TokenStream> {
+    match seeds {
+        Some(seeds) => Some(seeds::items(seeds, &forms.load_integral, coefficients, names)),
+        None if leading_term::is_for(&geometry.gap) => leading_term::items(&forms.load_integral, names),
         None => None,
-    };
-    let range = range::methods(item, geometry, &coefficients, &names);
-    let inherent = inherent::block(item, geometry, &coefficients, &names);
-    let shape = shape(geometry, &coefficients, &names);
-    let shared = coefficients.function();
-    let header = implementation(item, &names);
-    let beside = Operations::of_function(&shared);
-    let documented = documented(input, &documentation::lines(geometry, seeds.as_ref(), &operations, beside));
-    quote! {
-        #documented
-        const _: () = {
-            #import
-            #shared
-            #beside_inversion
-            #[automatically_derived]
-            #header {
-                #(#evaluators)*
-                #(#pressure_kernels)*
-                #inversion
-                #range
-                #shape
-            }
-            #inherent
-        };
     }
 }
 
-/// The run-time crate under the name that generated code has for it. What follows a failed import causes no further
-/// errors.
+/// The run-time crate under the name that generated code has for it.
+///
+/// All generated code reaches it by this import, as the compiler is silent about what follows from a failed one: a wrong
+/// path is one error, where it is written.
 fn import(krate: &TokenStream, root: &TokenStream) -> TokenStream {
     let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
     let generated = Ident::new("generated", Span::call_site().located_at(place));
@@ -180,24 +204,29 @@ fn documented(item: &TokenStream, lines: &[String]) -> TokenStream {
     quote!(#attributes #(#[doc = #lines])* #rest)
 }
 
-/// The type parameter that the used fields have, or one of the implementation's own.
+/// The type parameter that the used fields have, or one of the implementation's own. As that is seen in documentation,
+/// it is `T` unless the struct's parameters or their bounds mean something else by it.
 fn scalar_of(item: &Item) -> Ident {
     let own = item.fields.iter().filter(|field| field.used).find_map(|field| match &field.kind {
         FieldKind::TypeParameter(parameter) => Some(parameter.clone()),
         _ => None,
     });
     own.unwrap_or_else(|| {
-        let taken = |name: &str| {
-            item.ident == name
-                || item.generics.params.iter().any(|parameter| match parameter {
-                    GenericParam::Type(parameter) => parameter.ident == name,
-                    GenericParam::Const(parameter) => parameter.ident == name,
-                    GenericParam::Lifetime(_) => false,
-                })
-        };
+        let Item { ident, generics, .. } = item;
+        let (parameters, bounds) = (&generics.params, &generics.where_clause);
+        let taken = quote!(#ident #parameters #bounds);
         let mut names = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
-        let name = names.find(|name| !taken(name)).unwrap_or_default();
+        let name = names.find(|name| !names_something(&taken, name)).unwrap_or_default();
         Ident::new(&name, Span::call_site())
+    })
+}
+
+/// Whether a name occurs in some tokens: a parameter that is called so, or a type in a bound.
+fn names_something(tokens: &TokenStream, name: &str) -> bool {
+    tokens.clone().into_iter().any(|token| match token {
+        TokenTree::Ident(own) => own.unraw() == name,
+        TokenTree::Group(group) => names_something(&group.stream(), name),
+        _ => false,
     })
 }
 

@@ -1,5 +1,7 @@
-//! How many operations an evaluator takes: counted in the code that was written, not in the formula; those of a routine
-//! of the run-time crate that are known beforehand as operations of its double words.
+//! How many operations an evaluator takes.
+//!
+//! They are counted in the code that was generated, not in the formula. Where that code only calls a routine of the
+//! run-time crate whose operations are known beforehand, these are stated instead: they are those of double words.
 
 use core::fmt::{Display, Formatter, Result};
 

@@ -14,6 +14,10 @@ use crate::seeds::Seeds;
 /// The widest gap between powers that is written out as a product.
 const WIDEST_GAP: u32 = 8;
 
+fn table() -> Ident {
+    local("SEEDS")
+}
+
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(
     seeds: &Seeds,
@@ -21,7 +25,7 @@ pub(super) fn items(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let table = names.generated("Seeds");
+    let (table, kind) = (table(), names.generated("Seeds"));
     let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
     let count = Literal::usize_unsuffixed(seeds.rows.len());
     // One text for the compiler to read is quicker than three thousand tokens, and shortest literals are what `Debug`
@@ -31,7 +35,7 @@ pub(super) fn items(
     let body = body(load_integral, &a, coefficients, names);
     let function = steepness::function(&a, coefficients.variables(), &body, names);
     quote! {
-        static SEEDS: #table = #table { first: #first, count: #count, single: #single, rows: #rows };
+        static #table: #kind = #kind { first: #first, count: #count, single: #single, rows: #rows };
 
         #function
     }
@@ -46,7 +50,8 @@ pub(super) fn radius(
     let (variables, _) = coefficients.variables();
     let units = units(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
-    quote!(SEEDS.radius(#load_integral, #limit, #units, |#a| steepness(#a, #variables)))
+    let (table, steepness) = (table(), steepness::name());
+    quote!(#table.radius(#load_integral, #limit, #units, |#a| #steepness(#a, #variables)))
 }
 
 /// The radii of a slice from the table, and elsewhere by `radius_within`.
@@ -59,14 +64,15 @@ pub(super) fn radii(
     let units = units(load_integral, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
+    let (table, steepness) = (table(), steepness::name());
     quote! {
-        SEEDS.radii(
+        #table.radii(
             (#load_integrals, #radii),
             #limit,
             #units,
             // Without it, wide vectors would end at the call.
             #[inline(always)]
-            |#a| steepness(#a, #variables),
+            |#a| #steepness(#a, #variables),
             |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
         )
     }

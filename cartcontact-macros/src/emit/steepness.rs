@@ -3,9 +3,14 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::Names;
 use super::power_sum::Whole;
+use super::{Names, local};
 use crate::number::{Rational, literal};
+
+/// The name of the function that gives it.
+pub(super) fn name() -> Ident {
+    local("steepness")
+}
 
 /// The function that gives it at the radius `a` with some coefficients.
 pub(super) fn function(
@@ -15,9 +20,10 @@ pub(super) fn function(
     names: &Names<'_>,
 ) -> TokenStream {
     let (Names { krate, scalar }, steepness) = (names, names.generated("Steepness"));
+    let name = name();
     quote! {
         #[inline(always)]
-        fn steepness<#scalar: #krate::Scalar>(
+        fn #name<#scalar: #krate::Scalar>(
             #a: #scalar,
             #coefficients: [#scalar; #count],
         ) -> #steepness<#scalar> {

@@ -103,7 +103,7 @@ impl<'a> Evaluator<'a> {
                     self.mistyped.push(name.clone());
                     self.diagnostics.add(syn::Error::new_spanned(
                         ty,
-                        format!("the field `{name}` of a gap must be a number; give it the type `f64`, `f32` or a type parameter"),
+                        format!("the field `{name}` must be a real number to stand in a gap; give it the type `f64`, `f32` or a type parameter"),
                     ));
                 }
                 None

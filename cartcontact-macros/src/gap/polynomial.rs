@@ -8,10 +8,13 @@ use num_traits::{ToPrimitive, Zero};
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::{LikeTerms, Summable};
-use crate::number::Rational;
+use crate::number::{Rational, integer};
 
 /// Bounds the work of multiplying out, far above what a profile needs.
 const MAXIMUM_PRODUCTS: usize = 1 << 14;
+/// The same where coefficients depend on fields: sums in them are not multiplied out, so they grow several times over
+/// with each square. Up to here they take about as long as as many terms.
+const MAXIMUM_SIZE: usize = 1 << 10;
 
 /// Terms by exponent; no coefficient is zero.
 #[derive(Clone, Default)]
@@ -47,6 +50,10 @@ impl Polynomial {
 
     pub(crate) fn constant(coefficient: Coefficient, extent: Extent) -> Self {
         Polynomial::new(coefficient, Rational::zero(), extent)
+    }
+
+    pub(crate) fn one(extent: Extent) -> Self {
+        Polynomial::constant(Coefficient::constant(integer(1)), extent)
     }
 
     pub(crate) fn terms(&self) -> &[(Rational, Monomial)] {
@@ -92,6 +99,13 @@ impl Polynomial {
         if self.terms.len().saturating_mul(other.terms.len()) > MAXIMUM_PRODUCTS {
             return Err("this multiplies out to too many terms; write a gap of at most 256 terms");
         }
+        // Each coefficient stands in as many products as the other sum has terms.
+        if self.terms.len() * other.size() + other.terms.len() * self.size() > MAXIMUM_SIZE {
+            return Err(
+                "this multiplies out to too long an expression in the fields, which every evaluation would have to \
+                        compute; declare a field for each coefficient of the gap, and compute its value in the program",
+            );
+        }
         let mut product = Polynomial::default();
         // What is multiplied out is between two sums.
         let is_single = other.terms.len() == 1;
@@ -131,16 +145,24 @@ impl Polynomial {
         self.repeated(exponent.ok_or("a sum may be raised to powers up to 4096; write a lower one")?)
     }
 
-    /// By squaring, from the leading bit of the exponent down.
+    /// By squaring, from the leading bit of the exponent down, which 0 has not.
     fn repeated(&self, exponent: u32) -> Result<Polynomial, &'static str> {
         let mut result = self.clone();
-        for bit in (0..exponent.checked_ilog2().unwrap_or(0)).rev() {
+        let Some(leading) = exponent.checked_ilog2() else {
+            return Ok(self.terms().first().map_or(result, |(_, first)| Polynomial::one(first.extent)));
+        };
+        for bit in (0..leading).rev() {
             result = result.multiply(&result)?;
             if (exponent >> bit) & 1 == 1 {
                 result = result.multiply(self)?;
             }
         }
         Ok(result)
+    }
+
+    /// How many fields are written in its coefficients, each as often as it is.
+    fn size(&self) -> usize {
+        self.terms().iter().map(|(_, monomial)| monomial.coefficient.size()).sum()
     }
 
     pub(crate) fn accumulate(&mut self, exponent: Rational, monomial: Monomial) {

@@ -3,7 +3,7 @@
 //! A surface stays whole until the order of its series is known, so only what is linear in it has a value: sums,
 //! differences and multiples that do not depend on r.
 
-use num_traits::One;
+use num_traits::{One, Zero};
 
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
@@ -73,8 +73,9 @@ impl Shape {
     }
 
     pub(crate) fn power(&self, exponent: &Rational) -> Result<Shape, &'static str> {
-        if self.surfaces.is_empty() {
-            return self.powers.power(exponent).map(Into::into);
+        let Some(first) = self.surfaces.first() else { return self.powers.power(exponent).map(Into::into) };
+        if exponent.is_zero() {
+            return Ok(Polynomial::one(first.extent).into());
         }
         if exponent.is_one() {
             return Ok(self.clone());

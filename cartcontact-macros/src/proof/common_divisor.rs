@@ -26,7 +26,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use crate::number::common_factor::common_factor;
 use crate::proof::integer_polynomial::IntegerPolynomial;
 
-/// Below it every product of two residues fits into a `u64`.
+/// Primes are taken upward from here. They stay far below 2^32, so that a product of two residues fits into a `u64`, and
+/// below 3 215 031 751, so that [`is_prime`] is exact: up to there are 4 · 10^7 of them, enough for 10^9 bits.
 const FIRST_PRIME_ABOVE: u64 = 1 << 31;
 
 /// The polynomial with the same roots, each of them simple, and the same sign at 0.

@@ -92,7 +92,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         Data::Enum(data) => diagnostics
             .report(data.enum_token.span, "a gap profile belongs on a struct, not an enum; use one struct for each geometry"),
         Data::Union(data) => {
-            diagnostics.report(data.union_token.span, "a gap profile belongs on a struct, not a union");
+            diagnostics.report(data.union_token.span, "a gap profile belongs on a struct, not a union; use a struct");
         }
     }
     Some(item)
@@ -148,6 +148,17 @@ impl Item {
                 format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
             }
             None => format!("write {known} or a field of `{}`", self.ident),
+        }
+    }
+
+    /// Notes which fields a faulty attribute names, or may mean: its geometry would depend on them.
+    pub(crate) fn mark_named(&mut self, written: TokenStream) {
+        let mut names = Vec::new();
+        collect_names(written, &mut names);
+        let known = self.field_names();
+        let meant: Vec<String> = names.iter().filter_map(|name| closest(name, known.clone())).collect();
+        for field in &mut self.fields {
+            field.used = meant.contains(&field.ident.to_string());
         }
     }
 
@@ -225,6 +236,18 @@ fn distance(left: &str, right: &str) -> usize {
         row = next;
     }
     row.last().copied().unwrap_or(0)
+}
+
+/// The names in some tokens, without that of the distance r.
+fn collect_names(tokens: TokenStream, names: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) if name == "r" => {}
+            TokenTree::Ident(name) => names.push(name.to_string()),
+            TokenTree::Group(group) => collect_names(group.stream(), names),
+            _ => {}
+        }
+    }
 }
 
 #[cfg(test)]

@@ -225,7 +225,12 @@ impl<'a> Parser<'a> {
                 let extent = if group.delimiter() == Delimiter::None { inside.extent } else { extent };
                 self.unless_method(Expression { kind: inside.kind, extent })
             }
-            Delimiter::Brace | Delimiter::Bracket => self.fault(extent, "only parentheses `( )` group terms"),
+            Delimiter::Brace => {
+                self.fault(extent, "only parentheses group terms; write `( )` in place of `{ }`")
+            }
+            Delimiter::Bracket => {
+                self.fault(extent, "only parentheses group terms; write `( )` in place of `[ ]`")
+            }
         }
     }
 

@@ -99,7 +99,7 @@ fn no_number(name: &Ident, item: &Item) -> String {
         return "`r` is the distance from the axis and positive anyway; name fields only".to_owned();
     }
     if let Meaning::WrongType(_) = item.meaning(name) {
-        return format!("the field `{name}` is no number that the gap could use; remove it from `positive`");
+        return format!("only real numbers can be positive; remove the field `{name}`, or make it an `f64`");
     }
     let remedy = match closest(&name.to_string(), item.field_names()) {
         Some(field) => format!("did you mean `{field}`?"),
@@ -157,7 +157,7 @@ mod tests {
             ("(k, k)", "named twice"),
             ("raduis", "did you mean `radius`?"),
             ("(k, curvature)", "its symbols are `radius`, `k`"),
-            ("name", "is no number"),
+            ("name", "only real numbers"),
             ("r", "distance from the axis"),
             ("true", "write `positive = (radius, k)`"),
             ("", "write `positive = (radius, k)`"),

@@ -29,22 +29,48 @@ fn effort_is_bounded() {
             "two conics, smallest order",
             "conic(10.37, -0.2) - sphere(20.11), order = auto, tolerance = 1e-9, max_radius = 7.1".to_owned(),
         ),
+        ("two conics of fields, order 64", "conic(a, b) - b * conic(a + c, c), order = 64".to_owned()),
+        ("a power of 2 fields", "(a*r + b*r^2)^16".to_owned()),
+        ("a power of 3 fields", "(a*r + b*r^2 + c*r^3)^8".to_owned()),
     ] {
-        let item = quote!(
-            struct Knee;
-        );
-        let mut fastest = Duration::MAX;
-        let mut output = String::new();
-        // The first is slowed down by code that nobody has run before.
-        for _ in 0..3 {
-            let attribute = attribute.parse().unwrap();
-            let start = Instant::now();
-            let expanded = expand(attribute, item.clone());
-            fastest = fastest.min(start.elapsed());
-            output = expanded.to_string();
-        }
-        println!("{name}: {fastest:.1?}, {} characters", output.len());
+        let output = timed(name, &attribute);
         assert!(!output.contains("compile_error"), "{name}: {output}");
-        assert!(fastest < LIMIT, "{name} took {fastest:?}");
     }
+}
+
+/// Each is short to write, and long once it is multiplied out.
+#[test]
+fn what_would_take_long_is_refused() {
+    for (name, attribute, rule) in [
+        ("a power of 3 fields", "(a*r + b*r^2 + c*r^3)^64".to_owned(), "too long an expression"),
+        ("3 fields, 12 times", ["(a*r + b*r^2 + c*r^3)"; 12].join("*"), "too long an expression"),
+        ("a power of 3 numbers", "(r + r^2 + r^3)^4000".to_owned(), "too many terms"),
+    ] {
+        let output = timed(name, &attribute);
+        assert!(output.matches("compile_error").count() == 1 && output.contains(rule), "{name}: {output}");
+    }
+}
+
+/// The expansion, which may not take longer than [`LIMIT`].
+fn timed(name: &str, attribute: &str) -> String {
+    let item = quote!(
+        struct Knee {
+            a: f64,
+            b: f64,
+            c: f64,
+        }
+    );
+    let mut fastest = Duration::MAX;
+    let mut output = String::new();
+    // The first is slowed down by code that nobody has run before.
+    for _ in 0..3 {
+        let attribute = attribute.parse().unwrap();
+        let start = Instant::now();
+        let expanded = expand(attribute, item.clone());
+        fastest = fastest.min(start.elapsed());
+        output = expanded.to_string();
+    }
+    println!("{name}: {fastest:.1?}, {} characters", output.len());
+    assert!(fastest < LIMIT, "{name} took {fastest:?}");
+    output
 }

@@ -8,7 +8,7 @@ use std::{env, fs};
 use crate::expand;
 
 /// Name, attribute and item.
-const CASES: [[&str; 3]; 9] = [
+const CASES: [[&str; 3]; 10] = [
     ["one_term", "0.025 * r^2", "/// A paraboloid.\npub struct Paraboloid;"],
     ["even_powers", "0.025 * r^2 + 1.09375e-4 * r^4", "struct Patellofemoral;"],
     ["negative_term", "0.05*r^2 - 0.004*r^3 + 2e-4*r^4, max_radius = 20.0", "struct MixedSign;"],
@@ -26,6 +26,7 @@ const CASES: [[&str; 3]; 9] = [
     ],
     ["surface_of_a_field", "sphere(radius), order = 4, max_radius = 6", "struct Ball { radius: f64 }"],
     ["faulty", "2r^2 + x", "struct Knee<T> { radius: T }"],
+    ["faulty_with_fields", "2r^2 / raduis", "struct Ball<S> { radius: S }"],
 ];
 
 #[test]

@@ -67,6 +67,9 @@ fn the_language_means_what_it_says() {
         ("+r^2 + r^4 - r^2 * r^2", "1 r^2"),
         ("r*(1 + r) - r", "1 r^2"),
         ("(4*r^2)^0.5", "2 r^1"),
+        ("(1 + r)^0 * r^2", "1 r^2"),
+        ("(r + r^2)^0 * r^2 + r^(1 - 1) * r^4", "1 r^2 + 1 r^4"),
+        ("sphere(10)^0 * r^2", "1 r^2"),
     ] {
         assert_eq!(on_unit(text).as_ref().map(shown), Ok(meaning.to_owned()), "{text}");
     }

@@ -1,6 +1,6 @@
 //! Items and macros in scope that are named like those of the standard library or of generated code.
 
-#![allow(dead_code, unused_macros, reason = "what is here is in the way on purpose")]
+#![allow(dead_code, non_upper_case_globals, unused_macros, reason = "what is here is in the way on purpose")]
 
 use super::{OF_BALL, radius};
 
@@ -47,7 +47,36 @@ struct Ball {
     radius: f64,
 }
 
+/// A type in bounds that is called like the parameter of generated code.
+type T = f64;
+
+#[::cartcontact::gap_profile(r^2 / 40)]
+struct Converted<U: ::core::convert::From<T>, V>
+where
+    V: ::core::convert::Into<r#T>,
+{
+    of: ::core::marker::PhantomData<(U, V)>,
+}
+
+/// Parameters that are called like the items of generated code, around a table.
+#[::cartcontact::gap_profile(r^2 / 40 + r^4 / 1e30)]
+struct Counted<const SEEDS: usize, const steepness: usize>;
+
+/// The same around coefficients that are computed.
+#[::cartcontact::gap_profile(r^2 / (2 * radius) + r^4 / 1e30)]
+struct Computed<const coefficients: usize, const steepness: usize> {
+    radius: f64,
+}
+
 #[test]
 fn names_in_scope_are_not_used() {
-    assert!((radius::<f64>(&Ball { radius: 20.0 }) / OF_BALL - 1.0).abs() < 1e-12);
+    let converted: Converted<f64, f32> = Converted { of: ::core::marker::PhantomData };
+    for radius in [
+        radius::<f64>(&Ball { radius: 20.0 }),
+        radius::<f64>(&converted),
+        radius::<f64>(&Counted::<1, 2>),
+        radius::<f64>(&Computed::<1, 2> { radius: 20.0 }),
+    ] {
+        assert!((radius / OF_BALL - 1.0).abs() < 1e-12, "{radius}");
+    }
 }

@@ -88,6 +88,16 @@ impl Coefficient {
         })
     }
 
+    /// How many fields are written in it, each as often as it is.
+    pub(crate) fn size(&self) -> usize {
+        let atoms = self.products.iter().flat_map(|product| product.powers.iter());
+        let sizes = atoms.map(|(atom, _)| match atom {
+            Atom::Field { .. } => 1,
+            Atom::Whole(inner) => inner.size(),
+        });
+        sizes.sum()
+    }
+
     /// Whether every number in it is near a finite `f64` other than 0.
     pub(crate) fn is_representable(&self) -> bool {
         self.products.iter().all(|product| {

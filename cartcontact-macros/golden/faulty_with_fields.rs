@@ -1,0 +1,53 @@
+struct Ball<S> {
+    radius: S,
+}
+const _: () = {
+    use ::cartcontact::generated::root as __cartcontact;
+    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    impl<S> Ball<S>
+    where
+        S: __cartcontact::Scalar,
+    {
+        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
+        pub fn terms(&self) -> [(S, S); 0usize] {
+            []
+        }
+    }
+    #[automatically_derived]
+    impl<S> __cartcontact::GapProfile<S> for Ball<S>
+    where
+        S: __cartcontact::Scalar,
+    {
+        fn gap(&self, _: S) -> S {
+            loop {}
+        }
+        fn approach(&self, _: S) -> S {
+            loop {}
+        }
+        fn approach_slope(&self, _: S) -> S {
+            loop {}
+        }
+        fn load_integral(&self, _: S) -> S {
+            loop {}
+        }
+        fn log_kernel(&self, _: S) -> S {
+            loop {}
+        }
+        fn pressure_kernel(&self, _: S, _: S) -> S {
+            loop {}
+        }
+        fn radius_within(
+            &self,
+            _: S,
+            _: S,
+        ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
+            loop {}
+        }
+        fn max_radius(&self) -> S {
+            loop {}
+        }
+    }
+};
+::core::compile_error! {
+    "`2r` reads as one literal; write `2 * r`"
+}

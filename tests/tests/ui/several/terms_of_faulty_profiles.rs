@@ -1,0 +1,41 @@
+//! What a program asks of the type itself is there, and what it has of its own is no second definition.
+
+use cartcontact::gap_profile;
+
+/// Its own constant has a name that only a gap without fields takes.
+#[gap_profile(2r^2 / radius)]
+struct Ball {
+    radius: f64,
+}
+
+impl Ball {
+    const MAX_RADIUS: f64 = 6.0;
+}
+
+/// The same for a gap in two bodies, of any scalar.
+#[gap_profile(upper = r^2 / radius, lower = sin(r))]
+struct Any<T> {
+    radius: T,
+}
+
+/// Its own method has a name that only a gap of fields takes.
+#[gap_profile(2r^2, max_radius = 6.0)]
+struct Flat {
+    name: String,
+}
+
+impl Flat {
+    fn terms(&self) -> usize {
+        Flat::TERMS.len() + self.name.len()
+    }
+}
+
+fn main() {
+    for (coefficient, exponent) in (Ball { radius: Ball::MAX_RADIUS }).terms::<f64>() {
+        println!("{coefficient} r^{exponent}");
+    }
+    for (coefficient, exponent) in (Any { radius: 20.0_f32 }).terms() {
+        println!("{coefficient} r^{exponent}");
+    }
+    println!("{} {}", Flat { name: String::new() }.terms(), Flat::MAX_RADIUS);
+}
