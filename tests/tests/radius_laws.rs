@@ -168,12 +168,16 @@ fn the_first_fault_among_many_is_named() {
 #[test]
 fn radii_are_continuous_from_row_to_row() {
     for case in cases() {
+        let mut count = 0;
         for quarter in -400..400_i32 {
             let (octave, digits) = (quarter.div_euclid(4), f64::from(quarter.rem_euclid(4)));
             let above = 2f64.powi(octave) * (1.0 + digits / 4.0);
             let radius = |load_integral: f64| case.double.radius(load_integral);
             let (Ok(above), Ok(below)) = (radius(above), radius(above.next_down())) else { continue };
             assert!((above / below - 1.0).abs() <= 2.0 * f64::EPSILON, "{case:?}: {below:e}, {above:e}");
+            count += 1;
         }
+        // Half of the octaves are beyond a range that ends.
+        assert!(count >= if case.max_radius.is_some() { 400 } else { 800 }, "{case:?}: {count}");
     }
 }

@@ -245,7 +245,10 @@ fn the_search_ends_for_loads_that_are_none() {
         let found = Wrong { force: value, impulse: 100.0 }.recession(CHI, 1e4);
         // A larger force has a larger impulse.
         assert_eq!(found.is_some(), value < 100.0 || value == 1e300, "{value}: {found:?}");
-        let _ = Wrong { force: 100.0, impulse: value }.recession(CHI, 1e4);
+        // The impulse of another force contradicts this one from the start; what is no number contradicts nothing.
+        let found = Wrong { force: 100.0, impulse: value }.recession(CHI, 1e4);
+        let is_of_another = value.is_finite() && value != 100.0;
+        assert_eq!(found, is_of_another.then_some(0.0), "{value}");
     }
 }
 
