@@ -6,7 +6,7 @@ use tests::budget::{self, Allowance};
 use tests::measure::relative_error;
 use tests::profiles::{Case, cases};
 use tests::quadrature::Graded;
-use tests::random::{self, magnitude};
+use tests::random::{self, degree, magnitude};
 
 /// A function of a radius and a share of it.
 type Kernel = (Allowance, fn(&dyn GapProfile<f64>, f64, f64) -> f64);
@@ -57,7 +57,8 @@ proptest! {
             case.double.approach_slope(r + h) * h * (r + (r + h)) / 4.0
         });
         let error = relative_error(case.double.pressure_kernel(a, r), integral, f64::EPSILON);
-        let allowed = 16.0 * condition(case, KERNELS[5].1, a, r / a).max(1.0);
+        let condition = condition(case, KERNELS[5].1, a, r / a).max(1.0);
+        let allowed = budget::PRESSURE_KERNEL_BY_QUADRATURE.double * condition;
         prop_assert!(error <= allowed, "{case:?} at {a}, {depth:e}: {error}");
     }
 
@@ -85,24 +86,31 @@ proptest! {
         // J′ = a⁴ δ₀′/2.
         let slope = |s: f64| s * s * s * s * case.double.approach_slope(s) / 2.0;
         let integral = Graded::new(40, 2).integrate(0.0, depth, |h| slope(a - h));
-        let of_sizes = case.of_sizes().load_integral_drop(a, depth);
+        let sizes = case.of_sizes();
+        // By the degree the rounding of radii is multiplied, here and in the quadrature.
+        let condition = sizes.load_integral_drop(a, depth) * (1.0 + degree(&sizes, a) / 4.0);
         for found in [case.double.load_integral_drop(a, depth), case.polynomial().load_integral_drop(a, depth)] {
-            let allowed = budget::LOAD_INTEGRAL_DROP.double * f64::EPSILON * of_sizes;
+            let allowed = budget::LOAD_INTEGRAL_DROP.double * f64::EPSILON * condition;
             prop_assert!((found - integral).abs() <= allowed, "{case:?} at {a}, {depth:e}: {found} {integral}");
         }
     }
 }
 
 #[test]
-fn all_kernels_vanish_at_the_centre() {
+fn all_kernels_but_the_slope_of_a_cone_vanish_at_the_centre() {
     for case in cases() {
         for (allowance, kernel) in KERNELS {
             let found = kernel(case.double, 0.0, 0.0);
-            // The approach of a cone has a slope there.
-            let expected = if allowance.quantity == "approach slope" { found } else { 0.0 };
-            assert_eq!(found, expected, "{} of {case:?}", allowance.quantity);
+            if allowance.quantity == budget::APPROACH_SLOPE.quantity {
+                // 2C/3 for a cone, which has a slope there.
+                let expected =
+                    case.terms.iter().filter(|term| term.1 == 1.0).map(|term| 2.0 * term.0 / 3.0).sum();
+                let error = relative_error(found, expected, f64::EPSILON);
+                assert!(error <= allowance.double, "{case:?}: {found} instead of {expected}");
+            } else {
+                assert_eq!(found, 0.0, "{} of {case:?}", allowance.quantity);
+            }
         }
-        assert!(case.double.approach_slope(0.0).is_finite(), "{case:?}");
     }
 }
 
