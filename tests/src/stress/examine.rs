@@ -6,7 +6,7 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapsho
 use super::condition;
 use super::exact::{Profile, Sum};
 use super::fields;
-use super::finding::{Fault, Findings, Quantity};
+use super::finding::{Fault, Findings, Quantity, Tally};
 use super::history::History;
 use super::precision::Precision;
 use super::scene::{Form, Scene};
@@ -41,13 +41,17 @@ pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn 
             if is_usable {
                 findings.fault(Fault::Refused, &error);
             }
+            findings.count(Tally::Refused);
             return;
         }
     };
     let contact = match contact(scene, &*profile) {
         Ok(contact) => contact,
         // Medium and load are checked by tests of their own; scenes that leave the format are none.
-        Err(_) => return,
+        Err(_) => {
+            findings.count(Tally::Refused);
+            return;
+        }
     };
     let examination = Examination { scene, contact, exact: exact(scene), findings };
     examination.run(depth);
@@ -115,12 +119,16 @@ impl<T: Precision> Examination<'_, T> {
         match (now, radius) {
             (Ok(now), Some(a)) => self.solved(&now, a, depth),
             (Ok(_), None) => self.accepted(found, y),
-            (Err(error), _) => self.refused(&error, self.scene.time),
+            (Err(error), _) => {
+                self.findings.count(Tally::Unsolved);
+                self.refused(&error, self.scene.time);
+            }
         }
     }
 
     /// No load, no contact.
     fn unloaded(&mut self) {
+        self.findings.count(Tally::Unsolved);
         match self.contact.at(self.scene.time) {
             Ok(now) if now.radius().is_zero() && now.peak_pressure().is_zero() => {}
             Ok(now) => self.findings.fault(Fault::Accepted, &now.radius().value()),
@@ -130,6 +138,7 @@ impl<T: Precision> Examination<'_, T> {
 
     /// A radius beyond the last exact one is right if J there is as much as rounding lets it be told apart.
     fn accepted(&mut self, found: f64, y: Wide) {
+        self.findings.count(Tally::Unsolved);
         let load_integral = self.exact.profile.kernels(Wide::of(found)).load_integral;
         let error = ((load_integral.value - y) / load_integral.size).value().abs() / T::EPSILON;
         if error > T::allowed(Quantity::LoadIntegral.allowance()) {
@@ -187,6 +196,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
+        self.findings.count(Tally::Solved);
         let here = self.exact.profile.kernels(a);
         let found = now.radius().value();
         let condition = condition::of_radius(&here);
