@@ -45,13 +45,6 @@ pub fn sum(terms: Vec<(f64, f64)>) -> Sum {
     Polynomial::new(terms).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-/// a J′/J, the degree of the load integral at a radius: by this the relative error of a radius is multiplied.
-#[must_use]
-pub fn degree(profile: &dyn cartcontact::GapProfile<f64>, a: f64) -> f64 {
-    let square = a * a;
-    square * square * (a * profile.approach_slope(a) / 2.0) / profile.load_integral(a)
-}
-
 /// A stream of numbers that a seed determines on every machine: SplitMix64.
 ///
 /// Source: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014,

@@ -3,10 +3,11 @@
 use core::f64::consts::{FRAC_PI_4, TAU};
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
-use cartcontact::{Contact, GapProfile, Medium, Polynomial};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial};
 use tests::budget;
 use tests::loads::{Rise, Swing, histories};
 use tests::measure::Errors;
+use tests::planted;
 use tests::profiles::{Case, cases};
 use tests::quadrature::Graded;
 
@@ -143,17 +144,16 @@ fn check_load_on(cases: impl IntoIterator<Item = Case>, name: &str, load: &dyn L
 /// 2π ∫₀ᵃ P r dr, in a medium in which the contact radius at `t` is [`LAST_RADIUS`], where P is smooth between the contact
 /// radii at some times.
 fn carried(case: Case, load: &dyn Load<f64>, t: f64, times: Vec<f64>, rule: &Graded) -> f64 {
-    let stiffness = (load.force(t) + CHI * load.impulse(t)) / case.double.load_integral(LAST_RADIUS);
     let solve = || {
-        let contact = Contact::new(case.double, Medium::from_constants(stiffness / FRAC_PI_4, CHI)?, load)?;
+        let contact = planted::contact(case.double, load, CHI, LAST_RADIUS, t)?;
         let now = contact.at(t)?;
         let mut borders = vec![0.0];
-        borders.extend(radii_at(times, case.double, load, stiffness));
+        borders.extend(radii_at(times, case.double, load, contact.medium().m() * FRAC_PI_4));
         borders.push(now.radius());
         let shares = borders.windows(2).map(|ends| rule.integrate(ends[0], ends[1], |r| now.pressure(r) * r));
         Ok(TAU * shares.sum::<f64>())
     };
-    solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{case:?}, {t}: {error}"))
+    solve().unwrap_or_else(|error: ContactError| unreachable!("{case:?}, {t}: {error}"))
 }
 
 /// The times between which the pressure is smooth.

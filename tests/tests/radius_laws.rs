@@ -4,9 +4,10 @@ use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, RadiusError, gap_profile};
 use proptest::prelude::*;
 use tests::budget;
+use tests::condition::degree;
 use tests::measure::relative_error;
 use tests::profiles::{case, cases};
-use tests::random::{self, degree, magnitude, positive_sums};
+use tests::random::{self, magnitude, positive_sums};
 
 /// In units of ε; J is rounded twice, and its error divided by its degree.
 const ALLOWED: f64 = budget::RADIUS.double + 2.0 * budget::LOAD_INTEGRAL.double / 4.0;

@@ -11,6 +11,7 @@ use super::history::History;
 use super::precision::Precision;
 use super::scene::{Form, Scene};
 use super::wide::Wide;
+use crate::condition::edge;
 use crate::profiles::cases;
 use crate::quadrature::Graded;
 
@@ -283,7 +284,7 @@ impl<T: Precision> Examination<'_, T> {
             } else {
                 None
             };
-            let edge = if quantity == Quantity::Pressure { condition::edge(now.radius(), r) } else { 1.0 };
+            let edge = if quantity == Quantity::Pressure { edge(now.radius(), r) } else { 1.0 };
             if let Some(expected) = expected {
                 self.measure(quantity, now.pressure(r).value(), expected, edge * condition);
             }
@@ -300,7 +301,7 @@ impl<T: Precision> Examination<'_, T> {
         for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-15, 0.0] {
             let r = self.place(now.radius(), inset);
             let pressure = now.pressure(r).value();
-            let edge = condition::edge(now.radius(), r);
+            let edge = edge(now.radius(), r);
             let share = T::allowed(Quantity::Pressure.allowance()) * T::EPSILON * edge * condition;
             let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
             if pressure < 0.0 {
@@ -334,9 +335,8 @@ impl<T: Precision> Examination<'_, T> {
             if expected.is_finite() && r < now.radius() {
                 // Of two pressures so near the edge that one is 0 the other is the scale.
                 let (found, scale) = (value.value(), value.value().max(expected));
-                let condition = condition
-                    * condition::edge(now.radius(), r)
-                    * if expected > 0.0 { scale / expected } else { 1.0 };
+                let condition =
+                    condition * edge(now.radius(), r) * if expected > 0.0 { scale / expected } else { 1.0 };
                 let (found, expected) = if expected > 0.0 { (found, expected) } else { (expected, found) };
                 self.measure(Quantity::Field, found, Wide::of(expected), condition);
             }
