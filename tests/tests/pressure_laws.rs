@@ -179,7 +179,7 @@ fn knots_in_a_load_of_a_users_own_change_nothing() -> Result<(), ContactError> {
             }
         }
     }
-    errors.check();
+    errors.check_worst();
     Ok(())
 }
 

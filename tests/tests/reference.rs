@@ -77,9 +77,9 @@ fn contacts_are_those_of_the_reference() {
             });
         }
         radius.check_worst();
-        approach.check();
+        approach.check_worst();
         pressure.check();
-        peak.check();
+        peak.check_worst();
     }
 }
 

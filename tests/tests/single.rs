@@ -2,7 +2,7 @@
 
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
 use tests::budget;
-use tests::condition::edge;
+use tests::condition;
 use tests::kernel::{self, Kernel};
 use tests::measure::Errors;
 use tests::oracle::{Profile, double};
@@ -18,19 +18,23 @@ fn is_representable(case: Case) -> bool {
 }
 
 #[test]
-fn kernels_in_single_precision_agree_with_double() {
-    let rows = reference::kernels();
-    for Kernel { allowance, single, double, .. } in kernel::ALL {
-        let mut errors = Errors::of_single(allowance);
-        for row in rows.iter().filter(|row| is_representable(row.case)) {
-            let (a, r) = (row.a as f32, row.r as f32);
+fn kernels_in_single_precision_are_those_of_double_and_of_the_oracle() {
+    let mut errors = kernel::errors_of_single();
+    compare_reference_rows(&mut errors);
+    compare_decimal_powers(&mut errors);
+    errors.iter().for_each(Errors::check_worst);
+}
+
+fn compare_reference_rows(errors: &mut [Errors; 6]) {
+    for row in reference::kernels().iter().filter(|row| is_representable(row.case)) {
+        let (a, r) = (row.a as f32, row.r as f32);
+        for (Kernel { single, double, .. }, errors) in kernel::ALL.into_iter().zip(errors.iter_mut()) {
             let expected = double(row.case.double, f64::from(a), f64::from(r));
             if NORMAL.contains(&expected) {
                 let condition = double(&row.case.of_sizes(), f64::from(a), f64::from(r)) / expected;
                 errors.add(single(row.case.single, a, r).value(), expected, condition, &(row.case, a, r));
             }
         }
-        errors.check();
     }
 }
 
@@ -50,29 +54,36 @@ fn radii_in_single_precision_agree_with_double() {
 }
 
 #[test]
-fn pressures_in_single_precision_agree_with_double() {
+fn contacts_in_single_precision_agree_with_double() {
+    let (mut radius, mut approach) =
+        (Errors::of_single(budget::CONTACT_RADIUS), Errors::of_single(budget::CONTACT_APPROACH));
     let (mut pressure, mut peak) =
         (Errors::of_single(budget::PRESSURE), Errors::of_single(budget::PEAK_PRESSURE));
     for row in reference::contacts().into_iter().filter(|row| is_representable(row.case)) {
         let single = solved::<f32>(row.case.single, &row);
         let double = solved::<f64>(row.case.double, &row);
-        let edge = edge(double.0, f64::from(row.r as f32));
-        pressure.add(single.1, double.1, edge, &row);
-        peak.add(single.2, double.2, 1.0, &row);
+        let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), double[0]);
+        let degree = condition::degree_of_approach(row.case.double, double[0]);
+        radius.add(single[0], double[0], condition, &row);
+        approach.add(single[1], double[1], condition * (1.0 + degree), &row);
+        pressure.add(single[2], double[2], condition::edge(double[0], f64::from(row.r as f32)), &row);
+        peak.add(single[3], double[3], 1.0, &row);
     }
-    pressure.check();
-    peak.check();
+    radius.check_worst();
+    approach.check_worst();
+    pressure.check_worst();
+    peak.check_worst();
 }
 
-/// a, P(r) and P(0) of a row whose inputs are rounded to single precision.
-fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> (f64, f64, f64) {
+/// a, δ₀, P(r) and P(0) of a row whose inputs are rounded to single precision.
+fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> [f64; 4] {
     let rounded = |x: f64| T::constant(f64::from(x as f32));
     let solve = || {
         let knots: Vec<(T, T)> = row.knots.iter().map(|&(t, force)| (rounded(t), rounded(force))).collect();
         let medium = Medium::from_constants(rounded(row.m), rounded(row.chi))?;
         let contact = Contact::new(profile, medium, cartcontact::load::PiecewiseLinear::new(knots)?)?;
         let now = contact.at(rounded(row.t))?;
-        Ok((now.radius().value(), now.pressure(rounded(row.r)).value(), now.peak_pressure().value()))
+        Ok([now.radius(), now.approach(), now.pressure(rounded(row.r)), now.peak_pressure()].map(T::value))
     };
     solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
 }
@@ -81,18 +92,16 @@ fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> (f64, f64
 #[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
 struct Decimals;
 
-#[test]
-fn kernels_of_decimal_powers_in_single_precision_are_those_of_the_oracle() {
+fn compare_decimal_powers(errors: &mut [Errors; 6]) {
     let oracle = Profile::of_decimals(&[("0.2", "0.7"), ("0.03", "1.7"), ("2e-3", "3.1")]);
-    let mut errors = kernel::errors_of_single();
     for step in 0..60 {
         let a = 0.01 * 1.17_f32.powi(step);
         let r = a * (1.0 - 0.8_f32.powi(step));
         let (exact_a, exact_r) = (double(f64::from(a)), double(f64::from(r)));
-        for (Kernel { single, oracle: define, .. }, errors) in kernel::ALL.into_iter().zip(&mut errors) {
+        for (Kernel { single, oracle: define, .. }, errors) in kernel::ALL.into_iter().zip(errors.iter_mut())
+        {
             let expected = define(&oracle, &exact_a, &exact_r);
             errors.add(single(&Decimals, a, r).value(), &expected, 1.0, &(a, r));
         }
     }
-    errors.iter().for_each(Errors::check);
 }
