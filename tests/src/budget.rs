@@ -19,7 +19,7 @@ pub struct Allowance {
     pub double: f64,
     /// In ulp of `f32`; NaN, which no error is within, if it is used in `f64` only.
     pub single: f64,
-    /// The worst that was seen, in ulp of `f64` and of `f32`, where only laws of random scenes compare it.
+    /// The worst that was seen, in ulp of `f64` and of `f32`; none where only laws of random scenes compare it.
     pub seen: [Option<f64>; 2],
     /// Why it is what it is.
     pub reason: &'static str,

@@ -18,7 +18,7 @@ struct Single {
 }
 
 /// The roots of a⁶/480 + 2a^6.5/2340 = 1 and of a⁶/480 − a⁸/76800000 + 3√20 a⁷/35 = 1.
-const OF_CONSTANT: f64 = 2.572_042_832_713_835_7;
+const OF_CONSTANT: f64 = 2.572_042_832_713_836;
 const OF_SYMBOLIC: f64 = 1.146_031_958_102_065_2;
 
 #[::core::prelude::v1::test]
