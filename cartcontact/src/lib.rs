@@ -59,7 +59,7 @@
 //! | `simd` | yes | the widest vectors of an x86-64 processor, chosen at run time |
 //!
 //! Without `std` the crate needs `libm`; it does not allocate. `nalgebra` and `simd` switch `std` on.
-#![cfg_attr(not(feature = "std"), no_std)]
+#![cfg_attr(not(any(feature = "std", test)), no_std)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("cartcontact needs mathematical functions; enable the feature `std` or `libm`");

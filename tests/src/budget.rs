@@ -7,8 +7,8 @@
 //! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
 //! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here.
 //!
-//! What is `seen` is the worst error in all tests, against the oracle and its reference values. Tests fail if it is
-//! exceeded noticeably, so that it has to be kept; and where it was seen, also if it is no longer reached.
+//! What is `seen` is the worst error in all tests that draw the same numbers in every run. Tests fail if it is exceeded
+//! noticeably, so that it has to be kept; and where it was seen, also if it is no longer reached.
 
 /// What is allowed for one quantity.
 #[derive(Clone, Copy, Debug)]
@@ -17,18 +17,27 @@ pub struct Allowance {
     pub quantity: &'static str,
     /// In ulp of `f64`.
     pub double: f64,
-    /// In ulp of `f32`.
+    /// In ulp of `f32`; NaN, which no error is within, if it is used in `f64` only.
     pub single: f64,
-    /// The worst that was seen, in ulp of `f64` and of `f32`.
-    pub seen: [f64; 2],
+    /// The worst that was seen, in ulp of `f64` and of `f32`; none where only laws of random scenes compare it.
+    pub seen: [Option<f64>; 2],
     /// Why it is what it is.
     pub reason: &'static str,
 }
 
 const fn allow(
     quantity: &'static str,
+    allowed: [f64; 2],
     [double, single]: [f64; 2],
-    seen: [f64; 2],
+    reason: &'static str,
+) -> Allowance {
+    allow_as_seen(quantity, allowed, [Some(double), Some(single)], reason)
+}
+
+const fn allow_as_seen(
+    quantity: &'static str,
+    [double, single]: [f64; 2],
+    seen: [Option<f64>; 2],
     reason: &'static str,
 ) -> Allowance {
     Allowance { quantity, double, single, seen, reason }
@@ -44,17 +53,28 @@ pub const APPROACH: Allowance = allow("approach", [2.0, 2.0], [1.25, 1.25], ROUN
 pub const APPROACH_SLOPE: Allowance = allow("approach slope", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// J(a).
 pub const LOAD_INTEGRAL: Allowance = allow("load integral", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
-/// J(a) − J(a − depth), relative to the same difference for the sizes of the terms.
-pub const LOAD_INTEGRAL_DROP: Allowance = allow(
+/// J(a) − J(a − depth), relative to the same difference for the sizes of the terms, to be multiplied by 1 + a J′/(4 J).
+///
+/// The worst of 90 000 random ones was 1.73 ε.
+pub const LOAD_INTEGRAL_DROP: Allowance = allow_as_seen(
     "drop of the load integral",
-    [40.0, 40.0],
-    [40.0, 40.0],
-    "the rounding of a − depth, here and in the quadrature of the test, is multiplied by the degree of J, at most 68",
+    [2.0, f64::NAN],
+    [None, None],
+    "the rounding of a − depth, here and in the quadrature of the test, half an ε, is multiplied by the degree of J",
 );
 /// L(x).
 pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// G(a, r), up to 1 − r/a = 1e-12.
 pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
+/// G(a, r) against ¼ ∫ δ₀′(s) (s² − r²) ds.
+///
+/// The worst of 90 000 random ones was 11.2 ε.
+pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
+    "pressure kernel by quadrature",
+    [16.0, f64::NAN],
+    [None, None],
+    "the quadrature of the test rounds r + h, by which δ₀′ is off by half its degree, at most 63, and adds 40 nodes",
+);
 /// The inverse of J.
 ///
 /// Of random sums of up to four positive terms with powers from 1/4 to 10 at most six in ten thousand radii are above 1 ulp;
@@ -65,19 +85,19 @@ pub const RADIUS: Allowance =
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [1.1, 1.5],
-    [0.9, 1.1],
+    [0.76, 0.7],
     "as the radius, and the hereditary load over π m/4 is rounded three times, which its degree divides",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
 pub const CONTACT_APPROACH: Allowance = allow(
     "approach in time",
     [1.0, 1.0],
-    [0.5, 0.5],
+    [0.35, 0.6],
     "the rounding of the hereditary load moves the radius, and that the approach",
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst was seen between two ways to the same pressure, with a few knots and with many; against the oracle it is 2.1.
+/// The worst was seen between two ways to the same pressure, with a few knots and with many; against the oracle it is 1.8.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
@@ -90,24 +110,24 @@ pub const PEAK_PRESSURE: Allowance =
     allow("peak pressure", [8.0, 8.0], [5.6, 5.9], "as the pressure, with the factor 3 that it has at r = 0");
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance =
-    allow("pressure field", [16.0, 16.0], [11.4, 9.0], "both have the error of a pressure");
+    allow("pressure field", [16.0, 16.0], [3.7, 2.0], "both have the error of a pressure");
 /// 2π ∫ P r dr against F: 1e-14.
-pub const BALANCE: Allowance = allow(
+pub const BALANCE: Allowance = allow_as_seen(
     "force balance",
     [45.0, 45.0],
-    [20.0, 20.0],
+    [Some(4.0), None],
     "some hundred pressures near the edge, where their own errors are largest, and the quadrature of the test",
 );
 /// 2π ∫ P r dr against F under a load of a user's own: 1e-14.
-pub const BALANCE_OF_OTHER_LOADS: Allowance = allow(
+pub const BALANCE_OF_OTHER_LOADS: Allowance = allow_as_seen(
     "force balance of other loads",
-    [45.0, 45.0],
-    [14.0, 14.0],
+    [45.0, f64::NAN],
+    [Some(14.0), None],
     "as the balance, and the force of each of dozens of steps is rounded",
 );
 
 /// All of them.
-pub const TABLE: [Allowance; 15] = [
+pub const TABLE: [Allowance; 16] = [
     GAP,
     APPROACH,
     APPROACH_SLOPE,
@@ -115,6 +135,7 @@ pub const TABLE: [Allowance; 15] = [
     LOAD_INTEGRAL_DROP,
     LOG_KERNEL,
     PRESSURE_KERNEL,
+    PRESSURE_KERNEL_BY_QUADRATURE,
     RADIUS,
     CONTACT_RADIUS,
     CONTACT_APPROACH,
@@ -132,7 +153,8 @@ mod tests {
     #[test]
     fn nothing_seen_exceeds_what_is_allowed() {
         for Allowance { quantity, double, single, seen, reason } in TABLE {
-            assert!(seen[0] <= double && seen[1] <= single, "{quantity}");
+            assert!(seen[0].is_none_or(|seen| seen <= double), "{quantity}");
+            assert!(seen[1].is_none_or(|seen| seen <= single), "{quantity}");
             assert!(!reason.is_empty(), "{quantity}");
         }
     }

@@ -1,9 +1,12 @@
 //! What the tests share: geometries, reference values, an error measure, and the table of allowed errors.
 
 pub mod budget;
+pub mod condition;
+pub mod kernel;
 pub mod loads;
 pub mod measure;
 pub mod oracle;
+pub mod planted;
 pub mod profiles;
 pub mod quadrature;
 pub mod random;

@@ -1,15 +1,16 @@
 //! Random geometries and histories against the oracle, the same ones in every run.
 
-use core::f64::consts::FRAC_PI_4;
-
 use cartcontact::{Contact, GapProfile, Medium, gap_profile};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
-use tests::budget::{self, Allowance};
+use tests::budget;
+use tests::condition;
+use tests::kernel::{self, Kernel};
 use tests::loads::{Knots, through};
 use tests::measure::{Errors, Exact};
-use tests::oracle::{Oracle, Profile, Real, double, rounded};
+use tests::oracle::{Oracle, Profile, double, rounded};
+use tests::planted;
 use tests::random::{Sum, magnitude, sum};
 
 type Terms = Vec<(f64, f64)>;
@@ -48,27 +49,6 @@ fn of_sizes(terms: &Terms) -> Sum {
     sum(terms.iter().map(|&(c, n)| (c.abs(), n)).collect())
 }
 
-type Kernel = (fn(&dyn GapProfile<f64>, f64, f64) -> f64, fn(&Profile, &Real, &Real) -> Real);
-
-const KERNELS: [Kernel; 6] = [
-    (|profile, a, _| profile.gap(a), |oracle, a, _| oracle.gap(a)),
-    (|profile, a, _| profile.approach(a), |oracle, a, _| oracle.approach(a)),
-    (|profile, a, _| profile.approach_slope(a), |oracle, a, _| oracle.approach_slope(a)),
-    (|profile, a, _| profile.load_integral(a), |oracle, a, _| oracle.load_integral(a)),
-    (|profile, a, _| profile.log_kernel(a), |oracle, a, _| oracle.log_kernel(a)),
-    (|profile, a, r| profile.pressure_kernel(a, r), |oracle, a, r| oracle.pressure_kernel(a, r)),
-];
-
-/// Allowances of the kernels in this order.
-const ALLOWANCES: [Allowance; 6] = [
-    budget::GAP,
-    budget::APPROACH,
-    budget::APPROACH_SLOPE,
-    budget::LOAD_INTEGRAL,
-    budget::LOG_KERNEL,
-    budget::PRESSURE_KERNEL,
-];
-
 /// Compares all kernels at a few places of a geometry.
 fn compare_kernels(
     errors: &mut [Errors; 6],
@@ -80,7 +60,9 @@ fn compare_kernels(
 ) {
     for &(a, depth) in places {
         let r = a * (1.0 - depth);
-        for ((compute, define), errors) in KERNELS.into_iter().zip(errors.iter_mut()) {
+        for (Kernel { double: compute, oracle: define, .. }, errors) in
+            kernel::ALL.into_iter().zip(errors.iter_mut())
+        {
             let expected = Exact::from(&define(oracle, &double(a), &double(r)));
             if expected.nearest != 0.0 {
                 let condition = (compute(sizes, a, r) / expected.nearest).max(1.0);
@@ -98,7 +80,7 @@ fn places(largest: f64) -> impl Strategy<Value = Vec<(f64, f64)>> {
 }
 
 fn check_kernels(geometries: &[(Terms, f64)]) {
-    let mut errors = ALLOWANCES.map(Errors::of);
+    let mut errors = kernel::errors();
     let all_places = samples(&places(1.0), geometries.len());
     for ((terms, largest), places) in geometries.iter().zip(all_places) {
         let oracle = Profile::of(terms);
@@ -161,7 +143,7 @@ const SHAPES: [Shape; 9] = [
 
 #[test]
 fn kernels_of_generated_solvers_are_those_of_the_oracle() {
-    let mut errors = ALLOWANCES.map(Errors::of);
+    let mut errors = kernel::errors();
     for (solver, terms) in SHAPES {
         let oracle = Profile::of_decimals(terms);
         let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
@@ -214,10 +196,7 @@ impl Scene {
 
     /// The stiffness with which the contact radius is what it should be.
     fn m(&self, profile: &dyn GapProfile<f64>) -> f64 {
-        use cartcontact::load::Load;
-        let load = self.load();
-        let hereditary = load.force(self.time) + self.chi * load.impulse(self.time);
-        hereditary / profile.load_integral(self.radius) / FRAC_PI_4
+        planted::stiffness(profile, &self.load(), self.chi, self.radius, self.time)
     }
 }
 
@@ -238,16 +217,14 @@ fn check_contacts(scenes: Vec<Scene>) {
             found().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{scene:?}: {error}"));
         let exact_radius = oracle.radius(scene.time);
         let a = rounded(&exact_radius);
-        // Σ|terms of J|/(a J′) and a δ₀′/δ₀ times Σ|terms|/|sum|.
-        let sizes = of_sizes(&scene.terms);
-        let condition = (sizes.load_integral(a) / (a.powi(5) * profile.approach_slope(a) / 2.0)).max(1.0);
-        let degree = a * profile.approach_slope(a) / profile.approach(a);
+        let condition = condition::of_radius(&profile, &of_sizes(&scene.terms), a);
+        let degree = condition::degree_of_approach(&profile, a);
         radius.add(found.0, &exact_radius, condition, &scene);
         approach.add(found.1, &oracle.approach(scene.time), condition * (1.0 + degree), &scene);
         let [exact_pressure, exact_peak] = oracle.pressures([r, 0.0], scene.time);
         let distance = rounded(&(exact_radius - double(r)));
         if distance > 0.0 {
-            pressure.add(found.2, &exact_pressure, 1.0 + 2.0 * a / distance, &scene);
+            pressure.add(found.2, &exact_pressure, condition::edge_at(a, distance), &scene);
         }
         peak.add(found.3, &exact_peak, 1.0, &scene);
     }

@@ -2,27 +2,13 @@
 
 use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, gap_profile};
-use tests::budget::{self, Allowance};
+use tests::budget;
+use tests::condition;
+use tests::kernel::{self, Kernel};
 use tests::loads::through;
-use tests::measure::{Errors, Exact};
+use tests::measure::Errors;
 use tests::profiles::{Case, cases};
-use tests::reference::{self, ContactRow, KernelRow};
-
-/// A quantity of the kernels: its allowance, how it is computed, and what it should be.
-type Quantity = (Allowance, fn(&dyn GapProfile<f64>, &KernelRow) -> f64, fn(&KernelRow) -> Exact);
-
-const QUANTITIES: [Quantity; 6] = [
-    (budget::GAP, |profile, row| profile.gap(row.a), |row| row.gap),
-    (budget::APPROACH, |profile, row| profile.approach(row.a), |row| row.approach),
-    (budget::APPROACH_SLOPE, |profile, row| profile.approach_slope(row.a), |row| row.approach_slope),
-    (budget::LOAD_INTEGRAL, |profile, row| profile.load_integral(row.a), |row| row.load_integral),
-    (budget::LOG_KERNEL, |profile, row| profile.log_kernel(row.a), |row| row.log_kernel),
-    (
-        budget::PRESSURE_KERNEL,
-        |profile, row| profile.pressure_kernel(row.a, row.r),
-        |row| row.pressure_kernel,
-    ),
-];
+use tests::reference::{self, ContactRow};
 
 /// Which form of a geometry is compared.
 type Form = fn(Case, &mut dyn FnMut(&dyn GapProfile<f64>));
@@ -36,20 +22,17 @@ const FORMS: [(&str, Form); 2] = [
 fn kernels_are_those_of_the_reference() {
     let rows = reference::kernels();
     for (form, visit) in FORMS {
-        for (allowance, compute, expected) in QUANTITIES {
+        for Kernel { allowance, double, reference, .. } in kernel::ALL {
             let mut errors = Errors::of(allowance);
             for row in &rows {
-                let condition = match compute(&row.case.of_sizes(), row) {
+                let expected = reference(row);
+                let condition = match double(&row.case.of_sizes(), row.a, row.r) {
                     0.0 => 1.0,
-                    sizes => sizes / expected(row).nearest,
+                    sizes => sizes / expected.nearest,
                 };
                 visit(row.case, &mut |profile| {
-                    errors.add(
-                        compute(profile, row),
-                        expected(row),
-                        condition,
-                        &(form, row.case, row.a, row.r),
-                    );
+                    let place = (form, row.case, row.a, row.r);
+                    errors.add(double(profile, row.a, row.r), expected, condition, &place);
                 });
             }
             errors.check_worst();
@@ -65,12 +48,8 @@ fn radii_are_those_of_the_reference() {
             let load_integral = row.y / (row.m * core::f64::consts::FRAC_PI_4);
             visit(row.case, &mut |profile| {
                 let found = profile.radius(load_integral).unwrap_or(f64::NAN);
-                errors.add(
-                    found,
-                    row.a,
-                    condition_of_radius(row.case, row.a.nearest),
-                    &(form, row.case, row.y),
-                );
+                let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), row.a.nearest);
+                errors.add(found, row.a, condition, &(form, row.case, row.y));
             });
         }
         errors.check_worst();
@@ -88,27 +67,19 @@ fn contacts_are_those_of_the_reference() {
             let place = (form, row.case, row.chi, &row.knots, row.t, row.r);
             visit(row.case, &mut |profile| {
                 let (a, delta, p, p0) = solved(profile, row);
-                let condition = condition_of_radius(row.case, row.radius.nearest);
+                let exact = row.radius.nearest;
+                let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), exact);
+                let degree = condition::degree_of_approach(row.case.double, exact);
                 radius.add(a, row.radius, condition, &place);
-                approach.add(
-                    delta,
-                    row.approach,
-                    condition * (1.0 + degree_of_approach(row.case, row.radius.nearest)),
-                    &place,
-                );
-                pressure.add(
-                    p,
-                    row.pressure,
-                    1.0 + 2.0 * row.radius.nearest / (row.radius.nearest - row.r),
-                    &place,
-                );
+                approach.add(delta, row.approach, condition * (1.0 + degree), &place);
+                pressure.add(p, row.pressure, condition::edge(exact, row.r), &place);
                 peak.add(p0, row.peak_pressure, 1.0, &place);
             });
         }
         radius.check_worst();
-        approach.check();
+        approach.check_worst();
         pressure.check();
-        peak.check();
+        peak.check_worst();
     }
 }
 
@@ -121,17 +92,6 @@ fn solved(profile: &dyn GapProfile<f64>, row: &ContactRow) -> (f64, f64, f64, f6
         Ok((now.radius(), now.approach(), now.pressure(row.r), now.peak_pressure()))
     };
     solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
-}
-
-/// How much larger than that of positive terms the error of a radius may be: Σ|terms of J|/(a J′).
-fn condition_of_radius(case: Case, a: f64) -> f64 {
-    let slope = a.powi(5) * case.double.approach_slope(a) / 2.0;
-    (case.of_sizes().load_integral(a) / slope).max(1.0)
-}
-
-/// a δ₀′/δ₀, by which an error of the radius is multiplied.
-fn degree_of_approach(case: Case, a: f64) -> f64 {
-    a * case.double.approach_slope(a) / case.double.approach(a)
 }
 
 /// The gap of the finite-element run.

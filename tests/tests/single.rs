@@ -1,7 +1,9 @@
 //! Single precision against double precision, at inputs that both hold exactly.
 
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
-use tests::budget::{self, Allowance};
+use tests::budget;
+use tests::condition;
+use tests::kernel::{self, Kernel};
 use tests::measure::Errors;
 use tests::oracle::{Profile, double};
 use tests::profiles::Case;
@@ -10,49 +12,29 @@ use tests::reference::{self, ContactRow};
 /// What single precision holds with all its digits.
 const NORMAL: core::ops::Range<f64> = f32::MIN_POSITIVE as f64..f32::MAX as f64;
 
-/// A quantity of the kernels in both precisions, and whether it is linear in the gap.
-type Quantity = (Allowance, fn(Case, f32, f32) -> f32, fn(&dyn GapProfile<f64>, f64, f64) -> f64);
-
-const QUANTITIES: [Quantity; 6] = [
-    (budget::GAP, |case, a, _| case.single.gap(a), |profile, a, _| profile.gap(a)),
-    (budget::APPROACH, |case, a, _| case.single.approach(a), |profile, a, _| profile.approach(a)),
-    (
-        budget::APPROACH_SLOPE,
-        |case, a, _| case.single.approach_slope(a),
-        |profile, a, _| profile.approach_slope(a),
-    ),
-    (
-        budget::LOAD_INTEGRAL,
-        |case, a, _| case.single.load_integral(a),
-        |profile, a, _| profile.load_integral(a),
-    ),
-    (budget::LOG_KERNEL, |case, a, _| case.single.log_kernel(a), |profile, a, _| profile.log_kernel(a)),
-    (
-        budget::PRESSURE_KERNEL,
-        |case, a, r| case.single.pressure_kernel(a, r),
-        |profile, a, r| profile.pressure_kernel(a, r),
-    ),
-];
-
 /// Whether the coefficients have all their digits in single precision; those of the flat-ended geometry have not.
 fn is_representable(case: Case) -> bool {
     case.terms.iter().all(|&(c, _)| NORMAL.contains(&c.abs()))
 }
 
 #[test]
-fn kernels_in_single_precision_agree_with_double() {
-    let rows = reference::kernels();
-    for (allowance, single, double) in QUANTITIES {
-        let mut errors = Errors::of_single(allowance);
-        for row in rows.iter().filter(|row| is_representable(row.case)) {
-            let (a, r) = (row.a as f32, row.r as f32);
+fn kernels_in_single_precision_are_those_of_double_and_of_the_oracle() {
+    let mut errors = kernel::errors_of_single();
+    compare_reference_rows(&mut errors);
+    compare_decimal_powers(&mut errors);
+    errors.iter().for_each(Errors::check_worst);
+}
+
+fn compare_reference_rows(errors: &mut [Errors; 6]) {
+    for row in reference::kernels().iter().filter(|row| is_representable(row.case)) {
+        let (a, r) = (row.a as f32, row.r as f32);
+        for (Kernel { single, double, .. }, errors) in kernel::ALL.into_iter().zip(errors.iter_mut()) {
             let expected = double(row.case.double, f64::from(a), f64::from(r));
             if NORMAL.contains(&expected) {
                 let condition = double(&row.case.of_sizes(), f64::from(a), f64::from(r)) / expected;
-                errors.add(single(row.case, a, r).value(), expected, condition, &(row.case, a, r));
+                errors.add(single(row.case.single, a, r).value(), expected, condition, &(row.case, a, r));
             }
         }
-        errors.check();
     }
 }
 
@@ -72,29 +54,36 @@ fn radii_in_single_precision_agree_with_double() {
 }
 
 #[test]
-fn pressures_in_single_precision_agree_with_double() {
+fn contacts_in_single_precision_agree_with_double() {
+    let (mut radius, mut approach) =
+        (Errors::of_single(budget::CONTACT_RADIUS), Errors::of_single(budget::CONTACT_APPROACH));
     let (mut pressure, mut peak) =
         (Errors::of_single(budget::PRESSURE), Errors::of_single(budget::PEAK_PRESSURE));
     for row in reference::contacts().into_iter().filter(|row| is_representable(row.case)) {
         let single = solved::<f32>(row.case.single, &row);
         let double = solved::<f64>(row.case.double, &row);
-        let edge = 1.0 + 2.0 * double.0 / (double.0 - f64::from(row.r as f32));
-        pressure.add(single.1, double.1, edge, &row);
-        peak.add(single.2, double.2, 1.0, &row);
+        let condition = condition::of_radius(row.case.double, &row.case.of_sizes(), double[0]);
+        let degree = condition::degree_of_approach(row.case.double, double[0]);
+        radius.add(single[0], double[0], condition, &row);
+        approach.add(single[1], double[1], condition * (1.0 + degree), &row);
+        pressure.add(single[2], double[2], condition::edge(double[0], f64::from(row.r as f32)), &row);
+        peak.add(single[3], double[3], 1.0, &row);
     }
-    pressure.check();
-    peak.check();
+    radius.check_worst();
+    approach.check_worst();
+    pressure.check_worst();
+    peak.check_worst();
 }
 
-/// a, P(r) and P(0) of a row whose inputs are rounded to single precision.
-fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> (f64, f64, f64) {
+/// a, δ₀, P(r) and P(0) of a row whose inputs are rounded to single precision.
+fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> [f64; 4] {
     let rounded = |x: f64| T::constant(f64::from(x as f32));
     let solve = || {
         let knots: Vec<(T, T)> = row.knots.iter().map(|&(t, force)| (rounded(t), rounded(force))).collect();
         let medium = Medium::from_constants(rounded(row.m), rounded(row.chi))?;
         let contact = Contact::new(profile, medium, cartcontact::load::PiecewiseLinear::new(knots)?)?;
         let now = contact.at(rounded(row.t))?;
-        Ok((now.radius().value(), now.pressure(rounded(row.r)).value(), now.peak_pressure().value()))
+        Ok([now.radius(), now.approach(), now.pressure(rounded(row.r)), now.peak_pressure()].map(T::value))
     };
     solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
 }
@@ -103,25 +92,16 @@ fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> (f64, f64
 #[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
 struct Decimals;
 
-#[test]
-fn kernels_of_decimal_powers_in_single_precision_are_those_of_the_oracle() {
+fn compare_decimal_powers(errors: &mut [Errors; 6]) {
     let oracle = Profile::of_decimals(&[("0.2", "0.7"), ("0.03", "1.7"), ("2e-3", "3.1")]);
-    let mut errors = QUANTITIES.map(|(allowance, ..)| Errors::of_single(allowance));
     for step in 0..60 {
         let a = 0.01 * 1.17_f32.powi(step);
         let r = a * (1.0 - 0.8_f32.powi(step));
         let (exact_a, exact_r) = (double(f64::from(a)), double(f64::from(r)));
-        let found = [
-            (Decimals.gap(a), oracle.gap(&exact_a)),
-            (Decimals.approach(a), oracle.approach(&exact_a)),
-            (Decimals.approach_slope(a), oracle.approach_slope(&exact_a)),
-            (Decimals.load_integral(a), oracle.load_integral(&exact_a)),
-            (Decimals.log_kernel(a), oracle.log_kernel(&exact_a)),
-            (Decimals.pressure_kernel(a, r), oracle.pressure_kernel(&exact_a, &exact_r)),
-        ];
-        for ((found, expected), errors) in found.into_iter().zip(&mut errors) {
-            errors.add(found.value(), &expected, 1.0, &(a, r));
+        for (Kernel { single, oracle: define, .. }, errors) in kernel::ALL.into_iter().zip(errors.iter_mut())
+        {
+            let expected = define(&oracle, &exact_a, &exact_r);
+            errors.add(single(&Decimals, a, r).value(), &expected, 1.0, &(a, r));
         }
     }
-    errors.iter().for_each(Errors::check);
 }

@@ -51,6 +51,9 @@ fn main() -> ExitCode {
     if report.holds() {
         println!("all within the bounds");
         ExitCode::SUCCESS
+    } else if report.is_within_bounds() {
+        println!("NOTHING was examined: there is no contact to any of these scenes");
+        ExitCode::FAILURE
     } else {
         println!("NOT within the bounds; `--seed {} --only CASE` shows a case again", request.seed);
         ExitCode::FAILURE
@@ -88,7 +91,7 @@ impl Request {
     fn run(&self) -> Report {
         let campaign = Campaign { seed: self.seed };
         if let Some(case) = self.only {
-            println!("{}", campaign.shown(case));
+            println!("{}\nfingerprint {:#010x}", campaign.shown(case), campaign.fingerprint(case));
             let mut report = campaign.report();
             campaign.run_closely(case, &mut report);
             return report;

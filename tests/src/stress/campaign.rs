@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::examine::{Depth, examine};
-use super::finding::{Fault, Findings, Quantity};
+use super::finding::{Fault, Findings, Quantity, Tally};
 use super::precision::Precision;
 use super::region::Region;
 use super::scene::Scene;
@@ -64,6 +64,8 @@ pub struct Ledger {
     pub errors: [[Worst; Quantity::ALL.len()]; Region::ALL.len()],
     /// By region and fault.
     pub faults: [[Faults; Fault::ALL.len()]; Region::ALL.len()],
+    /// How many, by region and tally.
+    pub tallies: [[u64; Tally::ALL.len()]; Region::ALL.len()],
 }
 
 /// What was found in all of them.
@@ -81,8 +83,13 @@ impl Campaign {
     /// An empty report.
     #[must_use]
     pub fn report(&self) -> Report {
-        let ledger = |format| Ledger { format, errors: Default::default(), faults: Default::default() };
-        Report { ledgers: [ledger(f64::NAME), ledger(f32::NAME)], cases: 0, seed: self.seed }
+        let ledgers = [f64::NAME, f32::NAME].map(|format| Ledger {
+            format,
+            errors: Default::default(),
+            faults: Default::default(),
+            tallies: Default::default(),
+        });
+        Report { ledgers, cases: 0, seed: self.seed }
     }
 
     /// Examines one case: three in f64, the fourth in f32, through all regions.
@@ -111,6 +118,15 @@ impl Campaign {
         match Format::of(case) {
             Format::Double => format!("{:?}", self.scene::<f64>(case).1),
             Format::Single => format!("{:?}", self.scene::<f32>(case).1),
+        }
+    }
+
+    /// What tells the scene of a case from others; see [`Scene::fingerprint`].
+    #[must_use]
+    pub fn fingerprint(&self, case: u64) -> u32 {
+        match Format::of(case) {
+            Format::Double => self.scene::<f64>(case).1.fingerprint(),
+            Format::Single => self.scene::<f32>(case).1.fingerprint(),
         }
     }
 
@@ -153,6 +169,10 @@ struct Entry<'a> {
 }
 
 impl Findings for Entry<'_> {
+    fn count(&mut self, tally: Tally) {
+        self.ledger.tallies[self.region][tally as usize] += 1;
+    }
+
     fn error(&mut self, quantity: Quantity, share: f64) {
         let worst = &mut self.ledger.errors[self.region][quantity as usize];
         worst.count += 1;
@@ -180,12 +200,27 @@ impl Report {
             {
                 faults.merge(other);
             }
+            for (count, other) in ledger.tallies.iter_mut().flatten().zip(other.tallies.as_flattened()) {
+                *count += other;
+            }
         }
     }
 
-    /// Whether every error is within its bound and nothing is at fault.
+    /// How many there are of a tally, in all regions and formats.
+    #[must_use]
+    pub fn count(&self, tally: Tally) -> u64 {
+        self.ledgers.iter().flat_map(|ledger| &ledger.tallies).map(|row| row[tally as usize]).sum()
+    }
+
+    /// Whether anything was examined, every error is within its bound, and nothing is at fault.
     #[must_use]
     pub fn holds(&self) -> bool {
+        self.count(Tally::Solved) + self.count(Tally::Unsolved) > 0 && self.is_within_bounds()
+    }
+
+    /// Whether every error is within its bound and nothing is at fault, should anything have been examined or not.
+    #[must_use]
+    pub fn is_within_bounds(&self) -> bool {
         self.ledgers.iter().all(|ledger| {
             let worst = ledger.errors.iter().flatten().all(|worst| worst.share <= 1.0);
             worst && ledger.faults.iter().flatten().all(|faults| faults.count == 0)

@@ -1,7 +1,6 @@
 //! By what an allowance is multiplied for a scene: how much larger errors are there that nothing can be done about.
 
 use super::exact::Kernels;
-use super::precision::Precision;
 
 /// The radius is within 2 ulp instead of 1 where terms cancel, because the sums of the last step are the quick ones.
 pub(super) const MIXED_SIGNS: f64 = 2.0;
@@ -13,11 +12,6 @@ pub(super) const MIXED_SIGNS: f64 = 2.0;
 pub(super) fn of_radius(here: &Kernels) -> f64 {
     let slope = here.log_slope.value;
     if slope.is_positive() { (here.load_integral.size / slope).value().max(1.0) } else { f64::INFINITY }
-}
-
-/// 1 + 2a/(a − r), by how much an error of the radius counts at r.
-pub(super) fn edge<T: Precision>(a: T, r: T) -> f64 {
-    if r < a { 1.0 + 2.0 * a.value() / (a - r).value() } else { 1.0 }
 }
 
 #[cfg(test)]

@@ -6,11 +6,12 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapsho
 use super::condition;
 use super::exact::{Profile, Sum};
 use super::fields;
-use super::finding::{Fault, Findings, Quantity};
+use super::finding::{Fault, Findings, Quantity, Tally};
 use super::history::History;
 use super::precision::Precision;
 use super::scene::{Form, Scene};
 use super::wide::Wide;
+use crate::condition::edge;
 use crate::profiles::cases;
 use crate::quadrature::Graded;
 
@@ -41,13 +42,17 @@ pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn 
             if is_usable {
                 findings.fault(Fault::Refused, &error);
             }
+            findings.count(Tally::Refused);
             return;
         }
     };
     let contact = match contact(scene, &*profile) {
         Ok(contact) => contact,
         // Medium and load are checked by tests of their own; scenes that leave the format are none.
-        Err(_) => return,
+        Err(_) => {
+            findings.count(Tally::Refused);
+            return;
+        }
     };
     let examination = Examination { scene, contact, exact: exact(scene), findings };
     examination.run(depth);
@@ -115,12 +120,16 @@ impl<T: Precision> Examination<'_, T> {
         match (now, radius) {
             (Ok(now), Some(a)) => self.solved(&now, a, depth),
             (Ok(_), None) => self.accepted(found, y),
-            (Err(error), _) => self.refused(&error, self.scene.time),
+            (Err(error), _) => {
+                self.findings.count(Tally::Unsolved);
+                self.refused(&error, self.scene.time);
+            }
         }
     }
 
     /// No load, no contact.
     fn unloaded(&mut self) {
+        self.findings.count(Tally::Unsolved);
         match self.contact.at(self.scene.time) {
             Ok(now) if now.radius().is_zero() && now.peak_pressure().is_zero() => {}
             Ok(now) => self.findings.fault(Fault::Accepted, &now.radius().value()),
@@ -130,6 +139,7 @@ impl<T: Precision> Examination<'_, T> {
 
     /// A radius beyond the last exact one is right if J there is as much as rounding lets it be told apart.
     fn accepted(&mut self, found: f64, y: Wide) {
+        self.findings.count(Tally::Unsolved);
         let load_integral = self.exact.profile.kernels(Wide::of(found)).load_integral;
         let error = ((load_integral.value - y) / load_integral.size).value().abs() / T::EPSILON;
         if error > T::allowed(Quantity::LoadIntegral.allowance()) {
@@ -187,6 +197,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
+        self.findings.count(Tally::Solved);
         let here = self.exact.profile.kernels(a);
         let found = now.radius().value();
         let condition = condition::of_radius(&here);
@@ -273,7 +284,7 @@ impl<T: Precision> Examination<'_, T> {
             } else {
                 None
             };
-            let edge = if quantity == Quantity::Pressure { condition::edge(now.radius(), r) } else { 1.0 };
+            let edge = if quantity == Quantity::Pressure { edge(now.radius(), r) } else { 1.0 };
             if let Some(expected) = expected {
                 self.measure(quantity, now.pressure(r).value(), expected, edge * condition);
             }
@@ -290,7 +301,7 @@ impl<T: Precision> Examination<'_, T> {
         for inset in [1.0, 0.7, 0.3, 0.01, 1e-6, 1e-12, 1e-15, 0.0] {
             let r = self.place(now.radius(), inset);
             let pressure = now.pressure(r).value();
-            let edge = condition::edge(now.radius(), r);
+            let edge = edge(now.radius(), r);
             let share = T::allowed(Quantity::Pressure.allowance()) * T::EPSILON * edge * condition;
             let place = format_args!("P(a (1 − {inset:e})) = {pressure:e}, {inner:e} further in");
             if pressure < 0.0 {
@@ -324,9 +335,8 @@ impl<T: Precision> Examination<'_, T> {
             if expected.is_finite() && r < now.radius() {
                 // Of two pressures so near the edge that one is 0 the other is the scale.
                 let (found, scale) = (value.value(), value.value().max(expected));
-                let condition = condition
-                    * condition::edge(now.radius(), r)
-                    * if expected > 0.0 { scale / expected } else { 1.0 };
+                let condition =
+                    condition * edge(now.radius(), r) * if expected > 0.0 { scale / expected } else { 1.0 };
                 let (found, expected) = if expected > 0.0 { (found, expected) } else { (expected, found) };
                 self.measure(Quantity::Field, found, Wide::of(expected), condition);
             }

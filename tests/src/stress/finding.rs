@@ -133,8 +133,40 @@ impl Fault {
     }
 }
 
+/// What is counted, so that nothing passes for not having been looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tally {
+    /// Scenes whose results were compared with the exact ones.
+    Solved,
+    /// Scenes that have no radius to compare: nothing is loaded, or the time is refused; either was judged.
+    Unsolved,
+    /// Scenes of which there is no contact: their geometry, medium or load is refused.
+    Refused,
+    /// Results compared with those in other units.
+    Units,
+}
+
+impl Tally {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Solved, Self::Unsolved, Self::Refused, Self::Units];
+
+    /// What it says in reports, at most ten characters.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Solved => "solved",
+            Self::Unsolved => "unsolved",
+            Self::Refused => "refused",
+            Self::Units => "in units",
+        }
+    }
+}
+
 /// Where the findings of a scene go.
 pub trait Findings {
+    /// What became of it.
+    fn count(&mut self, tally: Tally);
+
     /// An error, as a share of what is allowed.
     fn error(&mut self, quantity: Quantity, share: f64);
 

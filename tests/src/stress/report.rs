@@ -3,12 +3,14 @@
 use core::fmt;
 
 use super::campaign::{Ledger, Report};
-use super::finding::{Fault, Quantity};
+use super::finding::{Fault, Quantity, Tally};
 use super::region::Region;
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{} cases from seed {}", self.cases, self.seed)?;
+        let counted = |ledger: &&Ledger| ledger.tallies.iter().flatten().any(|&count| count > 0);
+        self.ledgers.iter().filter(counted).try_for_each(|ledger| tallies(ledger, f))?;
         let measured = |ledger: &&Ledger| ledger.errors.iter().flatten().any(|worst| worst.count > 0);
         for ledger in self.ledgers.iter().filter(measured) {
             shares(ledger, f)?;
@@ -17,6 +19,26 @@ impl fmt::Display for Report {
         self.ledgers.iter().try_for_each(|ledger| exceeded(ledger, f))?;
         self.ledgers.iter().try_for_each(|ledger| faults(ledger, f))
     }
+}
+
+/// How many scenes were examined and how many were refused, by region.
+fn tallies(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    write!(f, "\n{}, scenes      ", ledger.format)?;
+    for tally in Tally::ALL {
+        write!(f, "{:>11}", tally.name())?;
+    }
+    writeln!(f)?;
+    let line = |f: &mut fmt::Formatter<'_>, name: &str, row: [u64; Tally::ALL.len()]| {
+        write!(f, "{name:17}")?;
+        row.iter().try_for_each(|count| write!(f, "{count:>11}"))?;
+        writeln!(f)
+    };
+    for (region, &row) in Region::ALL.into_iter().zip(&ledger.tallies) {
+        if row.iter().any(|&count| count > 0) {
+            line(f, region.name(), row)?;
+        }
+    }
+    line(f, "all", Tally::ALL.map(|tally| ledger.tallies.iter().map(|row| row[tally as usize]).sum()))
 }
 
 /// The largest errors as shares of what is allowed, by region and quantity.

@@ -85,6 +85,19 @@ impl<T: Precision> Scene<T> {
         coefficients.chain(knots).chain([self.m, self.chi, self.time])
     }
 
+    /// What tells the scene from others: a digest of its form and of seven digits of every number, those in which all
+    /// machines agree, since powers of ten are not rounded alike on all of them.
+    #[must_use]
+    pub fn fingerprint(&self) -> u32 {
+        let exponents = self.terms.iter().map(|&(_, n)| n);
+        let numbers = self.numbers().chain(exponents).chain(self.max_radius).map(Precision::shown);
+        let text: String = numbers.chain([self.inset]).map(|x| format!("{x:.6e} ")).collect();
+        // FNV-1a, which no release of the compiler changes.
+        format!("{:?} {text}", self.form)
+            .bytes()
+            .fold(0x811c_9dc5, |digest, byte| (digest ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+
     /// Lengths, forces and times multiplied by powers of two; none if the numbers of the scene do not allow it.
     #[must_use]
     pub fn in_units(&self, length: i32, force: i32, time: i32) -> Option<Self> {

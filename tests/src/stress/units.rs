@@ -1,7 +1,7 @@
 //! One scene in other units.
 
 use super::examine::{Examination, Now, contact, solver};
-use super::finding::Fault;
+use super::finding::{Fault, Tally};
 use super::precision::Precision;
 use super::scene::Form;
 
@@ -43,6 +43,7 @@ impl<T: Precision> Examination<'_, T> {
             {
                 continue;
             }
+            self.findings.count(Tally::Units);
             let found = match contact.at(scene.time) {
                 Ok(then) => [then.radius(), then.approach(), then.pressure(r * unit)],
                 Err(error) => {

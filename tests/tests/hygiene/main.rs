@@ -10,7 +10,7 @@ mod single_precision;
 
 extern crate cartcontact as renamed;
 
-/// The radius that carries a load integral of 1, which every geometry here has.
+/// The radius at which the load integral is 1; NaN if that is beyond the range of the geometry.
 fn radius<T: cartcontact::Scalar>(profile: &impl cartcontact::GapProfile<T>) -> f64 {
     profile.radius(T::constant(1.0)).map_or(f64::NAN, T::value)
 }

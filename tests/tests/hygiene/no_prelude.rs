@@ -17,16 +17,20 @@ struct Single {
     radius: f32,
 }
 
+/// The roots of a⁶/480 + 2a^6.5/2340 = 1 and of a⁶/480 − a⁸/76800000 + 3√20 a⁷/35 = 1.
+const OF_CONSTANT: f64 = 2.572_042_832_713_836;
+const OF_SYMBOLIC: f64 = 1.146_031_958_102_065_2;
+
 #[::core::prelude::v1::test]
 fn generated_code_needs_no_prelude() {
     let radii = [
-        super::radius::<f64>(&Constant),
-        super::radius::<f32>(&Constant),
-        super::radius(&Symbolic { radius: 20.0_f64 }),
-        super::radius(&Symbolic { radius: 20.0_f32 }),
-        super::radius::<f64>(&Single { radius: 20.0 }),
+        (super::radius::<f64>(&Constant), OF_CONSTANT, 1e-14),
+        (super::radius::<f32>(&Constant), OF_CONSTANT, 1e-6),
+        (super::radius(&Symbolic { radius: 20.0_f64 }), OF_SYMBOLIC, 1e-14),
+        (super::radius(&Symbolic { radius: 20.0_f32 }), OF_SYMBOLIC, 1e-6),
+        (super::radius::<f64>(&Single { radius: 20.0 }), super::OF_BALL, 1e-14),
     ];
-    for radius in radii {
-        ::std::assert!(radius > 0.0, "{radius}");
+    for (radius, expected, tolerance) in radii {
+        ::std::assert!((radius / expected - 1.0).abs() < tolerance, "{radius} instead of {expected}");
     }
 }

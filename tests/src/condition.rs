@@ -1,0 +1,36 @@
+//! By how much more than for positive terms, or far from the edge, errors of the input count in a result.
+
+use cartcontact::{GapProfile, Scalar};
+
+/// 1 + 2a/(a − r), by how much an error of the radius a counts in a pressure at r; 1 outside.
+#[must_use]
+pub fn edge<T: Scalar>(a: T, r: T) -> f64 {
+    if r < a { edge_at(a.value(), (a - r).value()) } else { 1.0 }
+}
+
+/// [`edge`] at a distance a − r that is known to more digits than the difference of the two.
+#[must_use]
+pub fn edge_at(a: f64, distance: f64) -> f64 {
+    1.0 + 2.0 * a / distance
+}
+
+/// a J′/J, the degree of the load integral at a radius: by this the relative error of a radius is multiplied.
+#[must_use]
+pub fn degree(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
+    let square = a * a;
+    square * square * (a * profile.approach_slope(a) / 2.0) / profile.load_integral(a)
+}
+
+/// a δ₀′/δ₀, the degree of the approach.
+#[must_use]
+pub fn degree_of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
+    a * profile.approach_slope(a) / profile.approach(a)
+}
+
+/// Σ|terms of J|/(a J′), if it is above 1, by how much errors of the terms count in a radius; `sizes` is the geometry of the
+/// sizes of the terms.
+#[must_use]
+pub fn of_radius(profile: &dyn GapProfile<f64>, sizes: &dyn GapProfile<f64>, a: f64) -> f64 {
+    let slope = a.powi(5) * profile.approach_slope(a) / 2.0;
+    (sizes.load_integral(a) / slope).max(1.0)
+}
