@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::proof::fixed_point::{Numbers, binomials};
+use crate::proof::fixed_point::Numbers;
 use crate::proof::powers::Powers;
 
 /// A polynomial over a part in Bernstein's basis: p = Σ b_j C(n, j) x^j (1 − x)^(n−j) for x from 0 to 1.
@@ -40,40 +40,21 @@ impl Bernstein {
     }
 
     /// Over both halves of the part, by de Casteljau's algorithm: means of neighbours, whose errors do not grow. One
-    /// unit is what rounding them adds.
-    pub(crate) fn halves(self) -> [Bernstein; 2] {
+    /// unit is what rounding them adds. The last `cut` digits are left out.
+    pub(crate) fn halves(self, cut: u64) -> [Bernstein; 2] {
         let degree = self.numbers.len().saturating_sub(1);
         let [left, right] = self.numbers.edges();
-        let lower = left.shifted_down(&|index| index);
-        let upper = right.shifted_down(&|index| degree - index);
+        let lower = left.shifted_down(&|index| index + cut as usize);
+        let upper = right.shifted_down(&|index| degree - index + cut as usize);
+        let error = (self.error >> cut.min(126)) + if cut > 0 { 2 } else { 1 };
         // Halves have finer multiples, so that the exact ones must be computed anew.
-        let half = |numbers| Bernstein { numbers, error: self.error + 1, is_exact: false };
+        let half = |numbers| Bernstein { numbers, error, is_exact: false };
         [half(lower), half(upper)]
     }
 
-    /// The powers over the piece from start/2^bits on that is 2^(2-bits) long, where start is 0 or 8 at least.
-    pub(crate) fn piece(&self, start: &BigInt, bits: u64) -> Powers {
-        let guard = self.numbers.len() as u64 + 40;
-        let mut powers = self.powers();
-        for number in &mut powers {
-            *number <<= guard;
-        }
-        Powers::new(powers, guard, self.error).over(start, bits, bits - 2)
-    }
-
-    /// The coefficients in powers, C(n, j) Δ^j b_0, of exactly these numbers.
-    pub(crate) fn powers(&self) -> Vec<BigInt> {
-        let binomials = binomials(self.numbers.len().saturating_sub(1));
-        let mut powers = self.numbers.differences().values();
-        for (number, binomial) in powers.iter_mut().zip(&binomials) {
-            *number *= binomial;
-        }
-        powers
-    }
-
-    /// The numbers are less than so many units from the true ones.
-    pub(crate) fn error(&self) -> i128 {
-        self.error
+    /// The bits that all numbers of known sign have at least.
+    pub(crate) fn shortest(&self) -> u64 {
+        self.numbers.shortest(self.error)
     }
 
     /// A bound of the bits that the longest number has.
@@ -105,12 +86,19 @@ impl Bernstein {
         self.numbers.sign(index, self.error).is_some()
     }
 
-    /// Whether the polynomial is certainly convex: Bernstein's coefficients of its curvature are positive multiples of
-    /// the second differences.
-    pub(crate) fn is_convex(&self) -> bool {
-        let differences = self.numbers.second_differences();
-        let mut signs = (0..differences.len()).map(|index| differences.sign(index, 4 * self.error));
-        signs.all(|sign| sign == Some(Ordering::Greater))
+    /// What the curvature is at least: Bernstein's coefficients of it are the second differences times n (n - 1).
+    pub(crate) fn least_curvature(&self) -> BigInt {
+        let degree = self.degree();
+        let least = self.numbers.second_differences().least() - 4 * self.error;
+        least * (degree * degree.saturating_sub(1))
+    }
+
+    /// About where the minimum of a convex polynomial is, in units of 2^-16 of the part: Bernstein's coefficients of
+    /// the slope, which grow, are the differences times n.
+    pub(crate) fn lowest(&self) -> u64 {
+        let last = self.numbers.len() - 1;
+        let falling = (0..last).take_while(|index| self.numbers.exceeds(*index, index + 1)).count();
+        ((2 * falling).saturating_sub(1) << 15) as u64 / last.saturating_sub(1).max(1) as u64
     }
 
     /// Where all roots of the part may be, if they are so many.
@@ -217,8 +205,18 @@ fn either(left: Option<(usize, usize)>, right: Option<(usize, usize)>) -> Option
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
+    use crate::proof::fixed_point::binomials;
     use crate::proof::integer_polynomial::IntegerPolynomial;
     use crate::proof::part::{Part, Whole};
+    use crate::proof::source::Source;
+
+    fn over(source: &Source<'_>, part: &Part, digits: u64) -> Bernstein {
+        Bernstein::new(&source.powers_over(part, digits), false)
+    }
+
+    fn interval<'a>(whole: &'a Whole<'a>, digits: u64) -> Source<'a> {
+        Source::whole(whole).near(Part::whole(), whole.powers(digits), digits, 0)
+    }
 
     /// Coefficients of very different lengths and mixed signs.
     fn polynomial(degree: usize) -> IntegerPolynomial {
@@ -258,27 +256,33 @@ mod tests {
             let polynomial = polynomial(degree);
             let whole = Whole::new(&polynomial, 0);
             let digits = whole.length + 10;
-            let close = |local: &Bernstein, part: &Part| {
+            let close = |local: &Bernstein, part: &Part, cut: u64| {
                 for j in 0..=degree {
                     let (value, unit) = coefficient(&whole, part, j);
-                    let difference: BigInt = local.numbers.value(j) * &unit - (value << 10_u32);
+                    let difference = ((local.numbers.value(j) * &unit) << cut) - (value << 10_u32);
                     assert!(
-                        difference.magnitude() < (unit * local.error).magnitude(),
+                        difference.magnitude() < ((unit * local.error) << cut).magnitude(),
                         "{degree}: {part:?}, {j}"
                     );
                 }
             };
             for part in parts() {
-                let local = Bernstein::new(&whole.powers_over(&part, digits), false);
-                close(&local, &part);
+                let source = interval(&whole, digits);
+                let near = source.clone().near(part.clone(), source.powers_over(&part, digits), digits, 0);
+                close(&over(&near, &part, digits), &part, 0);
                 for (start, bits) in
                     [(0, 5), (8, 5), (1_000_000, 21)].map(|(start, bits)| (start.into(), bits))
                 {
-                    let piece = Bernstein::new(&local.piece(&start, bits), false);
-                    close(&piece, &part.within(&start, bits, bits - 2));
+                    let piece = part.within(&start, bits, bits - 2);
+                    for cut in [0, 1, 8] {
+                        close(&over(&near, &piece, digits - cut), &piece, cut);
+                    }
                 }
-                for (offset, half) in local.halves().into_iter().enumerate() {
-                    close(&half, &part.within(&offset.into(), 1, 1));
+                for cut in [0, 1, 8] {
+                    let halves = over(&near, &part, digits).halves(cut);
+                    for (offset, half) in halves.iter().enumerate() {
+                        close(half, &part.within(&offset.into(), 1, 1), cut);
+                    }
                 }
             }
         }
@@ -290,7 +294,7 @@ mod tests {
         let polynomial = polynomial(20);
         let whole = Whole::new(&polynomial, 0);
         for part in parts().into_iter().skip(2) {
-            let powers = whole.powers_over(&part, whole.length + 10);
+            let powers = interval(&whole, whole.length + 10).powers_over(&part, whole.length + 10);
             let local = Bernstein::new(&powers.without_negligible().unwrap(), false);
             let degree = local.degree() as usize;
             assert!(degree < 12, "{degree}");
@@ -321,13 +325,13 @@ mod tests {
             [[5_000_001, -3_000_000], [5_000_000, -3_000_000], [4_999_998, -3_000_000], [1 << 40, -1]];
         let polynomial = IntegerPolynomial::new(roots.into_iter().fold(vec![BigInt::one()], factor));
         let whole = Whole::new(&polynomial, 0);
-        let Some((offset, bits)) = whole.over(&Part::whole(), 300).cluster(3).long_piece(u64::MAX) else {
-            unreachable!()
-        };
+        let source = interval(&whole, 300);
+        let local = over(&source, &Part::whole(), 300);
+        let Some((offset, bits)) = local.cluster(3).long_piece(u64::MAX) else { unreachable!() };
         let piece = Part::whole().within(&offset, bits, bits - 2);
-        let changes = whole.over(&piece, 300).sign_changes(&|end| whole.sign_at(&piece, end)).1;
+        let changes = over(&source, &piece, 300).sign_changes(&|end| whole.sign_at(&piece, end)).1;
         assert!(bits > 8 && changes == SignChanges { least: 3, most: 3 });
-        assert_eq!(whole.over(&Part::whole(), 300).cluster(2).long_piece(u64::MAX), None);
+        assert_eq!(local.cluster(2).long_piece(u64::MAX), None);
     }
 
     #[test]

@@ -71,6 +71,50 @@ impl Numbers {
         u64::from(sizes.max().unwrap_or(0)) + lower.len() as u64 * u64::from(DIGIT)
     }
 
+    /// The bits that the shortest number has whose sign is certain (`sign`).
+    pub(crate) fn shortest(&self, error: i128) -> u64 {
+        let mut shortest = u64::MAX;
+        let mut index = 0;
+        while index < self.count {
+            let (leading, lower) = self.leading(index);
+            if leading.abs() >= error {
+                let bits = u64::from(i128::BITS - leading.unsigned_abs().leading_zeros());
+                shortest = shortest.min(bits + lower as u64 * u64::from(DIGIT));
+            }
+            index += 1;
+        }
+        shortest
+    }
+
+    /// The smallest number.
+    pub(crate) fn least(&self) -> BigInt {
+        let mut least = 0;
+        for index in 1..self.count {
+            if self.exceeds(least, index) {
+                least = index;
+            }
+        }
+        if self.count == 0 { BigInt::zero() } else { self.value(least) }
+    }
+
+    /// Whether a number is greater than another.
+    pub(crate) fn exceeds(&self, index: usize, other: usize) -> bool {
+        let mut ranks = self.ranks.iter().rev();
+        let unlike = ranks.find(|rank| at(rank, index) != at(rank, other));
+        unlike.is_some_and(|rank| at(rank, index) > at(rank, other))
+    }
+
+    /// The first digits of a number, as many as it takes for 30 bits or all of them, and how many are behind these.
+    fn leading(&self, index: usize) -> (i128, usize) {
+        let mut leading: i128 = 0;
+        let mut lower = self.ranks.len();
+        while lower > 0 && leading >> 30 == leading >> 127 {
+            lower -= 1;
+            leading = (leading << DIGIT) + at(&self.ranks[lower], index);
+        }
+        (leading, lower)
+    }
+
     pub(crate) fn value(&self, index: usize) -> BigInt {
         let Some((highest, lower)) = self.ranks.split_last() else { return BigInt::zero() };
         let mut thirds = Vec::with_capacity(3 * lower.len());
@@ -87,14 +131,8 @@ impl Numbers {
 
     /// The sign of a number that is less than `error` < 2^30 units from the true one, if they must agree.
     pub(crate) fn sign(&self, index: usize, error: i128) -> Option<Ordering> {
-        let mut leading: i128 = 0;
-        for rank in self.ranks.iter().rev() {
-            // All lower digits are less than one unit of it, and so is the error.
-            if leading.abs() >> 30 != 0 {
-                break;
-            }
-            leading = (leading << DIGIT) + at(rank, index);
-        }
+        // All lower digits are less than one unit of it, and so is the error.
+        let (leading, _) = self.leading(index);
         (leading.abs() >= error).then(|| leading.cmp(&0))
     }
 
@@ -165,24 +203,6 @@ impl Numbers {
         }
         shifted.trim();
         shifted
-    }
-
-    /// The first number and its differences of all orders, Δ^j v_0: the left edge of a triangle of differences, which
-    /// is one of sums where every other sign is changed.
-    pub(crate) fn differences(&self) -> Numbers {
-        let [left, _] = self.with_alternate_signs().edges();
-        left.with_alternate_signs()
-    }
-
-    fn with_alternate_signs(&self) -> Numbers {
-        let mut changed = self.clone();
-        for rank in &mut changed.ranks {
-            for block in rank {
-                *block = [block[0], -block[1], block[2], -block[3], block[4], -block[5], block[6], -block[7]];
-            }
-        }
-        changed.carry();
-        changed
     }
 
     /// v_i − 2 v_{i+1} + v_{i+2} for all i.
@@ -339,22 +359,6 @@ mod tests {
                 };
                 assert_eq!(left.value(index), sum(0, index));
                 assert_eq!(right.value(index), sum(index, count - 1 - index));
-            }
-        }
-    }
-
-    #[test]
-    fn differences_are_sums_with_alternate_binomials() {
-        for count in [1, 2, 7, 64, 150] {
-            let values = &numbers()[..count];
-            let differences = Numbers::new(values).differences();
-            for index in 0..count {
-                let term = |(j, binomial): (usize, &BigInt)| {
-                    let product = binomial * &values[j];
-                    if (index - j) % 2 == 0 { product } else { -product }
-                };
-                let sum: BigInt = binomials(index).iter().enumerate().map(term).sum();
-                assert_eq!(differences.value(index), sum);
             }
         }
     }

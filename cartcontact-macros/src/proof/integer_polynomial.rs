@@ -141,20 +141,54 @@ pub(crate) fn derivative(coefficients: &[BigInt]) -> Vec<BigInt> {
 }
 
 /// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.
+///
+/// Once all terms have a common denominator, the factors that they share are those of their numerators in lowest
+/// terms: a prime factor of that denominator is missing where it comes from.
 pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
-    let (mut denominator, mut degree) = (BigInt::one(), 0);
-    for &(power, coefficient) in terms {
-        let shared = common_factor(&denominator, coefficient.denom());
-        denominator *= coefficient.denom() / shared;
-        degree = degree.max(power);
-    }
+    let denominator = common_denominator(terms);
+    let content = common_numerator(terms);
+    let degree = terms.iter().map(|(power, _)| *power).max().unwrap_or(0);
     let mut coefficients = vec![BigInt::zero(); degree + 1];
     for &(power, coefficient) in terms {
         if let Some(slot) = coefficients.get_mut(power) {
-            *slot += coefficient.numer() * (&denominator / coefficient.denom());
+            let [numerator, denominator] =
+                [(coefficient.numer(), &content), (&denominator, coefficient.denom())].map(
+                    |(whole, part)| {
+                        if part.is_one() { whole.clone() } else { whole / part }
+                    },
+                );
+            *slot = numerator * denominator;
         }
     }
-    IntegerPolynomial::new(coefficients).primitive()
+    IntegerPolynomial::new(coefficients)
+}
+
+/// Of fractions; the long ones come first, as the others are likely to divide these.
+fn common_denominator(terms: &[(usize, &Rational)]) -> BigInt {
+    let mut denominators: Vec<&BigInt> = terms.iter().map(|(_, coefficient)| coefficient.denom()).collect();
+    denominators.sort_by_key(|denominator| core::cmp::Reverse(denominator.bits()));
+    let mut common = BigInt::one();
+    for denominator in denominators {
+        let shared = common_factor(&common, denominator);
+        if shared != *denominator {
+            common *= denominator / shared;
+        }
+    }
+    common
+}
+
+/// What all numerators of fractions are multiples of; the short ones come first, as they have few divisors.
+fn common_numerator(terms: &[(usize, &Rational)]) -> BigInt {
+    let mut numerators: Vec<&BigInt> = terms.iter().map(|(_, coefficient)| coefficient.numer()).collect();
+    numerators.sort_by_key(|numerator| numerator.bits());
+    let mut common = BigInt::zero();
+    for numerator in numerators {
+        common = common_factor(numerator, &common);
+        if common.is_one() {
+            break;
+        }
+    }
+    common
 }
 
 #[cfg(test)]

@@ -19,12 +19,15 @@ pub(crate) mod end;
 pub(crate) mod equation;
 mod first_root;
 mod fixed_point;
+mod horner;
 mod integer_polynomial;
 mod minimum;
 mod outline;
 mod part;
 mod powers;
 mod search;
+mod source;
+mod taylor;
 
 use core::cmp::Ordering;
 

@@ -4,22 +4,21 @@
 //! nearly all of which no sign depends on. Rounded to units of a power of two they stay short, and a sign is taken
 //! from them only if the error cannot change it.
 //!
-//! **Error.** On the way that `powers` takes, for f from 1 to 2, in units of a number with some digits more: cutting c_j
-//! and the powers of f leaves less than 2^(j+2); the shift and the division less than 4 · 3^n, as
-//! C(i, j)/C(n, j) ≤ C(n−j, i−j), times (w/f)^j; rounding the powers of w/f and the quotients n + 3 more; and the left
-//! edge 4 · 3^n (1 + w)^n and (n + 3) 2^n. All of it is less than one unit of the result if there are [`guard`] digits
-//! more. Over at most half of the whole, number j has an error of less than 2^(2n+3−j) + n + 2 before the division, so
-//! that negligible powers may be left out.
+//! **Error.** Cutting the coefficients c_j of the whole leaves less than one unit in each, and the Taylor shift to its
+//! beginning adds integers, so that C(n+1, j+1) units are in number j of the result: less than `powers` allows.
 
+use core::cell::RefCell;
 use core::cmp::Ordering;
+use std::rc::Rc;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::proof::bernstein::Bernstein;
+use crate::proof::fixed_point::Numbers;
+use crate::proof::horner::Table;
 use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::powers::Powers;
+use crate::proof::powers::{GUARD, Powers};
 
 /// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
 #[derive(Clone)]
@@ -43,6 +42,11 @@ impl Part {
         Part { offset, bits: finest, width: self.width + width }
     }
 
+    /// Where a part of this one begins: offset/2^bits of this one.
+    pub(crate) fn locate(&self, inner: &Part) -> (BigInt, u64) {
+        (&inner.offset - (&self.offset << (inner.bits - self.bits)), inner.bits - self.width)
+    }
+
     /// The lower end or the upper one, in units of 2^-bits.
     pub(crate) fn end(&self, end: u32) -> BigInt {
         (BigInt::one() << self.bits) + &self.offset + (BigInt::from(end) << (self.bits - self.width))
@@ -60,12 +64,8 @@ pub(crate) struct Whole<'a> {
     top: i64,
     /// That of the longest of the integers, in bits.
     pub(crate) length: u64,
-}
-
-/// Digits that are lost on the way to Bernstein's basis over a part of width 2^-width: by 16 more than
-/// log2 (8 (n + 3) 3^n (1 + 2^-width)^n), as log2 3 < 1.59 and log2 (1 + w) < w + 0.09.
-fn guard(degree: u64, width: u64) -> u64 {
-    2 * degree + (degree >> width.min(63)) + 32
+    /// The coefficients with as many digits as were asked for until now.
+    table: RefCell<Rc<Table>>,
 }
 
 impl<'a> Whole<'a> {
@@ -75,7 +75,8 @@ impl<'a> Whole<'a> {
             Some((lowest + exponent * power, coefficient.bits() as i64 + exponent * power))
         });
         let (bottom, top) = ends.reduce(|all, own| (all.0.min(own.0), all.1.max(own.1))).unwrap_or_default();
-        Whole { polynomial, exponent, top, length: (top - bottom) as u64 }
+        let table = RefCell::new(Rc::new(Table::new(&[], i64::MIN)));
+        Whole { polynomial, exponent, top, length: (top - bottom) as u64, table }
     }
 
     pub(crate) fn degree(&self) -> u64 {
@@ -84,43 +85,44 @@ impl<'a> Whole<'a> {
 
     /// The sign at the lower end of a part, or at its upper one.
     pub(crate) fn sign_at(&self, part: &Part, end: u32) -> Ordering {
-        self.sign_of(self.polynomial, part, end)
-    }
-
-    /// The sign of another polynomial there.
-    pub(crate) fn sign_of(&self, polynomial: &IntegerPolynomial, part: &Part, end: u32) -> Ordering {
         let exponent = self.exponent - part.bits as i64;
         let offset = part.end(end) << exponent.max(0);
-        polynomial.value_at(&offset, exponent.min(0).unsigned_abs()).cmp(&BigInt::zero())
+        self.polynomial.value_at(&offset, exponent.min(0).unsigned_abs()).cmp(&BigInt::zero())
     }
 
     /// The coefficients, of which the longest has so many binary digits; what is below these is cut.
-    pub(crate) fn coefficients(&self, digits: u64) -> Vec<BigInt> {
+    pub(crate) fn coefficients(&self, digits: i64) -> Vec<BigInt> {
         let coefficients = self.polynomial.coefficients().iter().zip(0_i64..);
         let with_digits =
-            coefficients.map(|(coefficient, power)| match self.exponent * power + digits as i64 - self.top {
+            coefficients.map(|(coefficient, power)| match self.exponent * power + digits - self.top {
                 missing @ 0.. => coefficient << missing,
                 excess => coefficient >> -excess,
             });
         with_digits.collect()
     }
 
-    /// In Bernstein's basis, in units of which the longest coefficient of the whole has `digits` binary digits.
-    pub(crate) fn over(&self, part: &Part, digits: u64) -> Bernstein {
-        let powers = self.powers_over(part, digits);
-        // Undecided numbers are zero where the unit is finer than what all of them are multiples of.
-        let multiple = || common_multiple(self.polynomial.degree()).bits();
-        let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
-        let is_exact = digits > finest && digits > finest + multiple();
-        let fewer = if part.width > 0 && !is_exact { powers.without_negligible() } else { None };
-        Bernstein::new(&fewer.unwrap_or(powers), is_exact)
+    /// The coefficients with so many digits or more, for values at points.
+    pub(crate) fn table(&self, digits: i64) -> Rc<Table> {
+        let mut table = self.table.borrow_mut();
+        if table.digits < digits {
+            *table = Rc::new(Table::new(&self.coefficients(digits), digits));
+        }
+        table.clone()
     }
 
-    /// In powers from the beginning of the part on, in the same units.
-    pub(crate) fn powers_over(&self, part: &Part, digits: u64) -> Powers {
-        let guard = guard(self.degree(), part.width);
-        let powers = Powers::new(self.coefficients(digits + guard), guard, 0);
-        powers.over(&part.end(0), part.bits, part.width)
+    /// Whether numbers over the part whose sign so many digits leave open are zero: where the unit is finer than what
+    /// all of them are multiples of.
+    pub(crate) fn is_exact_over(&self, part: &Part, digits: u64) -> bool {
+        let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
+        digits > finest && digits > finest + common_multiple(self.polynomial.degree()).bits()
+    }
+
+    /// In powers from the beginning of the interval on, in units of which the longest coefficient has so many binary
+    /// digits.
+    pub(crate) fn powers(&self, digits: u64) -> Powers {
+        let guard = self.degree() + GUARD;
+        let numbers = Numbers::new(&self.coefficients((digits + guard) as i64));
+        Powers::new(numbers.taylor_shift(self.polynomial.degree() + 1).values(), guard, 0)
     }
 }
 

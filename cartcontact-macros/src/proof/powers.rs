@@ -1,12 +1,11 @@
 //! A polynomial in powers, on the way to Bernstein's basis over part of an interval.
 //!
-//! **Way.** The coefficients c_j f^j of p(f x) give those of p(f + f x) by a Taylor shift, these times (w/f)^j are
-//! those of p(f + w x), and divided by C(n, j) they give Bernstein's as the left edge of a triangle of sums.
+//! **Way.** The coefficients c_j of p are expanded at the beginning of the part (`taylor`), and those of p(f + w x),
+//! divided by C(n, j), give Bernstein's as the left edge of a triangle of sums.
 //!
-//! **Error.** In units of these coefficients, if c_j are integers of them, f is at most 1 and w at most f: rounding
-//! the powers of f leaves less than n + 2 in each, the shift (n + 2) C(n+1, j+1), of which (w/f)^j is left, and
-//! rounding its powers n + 2 more. Divided by C(n, j) and rounded that is less than (n + 3)², and 2^(n+22) after the
-//! triangle, as n is at most 1024.
+//! **Error.** In units of these coefficients, which are cut, what is left after the division and its rounding is less
+//! than 2 (n + 1) (M + 1) + 2 (`taylor`, for f of M words), and 2^(n+22) after the triangle: n is at most 1024, and M
+//! less than 1500, as numbers have no more words. [`GUARD`] digits more than n make it less than 2^-38 of the unit.
 //!
 //! **Degree.** Around few roots far from others the higher powers are next to nothing: p is q + r, with q of a lower
 //! degree d and coefficients of r that add up to η < 2^-(d+24). What Bernstein's coefficients of q tell, if each is
@@ -16,27 +15,32 @@
 //! - One change, behind number m: with x = t/(1+t) and α = m + 1/2, the derivative of t^-α (1+t)^d q has terms of one
 //!   sign, and divided by t^(-α-1) (1+t)^d it is more than 1/2, as |j − α| >= 1/2. What r adds is less than 2 n η. So
 //!   the quotient of p, which has other signs at the ends, is monotonic, and has one root.
-//! - As many changes over a piece as over the whole, both counted with the degree of the whole: over what is left the
-//!   coefficients of q have one sign, and at the ends they are more than 1, so that |q| > 2^(1-d) there.
+//! - As many changes over a piece as over the whole, both counted with the degree d: over what is left the coefficients
+//!   of q have one sign, and at the ends they are more than 1, so that |q| > 2^(1-d) there.
+//! - Second differences that are all more than 1: the curvature of q is more than d (d − 1) times that, and r adds less
+//!   than n² η.
 //!
 //! In the first two cases an end may also be known by the sign of p alone. With the values of r there given to q, as a
 //! linear function, r has a factor x(1 − x), the others less than 2 n η; and x(1 − x) is what is left of the bounds
 //! for q if the coefficients at the ends do not count. What r adds is less than 6 (n + 1)² η x(1 − x).
 
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use crate::proof::fixed_point::{Numbers, binomials};
+use crate::proof::taylor::expand;
 
 /// Σ c_j x^j over the interval from 0 to 1.
 pub(crate) struct Powers {
-    numbers: Vec<BigInt>,
+    pub(crate) numbers: Vec<BigInt>,
     /// They are in units of 2^-guard.
-    guard: u64,
+    pub(crate) guard: u64,
     /// The polynomial is less than so many units from the true one.
     pub(crate) error: i128,
 }
 
+/// Digits that are lost on the way to Bernstein's basis over part of an interval, beside one for every power.
+pub(crate) const GUARD: u64 = 60;
 /// A lower degree would save nothing.
 const LEAST_DEGREE: u64 = 4;
 /// 24 digits for the bound of what is left out, and 12 for its being a sum with errors of its own.
@@ -47,8 +51,19 @@ impl Powers {
         Powers { numbers, guard, error }
     }
 
-    fn degree(&self) -> u64 {
+    pub(crate) fn degree(&self) -> u64 {
         self.numbers.len().saturating_sub(1) as u64
+    }
+
+    /// The same in units of 2^digits, with as many guard digits as a change of the interval takes. Cutting the
+    /// coefficients is part of the error of that change; less than one unit is what leaving some of them out adds.
+    pub(crate) fn cut(&self, digits: u64) -> Powers {
+        let guard = self.degree() + GUARD;
+        let excess = (self.guard + digits) as i64 - guard as i64;
+        let cut = |number: &BigInt| if excess < 0 { number << -excess } else { number >> excess };
+        let numbers = self.numbers.iter().map(cut).collect();
+        let error = ((self.error + 1) >> digits.min(126)) + 1;
+        Powers { numbers, guard, error }
     }
 
     /// Over the part from start/2^bits on that is 2^-width long.
@@ -61,18 +76,7 @@ impl Powers {
             }
             return self;
         }
-        let digits = longest(&self.numbers);
-        let (short, bits) = shortened(start, bits, digits.max(width));
-        multiply_by_powers(&mut self.numbers, digits, &|power| (power * &short) >> bits);
-        // They are less than 2^digits 3^n after the shift; behind these the powers of w/f leave nothing of them.
-        let ratio = (short.bits() + width).saturating_sub(bits + 1);
-        let last = (digits + 2 * self.degree()).checked_div(ratio).unwrap_or(digits);
-        let wanted = self.numbers.len().min(last as usize + 1);
-        let mut shifted = Numbers::new(&self.numbers).taylor_shift(wanted).values();
-        let digits = longest(&shifted);
-        // Around a cluster f is much shorter than its reciprocal, and so is this division than a multiplication.
-        multiply_by_powers(&mut shifted[..wanted], digits, &|power| (power << (bits - width)) / &short);
-        Powers { numbers: shifted, ..self }
+        Powers { numbers: expand(&self.numbers, start, bits, width), ..self }
     }
 
     /// Without the highest powers, if they are negligible; they must be right to 2^(guard−d−26) in all behind every d.
@@ -101,30 +105,5 @@ impl Powers {
         }
         let [left, _] = Numbers::new(&divided).edges();
         left.shifted_down(&|_| self.guard as usize)
-    }
-}
-
-fn longest(numbers: &[BigInt]) -> u64 {
-    numbers.iter().map(BigInt::bits).max().unwrap_or(0)
-}
-
-/// offset/2^bits with so many bits at most.
-fn shortened(offset: &BigInt, bits: u64, most: u64) -> (BigInt, u64) {
-    let excess = bits.saturating_sub(most);
-    (offset >> excess, bits - excess)
-}
-
-/// Multiplies number j by a fraction to the power j, in units of 2^-precision; `next` multiplies by the fraction.
-fn multiply_by_powers(numbers: &mut [BigInt], precision: u64, next: &dyn Fn(&BigInt) -> BigInt) {
-    let one = BigInt::one() << precision;
-    let mut power = next(&one);
-    if power == one {
-        return;
-    }
-    for number in numbers.iter_mut().skip(1) {
-        // What is below the unit of the product is not worth a multiplication.
-        let excess = precision.saturating_sub(number.bits() + 2);
-        *number = (&*number * (&power >> excess)) >> (precision - excess);
-        power = next(&power);
     }
 }

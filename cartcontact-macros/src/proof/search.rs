@@ -12,8 +12,8 @@
 //! small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at. Two sign
 //! changes that are left where the polynomial is convex are decided by its minimum (`minimum`).
 //!
-//! An interval is cut out of the one before it, whose numbers are much shorter than those of the whole polynomial, and
-//! around a cluster ever fewer powers count (`powers`). Only digits that are missing are taken from the polynomial.
+//! An interval has no more digits than its signs take, as they are most of the work, and around a cluster ever fewer
+//! powers count (`powers`). Digits that are missing come from an interval around it (`source`).
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
@@ -28,20 +28,28 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use crate::proof::bernstein::{Bernstein, SignChanges};
 use crate::proof::common_divisor::square_free;
 use crate::proof::first_root::{FirstRoot, Place};
 use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::minimum::{Bracket, Convex, First, Undecided};
+use crate::proof::minimum::{Minimum, Roots, Undecided};
 use crate::proof::outline::Outline;
 use crate::proof::part::{Part, Whole};
+use crate::proof::source::Source;
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
 const MAXIMUM_LENGTH: u64 = 1 << 19;
 /// So do decisions with more digits; it bounds the time of a proof.
 const MAXIMUM_DIGITS: u64 = 1 << 16;
+
+/// Digits that the piece around a cluster has beyond its own needs: the next one is likely to be taken from it.
+const SURPLUS: u64 = 128;
+/// Digits that the value at an end is computed with, beyond those that leave its sign open.
+const MORE_DIGITS: u64 = 512;
+/// Digits that the shortest number of an interval keeps when it is divided.
+const KEPT_DIGITS: u64 = 64;
 
 /// A proof takes longer numbers than [`MAXIMUM_LENGTH`] and [`MAXIMUM_DIGITS`] allow.
 pub(crate) struct TooIntricate;
@@ -62,7 +70,7 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
             return Err(TooIntricate);
         }
         let whole = Whole::new(&polynomial, exponent);
-        if let Some(place) = (Search { whole }).first_place()? {
+        if let Some(place) = (Search { whole: &whole, enough: 0 }).first_place()? {
             return Ok(Some(FirstRoot::new(polynomial, place)));
         }
     }
@@ -71,23 +79,27 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
 
 /// The search for the first root from 2^exponent to 2^(exponent + 1).
 struct Search<'a> {
-    whole: Whole<'a>,
+    whole: &'a Whole<'a>,
+    /// The bits of a point that were enough to decide by the last minimum.
+    enough: u64,
 }
 
 /// A part of the interval with the polynomial over it.
-struct Candidate {
+struct Candidate<'a> {
     part: Part,
     local: Bernstein,
     digits: u64,
+    /// Where more digits come from; it has the same degree.
+    source: Source<'a>,
     missed: Missed,
-    /// So many changes were counted with all powers of the polynomial.
-    counted: usize,
+    /// With how many digits how many changes were uncertain before.
+    before: (u64, usize),
 }
 
 /// What there is around the roots of a candidate.
-enum Around {
+enum Around<'a> {
     /// An interval that has all of them.
-    Piece(Candidate),
+    Piece(Candidate<'a>),
     /// One that it takes so many digits to know about.
     Unclear(u64),
     Nothing,
@@ -100,15 +112,14 @@ struct Missed {
     width: u64,
 }
 
-impl Search<'_> {
-    fn first_place(&self) -> Result<Option<Place>, TooIntricate> {
-        let (part, digits) = (Part::whole(), self.few_digits());
-        let local = self.whole.over(&part, digits);
-        let mut enough = 0;
+impl<'a> Search<'a> {
+    fn first_place(&mut self) -> Result<Option<Place>, TooIntricate> {
+        let missed = Missed { count: 0, width: 0 };
         let mut ahead =
-            vec![Candidate { part, local, digits, missed: Missed { count: 0, width: 0 }, counted: 0 }];
+            vec![self.candidate(Part::whole(), Source::whole(self.whole), self.few_digits(), missed)];
         while let Some(mut front) = ahead.pop() {
-            let (start, changes) = front.local.sign_changes(&|end| self.whole.sign_at(&front.part, end));
+            let (start, changes) =
+                front.local.sign_changes(&|end| self.sign_at(&front.part, end, &front.source, front.digits));
             match changes {
                 _ if start == Some(Ordering::Equal) => {
                     return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
@@ -117,20 +128,42 @@ impl Search<'_> {
                 SignChanges { least: 1, most: 1 } => {
                     return Ok(Some(self.between(&front.part, &front.part.end(1), front.part.bits)));
                 }
-                SignChanges { least, most } if least != most => ahead.push(self.with_more_digits(front)?),
-                SignChanges { most: 2, .. } if front.local.is_convex() => {
-                    if let Some(place) = self.beside_minimum(front, &mut enough)? {
-                        return Ok(Some(place));
+                SignChanges { least, most } if least != most => {
+                    ahead.push(self.with_more_digits(front, most - least)?);
+                }
+                _ if front.is_far_from_source() => {
+                    let digits = front.source.digits().min(MAXIMUM_DIGITS);
+                    ahead.push(self.with_digits(front, digits)?);
+                }
+                SignChanges { most: count, .. } => {
+                    let curvature = if count == 2 { front.local.least_curvature() } else { BigInt::zero() };
+                    if curvature.is_positive() {
+                        if let Some(place) = self.beside_minimum(&front, curvature)? {
+                            return Ok(Some(place));
+                        }
+                        continue;
+                    }
+                    match self.around_cluster(&mut front, count) {
+                        Around::Piece(closer) => ahead.push(closer),
+                        Around::Unclear(digits) => ahead.push(self.with_digits(front, digits)?),
+                        Around::Nothing => ahead.extend(front.halves()),
                     }
                 }
-                SignChanges { most: count, .. } => match self.around_cluster(&mut front, count) {
-                    Around::Piece(closer) => ahead.push(closer),
-                    Around::Unclear(digits) => ahead.push(self.with_digits(front, digits)?),
-                    Around::Nothing => ahead.extend(front.halves()),
-                },
             }
         }
         Ok(None)
+    }
+
+    /// The sign at the lower end of a part, or at its upper one, which so many digits are not enough for: with more of
+    /// them, and all if that leaves it open.
+    fn sign_at(&self, part: &Part, end: u32, source: &Source<'a>, digits: u64) -> Ordering {
+        let point = part.within(&end.into(), 0, 0);
+        let source = source.for_values(digits + MORE_DIGITS);
+        let [error, _] = source.errors();
+        match source.value(&point, digits + MORE_DIGITS) {
+            Some(value) if value.magnitude() >= &error.into() => value.cmp(&BigInt::zero()),
+            _ => self.whole.sign_at(part, end),
+        }
     }
 
     /// For an interval without clusters: the longest coefficient, and what is lost where the terms cancel.
@@ -138,16 +171,39 @@ impl Search<'_> {
         self.whole.degree() + 64
     }
 
-    fn with_more_digits(&self, candidate: Candidate) -> Result<Candidate, TooIntricate> {
-        let digits = self.more(candidate.digits);
-        self.with_digits(candidate, digits)
+    /// A part with so many digits, from a source that has them, without powers that are negligible then.
+    fn candidate(&self, part: Part, source: Source<'a>, digits: u64, missed: Missed) -> Candidate<'a> {
+        let has_all_powers = source.degree() == self.whole.degree();
+        let is_exact = has_all_powers && self.whole.is_exact_over(&part, digits);
+        let powers = source.powers_over(&part, digits);
+        let fewer = if part.width > 0 && !is_exact { powers.without_negligible() } else { None };
+        let powers = fewer.unwrap_or(powers);
+        let local = Bernstein::new(&powers, is_exact);
+        let source = source.near(part.clone(), powers, digits, digits.saturating_sub(local.length()));
+        Candidate { part, local, digits, source, missed, before: (0, 0) }
     }
 
-    fn with_digits(&self, candidate: Candidate, digits: u64) -> Result<Candidate, TooIntricate> {
+    /// As many more as it takes if every digit goes on making as many signs certain as the last ones did.
+    fn with_more_digits(
+        &self,
+        candidate: Candidate<'a>,
+        uncertain: usize,
+    ) -> Result<Candidate<'a>, TooIntricate> {
+        let (digits, (last, before)) = (candidate.digits, candidate.before);
+        let rate = before.saturating_sub(uncertain) as u64;
+        let missing = (uncertain as u64 * digits.saturating_sub(last)).checked_div(rate).unwrap_or(0);
+        let enough = (digits + missing + 16).min(4 * digits).max(self.more(digits));
+        let mut next = self.with_digits(candidate, enough)?;
+        next.before = (digits, uncertain);
+        Ok(next)
+    }
+
+    fn with_digits(&self, candidate: Candidate<'a>, digits: u64) -> Result<Candidate<'a>, TooIntricate> {
         if digits > MAXIMUM_DIGITS {
             return Err(TooIntricate);
         }
-        Ok(Candidate { local: self.whole.over(&candidate.part, digits), digits, ..candidate })
+        let Candidate { part, source, missed, .. } = candidate;
+        Ok(self.candidate(part, source.with_digits(digits), digits, missed))
     }
 
     fn more(&self, digits: u64) -> u64 {
@@ -158,7 +214,7 @@ impl Search<'_> {
     ///
     /// Where one has missed some of them, the next is tried halfway, in bits; unless they turn out to fit into an
     /// interval as short, so that it was in the wrong place.
-    fn around_cluster(&self, front: &mut Candidate, count: usize) -> Around {
+    fn around_cluster(&self, front: &mut Candidate<'a>, count: usize) -> Around<'a> {
         let cluster = front.local.cluster(count);
         let width = front.part.width;
         let (short, longest) = match front.missed {
@@ -178,76 +234,77 @@ impl Search<'_> {
 
     /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has so many sign changes.
     ///
-    /// A cluster of k roots makes values of the size of the width to the power k. They come from the front if that has
-    /// digits enough. Otherwise they are computed anew, with all powers, if those of the front were counted so, too.
-    fn piece(&self, front: &Candidate, offset: &BigInt, bits: u64, count: usize) -> Around {
+    /// A cluster of k roots makes values of the size of the width to the power k, and the smallest number in front is
+    /// one from among them. Both must be counted with the same powers, so that the front is computed anew if these have
+    /// not enough digits.
+    fn piece(&self, front: &Candidate<'a>, offset: &BigInt, bits: u64, count: usize) -> Around<'a> {
         let part = front.part.within(offset, bits, bits - 2);
-        let has_all_powers = |local: &Bernstein| local.degree() == self.whole.degree();
         let (is_first, is_last) = (offset.is_zero(), (offset + 4_u32).bits() > bits);
+        let degree = front.local.degree();
         let smaller = count as u64 * (bits - 2);
-        let mut digits = front.digits.max(front.spent_digits() + smaller + self.few_digits());
-        loop {
-            let powers = match digits == front.digits {
-                true => front.local.piece(offset, bits),
-                false if front.counted == count || has_all_powers(&front.local) => {
-                    self.whole.powers_over(&part, digits)
-                }
-                false if digits > 2 * front.digits => return Around::Nothing,
-                // The next piece is likely to take more again.
-                false => return Around::Unclear(digits + self.few_digits()),
-            };
+        let mut digits = front.digits + smaller + 32 - front.local.shortest().min(front.digits);
+        while digits <= MAXIMUM_DIGITS {
+            let source = front.source.with_digits(digits);
+            if source.degree() != degree {
+                // So many more are rather a sign that it is too short.
+                let is_likely = digits <= 2 * front.source.digits();
+                return if is_likely {
+                    Around::Unclear(digits + SURPLUS.max(smaller))
+                } else {
+                    Around::Nothing
+                };
+            }
+            digits = (digits + SURPLUS.max(smaller)).min(source.digits());
+            let powers = source.powers_over(&part, digits);
             let local = Bernstein::new(&powers, false);
             let (start, SignChanges { least, most }) =
-                local.sign_changes(&|end| self.whole.sign_at(&part, end));
+                local.sign_changes(&|end| self.sign_at(&part, end, &source, digits));
             let known = |end| front.local.knows_end(end) && local.knows_end(end);
             let knows_rest = (is_first || known(0)) && (is_last || known(1));
-            if start == Some(Ordering::Equal) || most < count || !(has_all_powers(&local) || knows_rest) {
+            if start == Some(Ordering::Equal)
+                || most < count
+                || !(degree == self.whole.degree() || knows_rest)
+            {
                 return Around::Nothing;
             }
             if least == count {
-                let counted = if has_all_powers(&local) { count } else { 0 };
-                let fewer = powers.without_negligible();
-                let local = fewer.map_or(local, |fewer| Bernstein::new(&fewer, false));
-                return Around::Piece(Candidate { part, local, digits, missed: front.missed, counted });
+                let (powers, local) = match powers.without_negligible() {
+                    Some(fewer) => {
+                        let local = Bernstein::new(&fewer, false);
+                        (fewer, local)
+                    }
+                    None => (powers, local),
+                };
+                let source = source.near(part.clone(), powers, digits, digits.saturating_sub(local.length()));
+                return Around::Piece(Candidate {
+                    part,
+                    local,
+                    digits,
+                    source,
+                    missed: front.missed,
+                    before: (0, 0),
+                });
             }
             digits = self.more(digits);
-            if digits > MAXIMUM_DIGITS {
-                return Around::Unclear(digits);
-            }
         }
+        Around::Nothing
     }
 
-    /// The first root of a polynomial that is convex over the front and positive at both ends.
-    ///
-    /// Where digits are missing for it, only what is left for the minimum is computed anew; as many as were enough for
-    /// the last one are likely to be enough.
-    fn beside_minimum(&self, mut front: Candidate, enough: &mut u64) -> Result<Option<Place>, TooIntricate> {
-        let beginning = front.part.clone();
-        let mut minimum = Bracket::whole();
-        let first = loop {
-            let Candidate { part, local, digits, .. } = &front;
-            match Convex::new(&self.whole, part, local, *digits).first_root(&mut minimum) {
-                Ok(first) => break first,
-                Err(Undecided) => {
-                    front.part = minimum.part(&front.part);
-                    let digits = (*enough).clamp(self.more(front.digits), 4 * front.digits);
-                    front = self.with_digits(front, digits)?;
-                }
+    /// The first root of a polynomial that is convex over the front, where it has two changes of sign.
+    fn beside_minimum(
+        &mut self,
+        front: &Candidate<'a>,
+        curvature: BigInt,
+    ) -> Result<Option<Place>, TooIntricate> {
+        let minimum = Minimum::new(&front.part, &front.source, curvature, front.digits);
+        match minimum.roots(front.local.lowest(), &mut self.enough, MAXIMUM_DIGITS) {
+            Err(Undecided) => Err(TooIntricate),
+            Ok(Roots::None) => Ok(None),
+            Ok(Roots::Before(offset, bits)) => {
+                let point = front.part.within(&offset, bits, bits);
+                Ok(Some(self.between(&front.part, &point.end(0), point.bits)))
             }
-        };
-        *enough = front.digits;
-        let point = |offset: &BigInt, bits| front.part.within(offset, bits, bits);
-        Ok(match first {
-            First::None => None,
-            First::At(offset, bits) => {
-                let point = point(&offset, bits);
-                Some(self.at(&point.end(0), point.bits))
-            }
-            First::Before(offset, bits) => {
-                let point = point(&offset, bits);
-                Some(self.between(&beginning, &point.end(0), point.bits))
-            }
-        })
+        }
     }
 
     /// At offset/2^bits of the interval.
@@ -262,22 +319,31 @@ impl Search<'_> {
     }
 }
 
-impl Candidate {
+impl<'a> Candidate<'a> {
     /// Those that are zero in all numbers.
     fn spent_digits(&self) -> u64 {
         self.digits.saturating_sub(self.local.length())
     }
 
+    /// Whether a quarter of the digits that its source had left have been spent since: what is computed from it would
+    /// take less from here.
+    fn is_far_from_source(&self) -> bool {
+        let (spent, all) = (self.source.spent_digits(), self.source.digits());
+        4 * self.spent_digits().saturating_sub(spent) > all - spent
+    }
+
     /// The upper half and, to be looked at first, the lower one.
-    fn halves(self) -> [Candidate; 2] {
-        let Candidate { part, digits, missed, .. } = self;
-        let [lower, upper] = self.local.halves();
+    fn halves(self) -> [Candidate<'a>; 2] {
+        let Candidate { part, local, digits, source, missed, .. } = self;
+        let cut = local.shortest().saturating_sub(KEPT_DIGITS).min(digits - 1);
+        let [lower, upper] = local.halves(cut);
         let half = |offset: u32, local| Candidate {
             part: part.within(&offset.into(), 1, 1),
             local,
-            digits,
+            digits: digits - cut,
+            source: source.clone(),
             missed,
-            counted: 0,
+            before: (0, 0),
         };
         [half(1, upper), half(0, lower)]
     }

@@ -200,6 +200,14 @@ fn chebyshev_from_above() -> Gap {
     with_slope(&next, "1")
 }
 
+/// delta0' = 2 a (∏ (a − c)² + 1e-1000), with 32 c that are 1e-9 apart: minima of 1e-1000 in a cluster.
+fn squares_from_above() -> Gap {
+    let twice = (0..64).map(|index| root(&format!("1.0000000{:02}", index / 2)));
+    let mut q = product(&twice.collect::<Vec<_>>());
+    q[0] += integer(10).pow(-1000);
+    with_slope(&q, "1")
+}
+
 /// Alternating signs, magnitudes without order.
 fn of_all_magnitudes() -> Gap {
     gap((0..=64_usize).map(|power| {
@@ -221,6 +229,7 @@ fn degree_64_is_decided_at_once() {
     let cluster =
         (0..8).map(|at| pair(&format!("1.{}{}", "0".repeat(30), 101 + at), &format!("1e-{}", 30 + at)));
     let near = (1..33).map(|at| pair(&format!("{at}e-1"), "1e-9"));
+    let apart9 = (0..32).map(|k| pair(&format!("1e{}", 9 * k - 144), &format!("1e{}", 9 * k - 174)));
     let nested = |deepest: &str| {
         let at = |place: u32| [place % 4, place / 4 % 4].map(|digit| format!("00000000{digit}")).join("");
         let pairs = (0..32).map(|place| pair(&format!("1.{}00000000{}", at(place), place / 16), deepest));
@@ -242,6 +251,8 @@ fn degree_64_is_decided_at_once() {
         ("4 roots within 1e-140", cluster_of_four(), None),
         ("a minimum of 1e-1280", nearly_touching_from_above(), None),
         ("32 minima of 1e-40", chebyshev_from_above(), None),
+        ("32 minima of 1e-1000 within 1e-7", squares_from_above(), None),
+        ("32 pairs of sizes 1e9 apart", planted(&apart9.collect::<Vec<_>>()), None),
         ("two roots 1e-33 apart", nearly_touching(), Some("0.1")),
         ("coefficients from 1e-300 to 1e300", of_all_magnitudes(), Some(of_these)),
     ];

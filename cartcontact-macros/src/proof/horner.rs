@@ -1,0 +1,222 @@
+//! Values and derivatives of a polynomial at a point, in fixed point, by Horner's rule.
+//!
+//! Cargo does not optimise macros, so that calls, checks and allocations take most of the time of products of big
+//! integers. Here coefficients are cut by whole words and the point is a fraction of whole words, so that nothing is
+//! shifted, words of a product that hardly matter for its last one are not formed, and a row of words is a loop
+//! without calls.
+//!
+//! **Error.** The columns of a product that are not formed lie behind the first of those that are cut off; as there are
+//! less than 2^32 words, they add up to less than 2^-31 of a unit. Cutting off the others takes less than one unit, and
+//! cutting a coefficient takes less than its factor.
+
+use num_bigint::{BigInt, Sign};
+use num_traits::Signed;
+
+/// Coefficients as signs and words, the lowest power and the lowest word first, in units of 2^-digits.
+pub(crate) struct Table {
+    coefficients: Vec<(bool, Vec<u64>)>,
+    pub(crate) digits: i64,
+}
+
+/// From 0 to 1, in words behind the point, or more by 1.
+pub(crate) struct Abscissa {
+    words: Vec<u64>,
+    exceeds_one: bool,
+}
+
+const WORD: u64 = u64::BITS as u64;
+
+impl Abscissa {
+    /// offset/2^bits, which is less than 1, or that more than 1.
+    pub(crate) fn new(offset: &BigInt, bits: u64, exceeds_one: bool) -> Self {
+        let count = bits.div_ceil(WORD);
+        let mut words = (offset << (count * WORD - bits)).magnitude().to_u64_digits();
+        words.resize(count as usize, 0);
+        Abscissa { words, exceeds_one }
+    }
+}
+
+impl Table {
+    pub(crate) fn new(coefficients: &[BigInt], digits: i64) -> Self {
+        let in_words = |number: &BigInt| (number.is_negative(), number.magnitude().to_u64_digits());
+        Table { coefficients: coefficients.iter().map(in_words).collect(), digits }
+    }
+
+    /// A derivative at a point and the digits of its unit, which are `digits` or up to 63 more.
+    pub(crate) fn derivative(&self, order: usize, at: &Abscissa, digits: i64) -> (BigInt, i64) {
+        let cut = (self.digits - digits).max(0) as usize / WORD as usize;
+        let mut value = Value { is_negative: false, words: Vec::new() };
+        for power in (order..self.coefficients.len()).rev() {
+            value.multiply(at);
+            let (is_negative, words) = &self.coefficients[power];
+            if let Some(words) = words.get(cut..) {
+                let factor = (power - order + 1..=power).product::<usize>();
+                value.add(*is_negative, words, factor as u64);
+            }
+        }
+        let size = integer(&value.words);
+        let value = if value.is_negative { -size } else { size };
+        (value, self.digits - (cut as u64 * WORD) as i64)
+    }
+}
+
+/// An integer with its sign; there may be zeros before its first word.
+struct Value {
+    is_negative: bool,
+    words: Vec<u64>,
+}
+
+impl Value {
+    /// Cuts off what is behind the unit.
+    fn multiply(&mut self, at: &Abscissa) {
+        while self.words.last() == Some(&0) {
+            self.words.pop();
+        }
+        let (own, behind) = (self.words.len(), at.words.len());
+        let mut product = vec![0; own + behind + 1];
+        for (place, &factor) in at.words.iter().enumerate() {
+            let unformed = behind.saturating_sub(place + 2);
+            if unformed < own {
+                let carry = add_row(&mut product[place + unformed..], &self.words[unformed..], factor, 0);
+                product[place + own] = carry;
+            }
+        }
+        product.drain(..behind);
+        if at.exceeds_one {
+            let carry = add_row(&mut product, &self.words, 1, 0);
+            product[own] += carry;
+        }
+        self.words = product;
+    }
+
+    fn add(&mut self, is_negative: bool, row: &[u64], factor: u64) {
+        let room = row.len() + 2;
+        if self.words.len() < room {
+            self.words.resize(room, 0);
+        }
+        let rest = row.len();
+        if is_negative == self.is_negative {
+            let mut carry = add_row(&mut self.words, row, factor, 0);
+            for word in &mut self.words[rest..] {
+                let (sum, exceeds) = word.overflowing_add(carry);
+                (*word, carry) = (sum, exceeds.into());
+                if carry == 0 {
+                    break;
+                }
+            }
+            if carry != 0 {
+                self.words.push(carry);
+            }
+        } else {
+            let mut borrow = subtract_row(&mut self.words, row, factor);
+            for word in &mut self.words[rest..] {
+                let (difference, exceeds) = word.overflowing_sub(borrow);
+                (*word, borrow) = (difference, exceeds.into());
+                if borrow == 0 {
+                    break;
+                }
+            }
+            if borrow != 0 {
+                self.is_negative = !self.is_negative;
+                negate(&mut self.words);
+            }
+        }
+    }
+}
+
+/// From 2^(64 n) minus a number of n words to that number, and back.
+pub(crate) fn negate(words: &mut [u64]) {
+    let mut carry = true;
+    for word in words {
+        (*word, carry) = (!*word).overflowing_add(carry.into());
+    }
+}
+
+pub(crate) fn integer(words: &[u64]) -> BigInt {
+    let mut halves = Vec::with_capacity(2 * words.len());
+    for word in words {
+        halves.push(*word as u32);
+        halves.push((word >> 32) as u32);
+    }
+    BigInt::new(Sign::Plus, halves)
+}
+
+/// Adds a multiple of a row to the first of `sums`; what is to be added to the next is returned.
+pub(crate) fn add_row(sums: &mut [u64], row: &[u64], factor: u64, carry: u64) -> u64 {
+    let factor = u128::from(factor);
+    let (mut row, mut row_end) = row.split_at(row.len() / 4 * 4);
+    let (mut sums, mut sums_end) = sums.split_at_mut(row.len());
+    let mut carry = u128::from(carry);
+    while let ([s0, s1, s2, s3, sums_left @ ..], [r0, r1, r2, r3, row_left @ ..]) = (sums, row) {
+        let sum = u128::from(*r0).wrapping_mul(factor).wrapping_add(u128::from(*s0)).wrapping_add(carry);
+        (*s0, carry) = (sum as u64, sum >> WORD);
+        let sum = u128::from(*r1).wrapping_mul(factor).wrapping_add(u128::from(*s1)).wrapping_add(carry);
+        (*s1, carry) = (sum as u64, sum >> WORD);
+        let sum = u128::from(*r2).wrapping_mul(factor).wrapping_add(u128::from(*s2)).wrapping_add(carry);
+        (*s2, carry) = (sum as u64, sum >> WORD);
+        let sum = u128::from(*r3).wrapping_mul(factor).wrapping_add(u128::from(*s3)).wrapping_add(carry);
+        (*s3, carry) = (sum as u64, sum >> WORD);
+        (sums, row) = (sums_left, row_left);
+    }
+    while let ([s0, sums_left @ ..], [r0, row_left @ ..]) = (sums_end, row_end) {
+        let sum = u128::from(*r0).wrapping_mul(factor).wrapping_add(u128::from(*s0)).wrapping_add(carry);
+        (*s0, carry) = (sum as u64, sum >> WORD);
+        (sums_end, row_end) = (sums_left, row_left);
+    }
+    carry as u64
+}
+
+/// Subtracts a multiple of a row from the first of `sums`; what is to be subtracted from the next is returned.
+fn subtract_row(mut sums: &mut [u64], mut row: &[u64], factor: u64) -> u64 {
+    let factor = u128::from(factor);
+    let mut borrow: u128 = 0;
+    while let ([s0, sums_left @ ..], [r0, row_left @ ..]) = (sums, row) {
+        let product = u128::from(*r0).wrapping_mul(factor).wrapping_add(borrow);
+        let (difference, is_less) = s0.overflowing_sub(product as u64);
+        (*s0, borrow) = (difference, (product >> WORD) + u128::from(is_less));
+        (sums, row) = (sums_left, row_left);
+    }
+    borrow as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_traits::Zero;
+
+    /// Against the exact derivatives at t and at 1 + t, with words cut off and without.
+    #[test]
+    fn derivatives_are_as_near_as_they_say() {
+        let number = |power: u32| {
+            let size: BigInt = (BigInt::from(7 * power + 1) << 700) >> (power * 61 % 690);
+            if power % 3 == 1 { -size } else { size }
+        };
+        let coefficients: Vec<BigInt> = (0..20).map(number).collect();
+        let table = Table::new(&coefficients, 800);
+        for (offset, bits) in [(0_u64, 0), (1, 1), (u64::MAX, 64), (5, 300), (1 << 40 | 1, 41)] {
+            for (exceeds_one, order) in
+                [false, true].into_iter().flat_map(|exceeds| [0, 1, 2].map(|k| (exceeds, k)))
+            {
+                let x = BigInt::from(offset) + (BigInt::from(u8::from(exceeds_one)) << bits);
+                let mut exact = BigInt::zero();
+                for power in (order..20).rev() {
+                    let factor: usize = (power - order + 1..=power).product();
+                    exact = exact * &x + ((&coefficients[power] * factor) << (bits * (19 - power) as u64));
+                }
+                for digits in [800, 700, 500, 136] {
+                    let at = Abscissa::new(&offset.into(), bits, exceeds_one);
+                    let (value, unit) = table.derivative(order, &at, digits);
+                    let scale = bits * (19 - order) as u64;
+                    let difference = (value << (scale + (800 - unit) as u64)) - &exact;
+                    let most = BigInt::from(20 * (19_i64.pow(order as u32) + 2))
+                        << (if exceeds_one { 20 } else { 0 });
+                    let most: BigInt = most << (scale + (800 - unit) as u64);
+                    assert!(
+                        difference.magnitude() < most.magnitude(),
+                        "{offset}/2^{bits}, {order}, {digits}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Where the polynomial over a part comes from, and the digits that are missing later.
+//!
+//! Digits that a cluster of roots has used up are zero in all numbers around it, and most of the others are not needed
+//! any more once the cluster has fallen into smaller ones. So every interval has few digits, and remembers those that
+//! it was cut out of: what is missing comes from there, where numbers are shorter and powers fewer than those of the
+//! whole polynomial.
+//!
+//! **Error.** A polynomial over a part is as many units off as its source, and one or two more (`powers`). Where
+//! Bernstein's coefficients are less than e units off, the slope is less than 2 n e. Derivatives by Horner's rule
+//! (`horner`) lose less than their factor and 2 in each step, which is at most n^k + 2 for the k-th; it does not grow
+//! any more over a part, where the variable is at most 1, and 2^j times at most over the whole. With guard digits for
+//! (n + 1)^(k+1), for 2^n over the whole, and 3 more, it is less than one unit, and rounding the result another one.
+
+use core::cell::RefCell;
+use std::rc::Rc;
+
+use num_bigint::BigInt;
+
+use crate::proof::horner::{Abscissa, Table};
+use crate::proof::part::{Part, Whole};
+use crate::proof::powers::Powers;
+
+/// Where a polynomial over a part is taken from.
+#[derive(Clone)]
+pub(crate) struct Source<'a> {
+    whole: &'a Whole<'a>,
+    /// Nothing if that is the whole polynomial.
+    near: Option<Rc<Near<'a>>>,
+}
+
+/// The polynomial over a part that is not the whole.
+struct Near<'a> {
+    part: Part,
+    /// As many digits are zero in all numbers.
+    spent: u64,
+    wider: Source<'a>,
+    known: RefCell<Known>,
+}
+
+/// What grows if more digits are asked for.
+struct Known {
+    powers: Rc<Powers>,
+    digits: u64,
+    table: Option<Rc<Table>>,
+}
+
+impl<'a> Source<'a> {
+    pub(crate) fn whole(whole: &'a Whole<'a>) -> Self {
+        Source { whole, near: None }
+    }
+
+    pub(crate) fn is_whole(&self) -> bool {
+        self.near.is_none()
+    }
+
+    /// What was taken from this one over a part, with so many digits, as a source itself.
+    pub(crate) fn near(self, part: Part, powers: Powers, digits: u64, spent: u64) -> Self {
+        let known = RefCell::new(Known { powers: Rc::new(powers), digits, table: None });
+        Source { whole: self.whole, near: Some(Rc::new(Near { part, spent, wider: self, known })) }
+    }
+
+    /// The nearest one that has so many digits, or can have them without any power more.
+    pub(crate) fn with_digits(&self, digits: u64) -> Self {
+        match &self.near {
+            Some(near) if self.digits() < digits => {
+                if self.degree() < self.whole.degree() {
+                    return near.wider.with_digits(digits);
+                }
+                // More are likely to be asked for.
+                let digits = digits + digits / 4;
+                let powers = near.wider.having(digits).powers_over(&near.part, digits);
+                near.known.replace(Known { powers: Rc::new(powers), digits, table: None });
+                self.clone()
+            }
+            _ => self.clone(),
+        }
+    }
+
+    /// The nearest one for values with so many digits, which the whole polynomial has at once.
+    pub(crate) fn for_values(&self, digits: u64) -> Self {
+        match &self.near {
+            Some(near) if self.digits() < digits => match near.wider.is_whole() {
+                true => near.wider.clone(),
+                false if self.degree() < self.whole.degree() => near.wider.for_values(digits),
+                false => self.with_digits(digits),
+            },
+            _ => self.clone(),
+        }
+    }
+
+    /// The nearest one that has so many digits; if there is none but the whole, the polynomial over its interval.
+    fn having(&self, digits: u64) -> Self {
+        match &self.near {
+            Some(near) if self.digits() < digits => match near.wider.is_whole() {
+                true => self.with_digits(digits),
+                false => near.wider.having(digits),
+            },
+            _ => self.clone(),
+        }
+    }
+
+    /// As many as are zero in all numbers.
+    pub(crate) fn spent_digits(&self) -> u64 {
+        self.near.as_ref().map_or(0, |near| near.spent)
+    }
+
+    /// The bounds for the errors of values and slopes.
+    pub(crate) fn errors(&self) -> [u64; 2] {
+        let own = self.near.as_ref().map_or(0, |near| near.known.borrow().powers.error as u64 + 1);
+        [own + 2, 2 * self.degree() * (own + 2)]
+    }
+
+    /// How many digits it has; no limit for the whole.
+    pub(crate) fn digits(&self) -> u64 {
+        self.near.as_ref().map_or(u64::MAX, |near| near.known.borrow().digits)
+    }
+
+    pub(crate) fn degree(&self) -> u64 {
+        self.near.as_ref().map_or_else(|| self.whole.degree(), |near| near.known.borrow().powers.degree())
+    }
+
+    /// In powers from the beginning of a part on, with no more digits than there are.
+    pub(crate) fn powers_over(&self, part: &Part, digits: u64) -> Powers {
+        let Some(near) = &self.near else { return self.whole.powers(digits) };
+        let (offset, bits) = near.part.locate(part);
+        let known = near.known.borrow();
+        known.powers.cut(known.digits - digits).over(&offset, bits, part.width - near.part.width)
+    }
+
+    /// The value at a point in units of 2^-digits, unless it lies beyond the part.
+    pub(crate) fn value(&self, point: &Part, digits: u64) -> Option<BigInt> {
+        let (offset, bits) = match &self.near {
+            None => (point.offset.clone(), point.bits),
+            Some(near) => near.part.locate(point),
+        };
+        (offset.bits() <= bits).then(|| self.derivative(0, point, point, digits as i64))
+    }
+
+    /// A derivative at the beginning of `point` by the variable of `part`, in units of 2^-digits; value and slope are
+    /// less than `errors` from the true ones, if there are as many digits.
+    pub(crate) fn derivative(&self, order: u64, point: &Part, part: &Part, digits: i64) -> BigInt {
+        let degree = self.degree();
+        let guard = (order + 1) as i64 * i64::from(u64::BITS - degree.leading_zeros()) + 3;
+        let (value, unit) = match &self.near {
+            None => {
+                let finer = digits - (order * part.width) as i64;
+                let at = Abscissa::new(&point.offset, point.bits, true);
+                let fine = finer + guard + degree as i64;
+                let (value, unit) = self.whole.table(fine).derivative(order as usize, &at, fine);
+                (value, unit + digits - finer)
+            }
+            Some(near) => {
+                let finer = digits - (order * (part.width - near.part.width)) as i64;
+                let (offset, bits) = near.part.locate(point);
+                let at = Abscissa::new(&offset, bits, false);
+                let table = near.table();
+                let (value, unit) = table.derivative(order as usize, &at, finer + guard);
+                (value, unit + digits - finer)
+            }
+        };
+        if unit < digits { value << (digits - unit) } else { value >> (unit - digits) }
+    }
+}
+
+impl Near<'_> {
+    fn table(&self) -> Rc<Table> {
+        let Known { powers, digits, table } = &mut *self.known.borrow_mut();
+        let digits = (*digits + powers.guard) as i64;
+        table.get_or_insert_with(|| Rc::new(Table::new(&powers.numbers, digits))).clone()
+    }
+}
