@@ -47,6 +47,7 @@ const _: () = {
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
             value: <T as __cartcontact::Scalar>::constant(228.57142857142858f64) + __s,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(171.42857142857142f64) + __s,
             half_second: <T as __cartcontact::Scalar>::constant(53.57142857142857f64)
                 + (<T as __cartcontact::Scalar>::constant(0.4375f64)) * __s,

@@ -48,6 +48,7 @@ const _: () = {
             value: <T as __cartcontact::Scalar>::constant(250.0f64)
                 + (<T as __cartcontact::Scalar>::constant(-20.571428571428573f64) + __a)
                     * __a,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(187.5f64)
                 + (<T as __cartcontact::Scalar>::constant(-18.0f64) + __a) * __a,
             half_second: (<T as __cartcontact::Scalar>::constant(58.59375f64)

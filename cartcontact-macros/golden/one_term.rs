@@ -48,6 +48,7 @@ const _: () = {
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
             value: <T as __cartcontact::Scalar>::constant(1.0f64),
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(1.0f64),
             half_second: <T as __cartcontact::Scalar>::constant(0.4166666666666667f64),
             per_unit: <T as __cartcontact::Scalar>::constant(480.0f64),

@@ -4,6 +4,8 @@ use core::any::TypeId;
 
 use simba::scalar::{RealField, SupersetOf};
 
+use crate::evaluate::bits::nearest_integer;
+
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
 /// `f32` and `f64` are; so are the dual numbers of `num-dual`, with which every result carries its exact
@@ -47,12 +49,11 @@ impl<T: RealField + Copy> Scalar for T {
     }
 }
 
-/// ⌊x⌋ of a number that fits an `i32`; dual numbers have no `floor` of their own.
+/// ⌊x⌋ of a number of 20 digits at the most; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
-    let value = x.value();
-    let toward_zero = value as i32;
-    toward_zero - i32::from(f64::from(toward_zero) > value)
+    let (nearest, integer) = nearest_integer(x);
+    integer - i32::from(nearest > x)
 }
 
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.

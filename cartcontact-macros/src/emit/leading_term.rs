@@ -27,15 +27,17 @@ pub(super) fn radius(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Na
     if let Some(powers) = whole_powers(sum, coefficients, names) {
         return quote!((#powers).radius(#load_integral, #limit));
     }
-    let [radius, steepness] =
-        ["radius_of_real_powers", "scaled_power_sum_steepness"].map(|name| names.generated(name));
+    let [radius, quick, precise] =
+        ["radius_of_real_powers", "quick_power_sum_steepness", "scaled_power_sum_steepness"]
+            .map(|name| names.generated(name));
     let pairs = pairs(sum, coefficients, names);
     quote! {
         #radius(
             #load_integral,
             #limit,
             ::core::iter::IntoIterator::into_iter([#(#pairs),*]),
-            |#a, #scale| #steepness(#a, #scale, [#(#pairs),*]),
+            |#a, #scale| #quick(#a, #scale, [#(#pairs),*]),
+            |#a, #scale| #precise(#a, #scale, [#(#pairs),*]),
         )
     }
 }

@@ -47,6 +47,7 @@ pub(super) fn value(
         #steepness {
             power: #power(#variable, #exponent) #odd,
             value: #value,
+            excess: #constant(0.0f64),
             first: #first,
             half_second: #half_second,
             per_unit: #constant(#per_unit),

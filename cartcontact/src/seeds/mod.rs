@@ -53,6 +53,8 @@ pub struct Steepness<T> {
     pub power: T,
     /// J.
     pub value: T,
+    /// How much a^k J is too large, where that is known.
+    pub excess: T,
     /// a J′/p.
     pub first: T,
     /// a² J″/(2 p²).
@@ -133,9 +135,33 @@ fn single<T: Scalar>(value: f32) -> T {
 }
 
 impl<T: Scalar> Steepness<T> {
+    /// That of no terms at all, in units of 1.
+    #[inline(always)]
+    pub(crate) fn of_nothing() -> Self {
+        let (zero, one) = (T::zero(), T::one());
+        Self {
+            power: one,
+            value: zero,
+            excess: zero,
+            first: zero,
+            half_second: zero,
+            per_unit: one,
+            per_degree: one,
+        }
+    }
+
+    /// Adds the derivatives of a term of the power p.
+    #[inline(always)]
+    pub(crate) fn add_derivatives(&mut self, term: T, p: T) {
+        let (first, half) = (p * term, T::constant(0.5));
+        self.first += first;
+        self.half_second += half * (p - T::one()) * first;
+    }
+
     #[inline(always)]
     fn surplus(&self, load_integral: T) -> T {
-        self.power * self.value - load_integral * self.per_unit
+        // A difference instead of a sum, as a zero that is taken away takes no instruction.
+        (self.power * self.value - load_integral * self.per_unit) - self.excess
     }
 
     /// The radius from its seed.
