@@ -87,7 +87,6 @@ const _: () = {
                 + (__c1 * <T as __cartcontact::Scalar>::constant(2.3333333333333335f64))
                     * __s,
             per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
-            per_degree: <T as __cartcontact::Scalar>::constant(1.0f64),
         }
     }
     #[automatically_derived]

@@ -136,15 +136,7 @@ mod tests {
             low * b + (middle * c + high * d * s) * s
         };
         let [value, first, half_second] = [[1.0, 1.0, 1.0], [6.0, 8.0, 10.0], [15.0, 28.0, 45.0]].map(sum);
-        Steepness {
-            power: s * s * s,
-            value,
-            excess: T::zero(),
-            first,
-            half_second,
-            per_unit: one,
-            per_degree: one,
-        }
+        Steepness { power: s * s * s, value, excess: T::zero(), first, half_second, per_unit: one }
     }
 
     fn radius<T: Scalar>(coefficients: [T; 3], load_integral: T) -> Option<T> {
