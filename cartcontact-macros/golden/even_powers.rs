@@ -46,12 +46,14 @@ const _: () = {
         let __s = __a * __a;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: <T as __cartcontact::Scalar>::constant(228.57142857142858f64) + __s,
+            value: <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)
+                + (<T as __cartcontact::Scalar>::constant(9.114583333333334e-6f64))
+                    * __s,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(171.42857142857142f64) + __s,
-            half_second: <T as __cartcontact::Scalar>::constant(53.57142857142857f64)
-                + (<T as __cartcontact::Scalar>::constant(0.4375f64)) * __s,
-            per_unit: <T as __cartcontact::Scalar>::constant(109714.28571428571f64),
-            per_degree: <T as __cartcontact::Scalar>::constant(0.125f64),
+            half_second: <T as __cartcontact::Scalar>::constant(5877551.020408163f64)
+                + (<T as __cartcontact::Scalar>::constant(48000.0f64)) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(13714.285714285714f64),
         }
     }
     #[automatically_derived]

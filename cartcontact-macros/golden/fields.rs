@@ -79,6 +79,7 @@ const _: () = {
             value: __c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)
                 + (__c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64))
                     * __s,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: __c0 * <T as __cartcontact::Scalar>::constant(0.5f64)
                 + (__c1 * <T as __cartcontact::Scalar>::constant(0.6666666666666666f64))
                     * __s,
@@ -86,7 +87,6 @@ const _: () = {
                 + (__c1 * <T as __cartcontact::Scalar>::constant(2.3333333333333335f64))
                     * __s,
             per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
-            per_degree: <T as __cartcontact::Scalar>::constant(1.0f64),
         }
     }
     #[automatically_derived]

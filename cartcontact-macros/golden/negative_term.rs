@@ -45,16 +45,17 @@ const _: () = {
     ) -> __cartcontact::generated::Steepness<T> {
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__a, 6),
-            value: <T as __cartcontact::Scalar>::constant(250.0f64)
-                + (<T as __cartcontact::Scalar>::constant(-20.571428571428573f64) + __a)
-                    * __a,
+            value: <T as __cartcontact::Scalar>::constant(0.004166666666666667f64)
+                + (<T as __cartcontact::Scalar>::constant(-0.00034285714285714285f64)
+                    + (<T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
+                        * __a) * __a,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(187.5f64)
                 + (<T as __cartcontact::Scalar>::constant(-18.0f64) + __a) * __a,
-            half_second: (<T as __cartcontact::Scalar>::constant(58.59375f64)
-                + (<T as __cartcontact::Scalar>::constant(-6.75f64)) * __a)
-                + (<T as __cartcontact::Scalar>::constant(0.4375f64)) * (__a * __a),
-            per_unit: <T as __cartcontact::Scalar>::constant(60000.0f64),
-            per_degree: <T as __cartcontact::Scalar>::constant(0.125f64),
+            half_second: (<T as __cartcontact::Scalar>::constant(3515625.0f64)
+                + (<T as __cartcontact::Scalar>::constant(-405000.0f64)) * __a)
+                + (<T as __cartcontact::Scalar>::constant(26250.0f64)) * (__a * __a),
+            per_unit: <T as __cartcontact::Scalar>::constant(7500.0f64),
         }
     }
     #[automatically_derived]

@@ -47,11 +47,11 @@ const _: () = {
         let __s = __a * __a;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: <T as __cartcontact::Scalar>::constant(1.0f64),
+            value: <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64),
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(1.0f64),
-            half_second: <T as __cartcontact::Scalar>::constant(0.4166666666666667f64),
-            per_unit: <T as __cartcontact::Scalar>::constant(480.0f64),
-            per_degree: <T as __cartcontact::Scalar>::constant(0.16666666666666666f64),
+            half_second: <T as __cartcontact::Scalar>::constant(200.0f64),
+            per_unit: <T as __cartcontact::Scalar>::constant(80.0f64),
         }
     }
     #[automatically_derived]

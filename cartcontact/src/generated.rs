@@ -10,14 +10,16 @@ pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
 pub use crate::evaluate::power::{
-    integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, power_sum_steepness, quick_power_sum,
-    real_power, scaled_power_sum_steepness,
+    integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, real_power,
 };
 pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
     quick_whole_pressure_kernel,
 };
 pub use crate::evaluate::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
+pub use crate::evaluate::steepness::{
+    power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
+};
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
 pub use crate::seeds::{

@@ -6,12 +6,13 @@ use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::evaluate::double_word::DoubleWord;
 use crate::evaluate::exponent::Exponent;
+use crate::evaluate::halved::Halved;
 use crate::evaluate::power::{
-    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, scaled_power_sum_steepness,
-    weighted_power_sum,
+    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, weighted_power_sum,
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::evaluate::slopes_and_drops::fill_slopes_and_drops;
+use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
 use crate::inversion::{invert, positive_terms};
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::scalar::{floor, is_plain};
@@ -103,6 +104,11 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         self.map(move |c, n| (c * (n / divisor(n)), Exponent::of(n).plus(4)))
     }
 
+    /// The same terms of which nothing is rounded.
+    fn precise_load_integral_terms(&self) -> impl Iterator<Item = (Halved<T>, Exponent<T>)> {
+        self.map(|c, n| (Halved::load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
+    }
+
     /// Σ w(C, n) x^(n+k), rounded once.
     fn sum(&self, x: T, k: i32, weight: impl Fn(T, T) -> DoubleWord<T> + Clone) -> T {
         weighted_power_sum(x, self.map(|c, n| (weight(c, n), Exponent::of(n).plus(k))))
@@ -159,9 +165,15 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
     }
 
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
-        let found = radius_of_real_powers(load_integral, limit, self.load_integral_terms(), |a, scale| {
-            scaled_power_sum_steepness(a, scale, self.load_integral_terms())
-        });
+        let found = radius_of_real_powers(
+            load_integral,
+            limit,
+            self.load_integral_terms(),
+            #[inline(always)]
+            |a, scale| quick_power_sum_steepness(a, scale, self.load_integral_terms()),
+            #[inline(always)]
+            |a, scale| halved_power_sum_steepness(a, scale, self.precise_load_integral_terms()),
+        );
         match found {
             Some(radius) => Ok(radius),
             None => elsewhere(|| self.general_radius_within(load_integral, limit)),

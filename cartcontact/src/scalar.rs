@@ -1,8 +1,10 @@
 //! The numbers the crate computes with.
 
-use core::any::{Any, TypeId};
+use core::any::TypeId;
 
 use simba::scalar::{RealField, SupersetOf};
+
+use crate::evaluate::bits::nearest_integer;
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
@@ -47,15 +49,11 @@ impl<T: RealField + Copy> Scalar for T {
     }
 }
 
-/// ⌊x⌋ of a number that fits an `i32`; dual numbers have no `floor` of their own.
+/// ⌊x⌋ of a number of 20 digits at the most; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
-    let any: &dyn Any = &x;
-    let (toward_zero, is_above) = match any.downcast_ref::<f32>() {
-        Some(&single) => (single as i32, single < single as i32 as f32),
-        None => (x.value() as i32, x.value() < f64::from(x.value() as i32)),
-    };
-    toward_zero - i32::from(is_above)
+    let (nearest, integer) = nearest_integer(x);
+    integer - i32::from(nearest > x)
 }
 
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.

@@ -75,17 +75,25 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
     [None, None],
     "the quadrature of the test rounds r + h, by which δ₀′ is off by half its degree, at most 63, and adds 40 nodes",
 );
-/// The inverse of J.
+/// The inverse of J, in any form.
 ///
-/// Of random sums of up to four positive terms with powers from 1/4 to 10 at most six in ten thousand radii are above 1 ulp;
-/// of two million with any powers none is above 1.3, or 1.5 in `f32`.
+/// Generated for whole powers, some radii are above 1 ulp: with three or more symbols 5 in a million in `f64` and 20 in
+/// `f32`; from a table, with two symbols 7 and 250, with constants none of two million and 20 in a million. Of four million
+/// random ones in each format none is above 1.1, or 1.25 in `f32`.
 pub const RADIUS: Allowance =
-    allow("radius", [1.0, 1.5], [1.0, 1.1], "the error of J in plain arithmetic, divided by the degree of J");
+    allow("radius", [1.0, 1.5], [0.9, 1.1], "the error of J in plain arithmetic, divided by the degree of J");
+/// The inverse of J that is known at run time only, or has powers that are not whole, with positive terms.
+pub const RADIUS_OF_SUMS: Allowance = allow(
+    "radius of a sum",
+    [1.0, 1.0],
+    [0.8, 0.8],
+    "its own rounding, and those of a divisor and of a power of an exponent with all its digits, divided by the degree",
+);
 /// a(t).
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [1.1, 1.5],
-    [0.76, 0.7],
+    [0.79, 0.7],
     "as the radius, and the hereditary load over π m/4 is rounded three times, which its degree divides",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
@@ -127,7 +135,7 @@ pub const BALANCE_OF_OTHER_LOADS: Allowance = allow_as_seen(
 );
 
 /// All of them.
-pub const TABLE: [Allowance; 16] = [
+pub const TABLE: [Allowance; 17] = [
     GAP,
     APPROACH,
     APPROACH_SLOPE,
@@ -137,6 +145,7 @@ pub const TABLE: [Allowance; 16] = [
     PRESSURE_KERNEL,
     PRESSURE_KERNEL_BY_QUADRATURE,
     RADIUS,
+    RADIUS_OF_SUMS,
     CONTACT_RADIUS,
     CONTACT_APPROACH,
     PRESSURE,

@@ -27,15 +27,17 @@ pub(super) fn radius(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Na
     if let Some(powers) = whole_powers(sum, coefficients, names) {
         return quote!((#powers).radius(#load_integral, #limit));
     }
-    let [radius, steepness] =
-        ["radius_of_real_powers", "scaled_power_sum_steepness"].map(|name| names.generated(name));
+    let [radius, quick, precise] =
+        ["radius_of_real_powers", "quick_power_sum_steepness", "scaled_power_sum_steepness"]
+            .map(|name| names.generated(name));
     let pairs = pairs(sum, coefficients, names);
     quote! {
         #radius(
             #load_integral,
             #limit,
             ::core::iter::IntoIterator::into_iter([#(#pairs),*]),
-            |#a, #scale| #steepness(#a, #scale, [#(#pairs),*]),
+            |#a, #scale| #quick(#a, #scale, [#(#pairs),*]),
+            |#a, #scale| #precise(#a, #scale, [#(#pairs),*]),
         )
     }
 }
@@ -85,7 +87,7 @@ pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
         let weighted = |weight: fn(u32) -> u32| nested(&whole, variable, &variables, weight, names);
         [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)]
     };
-    let body = steepness::value(&whole, &a, sums, [&Rational::one(), &Rational::one()], names);
+    let body = steepness::value(&whole, &a, sums, &Rational::one(), names);
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }
 

@@ -94,10 +94,10 @@ fn units(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Name
     quote!(#equal_terms::of(#low, #high))
 }
 
-/// A `Steepness` at the radius `a`: J, a J′/p and a² J″/(2 p²) with the highest power a^p of J for unit.
+/// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.
 ///
-/// Its coefficient is then 1 in the first two, which spares their multiplication. Where it is a symbol, the units are 1
-/// and p is left out.
+/// Its coefficient is then 1 in a J′, which spares a multiplication; in J it would be one that rounds, as the load
+/// integral were to be divided by it, too. Where it is a symbol, the unit is 1.
 fn body(
     load_integral: &PowerSum,
     a: &Ident,
@@ -110,19 +110,17 @@ fn body(
             (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
         return quote!(#function(#a, [#(#pairs),*]));
     };
-    let two = integer(2);
-    let (unit, degree) = match coefficients.constant(last) {
-        Some(leading) => (leading.recip(), last.exponent.clone()),
-        None => (Rational::one(), Rational::one()),
+    let unit = match coefficients.constant(last) {
+        Some(leading) => leading * &last.exponent,
+        None => Rational::one(),
     };
-    let value = load_integral.weighted(|_| unit.clone());
-    let first = value.weighted(|p| p / &degree);
-    let half_second = first.weighted(|p| (p - Rational::one()) / (&two * &degree));
+    let first = load_integral.weighted(|p| p / &unit);
+    let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * &unit));
     let sums = |variable: &Ident| {
-        let [value, first] = [&value, &first].map(|sum| nested(sum, &whole, variable, coefficients));
+        let [value, first] = [load_integral, &first].map(|sum| nested(sum, &whole, variable, coefficients));
         [value, first, paired(&half_second, &whole, variable, coefficients)]
     };
-    steepness::value(&whole, a, sums, [&unit, &degree], names)
+    steepness::value(&whole, a, sums, &unit, names)
 }
 
 /// The sum divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor does more at a time

@@ -33,12 +33,12 @@ pub(super) fn function(
 }
 
 /// The value at the radius `a` of whole powers, from J and its derivatives as sums in the [`variable`](Whole::variable),
-/// divided by its lowest power; `unit` and `degree` are what J and its derivatives were divided by.
+/// divided by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square.
 pub(super) fn value(
     whole: &Whole,
     a: &Ident,
     sums: impl Fn(&Ident) -> [TokenStream; 3],
-    [unit, degree]: [&Rational; 2],
+    unit: &Rational,
     names: &Names<'_>,
 ) -> TokenStream {
     let (square, variable) = whole.variable(a);
@@ -47,16 +47,16 @@ pub(super) fn value(
     let exponent = Literal::u32_unsuffixed(lowest / stride);
     let odd = (lowest % stride == 1).then(|| quote!(* #a));
     let [power, steepness] = ["integer_power", "Steepness"].map(|name| names.generated(name));
-    let (constant, per_unit, per_degree) = (names.constant(), literal(unit), literal(&degree.recip()));
+    let (constant, per_unit) = (names.constant(), literal(&unit.recip()));
     quote! {
         #square
         #steepness {
             power: #power(#variable, #exponent) #odd,
             value: #value,
+            excess: #constant(0.0f64),
             first: #first,
             half_second: #half_second,
             per_unit: #constant(#per_unit),
-            per_degree: #constant(#per_degree),
         }
     }
 }

@@ -5,7 +5,6 @@ use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use crate::Scalar;
 use crate::scalar::{is_plain, smallest_normal};
-use crate::seeds::Steepness;
 
 /// x^k by binary powering.
 #[inline]
@@ -56,37 +55,6 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
         let value = quick_term(c, x, n.whole, n.fraction);
         (sum + value, slope + n.value() * value)
-    })
-}
-
-/// The load integral Σ c x^n with its derivatives, as [`power_sum_and_log_slope`].
-#[inline]
-pub fn power_sum_steepness<T: Scalar>(
-    x: T,
-    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
-) -> Steepness<T> {
-    scaled_power_sum_steepness(x, T::one(), terms)
-}
-
-/// `scale` Σ c x^n with its derivatives; they may leave the format if they are not scaled.
-#[inline]
-pub fn scaled_power_sum_steepness<T: Scalar>(
-    x: T,
-    scale: T,
-    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
-) -> Steepness<T> {
-    let (zero, one, half) = (T::zero(), T::one(), T::constant(0.5));
-    let none =
-        Steepness { power: one, value: zero, first: zero, half_second: zero, per_unit: one, per_degree: one };
-    terms.into_iter().fold(none, |sum, (c, n)| {
-        let (value, p) = (quick_term(c, x, n.whole, n.fraction) * scale, n.value());
-        let slope = p * value;
-        Steepness {
-            value: sum.value + value,
-            first: sum.first + slope,
-            half_second: sum.half_second + half * (p - one) * slope,
-            ..sum
-        }
     })
 }
 
@@ -204,7 +172,7 @@ fn quick_term<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
-fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     match quarters(x, fraction) {
         Some(0) => T::one(),
         Some(1) => x.sqrt().sqrt(),
@@ -233,13 +201,13 @@ fn double_fractional_power<T: Scalar>(x: T, n: Exponent<T>) -> DoubleWord<T> {
 }
 
 /// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
-fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
+pub(crate) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     let is = |quarters: f64| fraction == T::constant(0.25 * quarters);
     let whole = [0, 1, 2, 3].into_iter().find(|&whole| is(f64::from(whole)));
     whole.filter(|_| is_plain::<T>() && !x.is_zero())
 }
 
-fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     // Zero has no finite slope here; dual numbers would turn it into NaN.
     if x.is_zero() {
         return if fraction.is_zero() { T::one() } else { T::zero() };

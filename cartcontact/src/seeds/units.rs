@@ -1,6 +1,7 @@
 //! The units that a table of seeds is in.
 
 use crate::Scalar;
+use crate::evaluate::bits::with_half_its_digits;
 use crate::evaluate::power::equal_terms;
 use crate::scalar::is;
 
@@ -48,9 +49,11 @@ impl<T: Scalar> EqualTerms<T> {
     pub fn of(low: (T, T), high: (T, T)) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (radius, load_integral) = equal_terms(low, high);
-        // False for NaN, which terms of different sign have for a unit.
-        let is_moderate = |size: T| (T::constant(least) <= size) & (size <= T::constant(most));
-        let has_table = is_moderate(low.0) & is_moderate(high.0) & is_moderate(load_integral);
+        // Terms of different sign have NaN for a unit: as the first of three it stays, and no comparison holds for it.
+        let sizes = [load_integral, low.0, high.0];
+        let smallest = sizes.into_iter().fold(sizes[0], |x, y| if y < x { y } else { x });
+        let largest = sizes.into_iter().fold(sizes[0], |x, y| if y > x { y } else { x });
+        let has_table = (T::constant(least) <= smallest) & (largest <= T::constant(most));
         // Zero lies in no table.
         Self { radius, per_load_integral: if has_table { load_integral.recip() } else { T::zero() } }
     }
@@ -64,6 +67,8 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
 
     #[inline(always)]
     fn of_geometry(self, radius: T) -> T {
-        radius * self.radius
+        let radius = radius * self.radius;
+        // As the table's own, its square is exact then; single precision has no digits to waste for one step.
+        if is::<T, f64>() { with_half_its_digits(radius) } else { radius }
     }
 }

@@ -5,9 +5,9 @@
 
 use super::Steepness;
 use super::blocks::fill;
-use super::leading_term::{Spread, Start};
+use super::leading_term::{Spread, Start, lesser, logarithm_alone};
 use crate::Scalar;
-use crate::evaluate::bits::{exponent, fraction, is_normal, power_of_two};
+use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::profile::RadiusError;
 use crate::scalar::is_plain;
 
@@ -45,11 +45,13 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
     #[inline(always)]
     pub fn solve(&self, load_integral: T) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
-        let terms = self.coefficients.iter().zip(&self.powers).map(
+        let logarithm_of_y = logarithm(load_integral);
+        let alone = self.coefficients.iter().zip(&self.powers).map(
             #[inline(always)]
-            |(&j, &p)| (j, T::constant(f64::from(p))),
+            |(&j, &p)| logarithm_alone(logarithm_of_y, (j, T::constant(f64::from(p)))),
         );
-        let start = Start::of(load_integral, T::constant(f64::from(lowest)), terms);
+        let Some(least) = alone.reduce(lesser) else { return (load_integral, false) };
+        let start = Start::of(T::constant(f64::from(lowest)), least);
         let exponent = exponent(load_integral);
         let shift = |p: u32| start.octave * p as i32 - exponent;
         let mut scaled = self.coefficients;
@@ -62,6 +64,8 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
         let (radius, is_near) = spread.root(
             fraction(load_integral),
             start.fraction,
+            #[inline(always)]
+            |a| (self.steepness)(a, scaled),
             #[inline(always)]
             |a| (self.steepness)(a, scaled),
         );
@@ -132,7 +136,7 @@ mod tests {
             low * b + (middle * c + high * d * s) * s
         };
         let [value, first, half_second] = [[1.0, 1.0, 1.0], [6.0, 8.0, 10.0], [15.0, 28.0, 45.0]].map(sum);
-        Steepness { power: s * s * s, value, first, half_second, per_unit: one, per_degree: one }
+        Steepness { power: s * s * s, value, excess: T::zero(), first, half_second, per_unit: one }
     }
 
     fn radius<T: Scalar>(coefficients: [T; 3], load_integral: T) -> Option<T> {

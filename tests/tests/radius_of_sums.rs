@@ -1,0 +1,56 @@
+//! Contact radii of random sums of positive powers, known at run time only.
+
+use cartcontact::{GapProfile, Polynomial, Scalar};
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::random::Stream;
+
+/// Exponents that have all the digits of a number, of which powers round once more.
+const DECIMALS: [f64; 8] = [0.1, 0.3, 0.7, 1.3, 2.1, 3.7, 6.1, 9.3];
+
+/// The kinds of exponents: quarters, whole ones, and decimals.
+const KINDS: [fn(&mut Stream) -> f64; 3] = [
+    |stream| (1 + stream.below(40)) as f64 / 4.0,
+    |stream| (1 + stream.below(64)) as f64,
+    |stream| stream.one_of(&DECIMALS),
+];
+
+/// Up to four terms (C, n), each of which may have the largest part of J.
+fn terms(stream: &mut Stream, exponent: fn(&mut Stream) -> f64) -> Vec<(f64, f64)> {
+    let count = 1 + stream.below(4);
+    (0..count).map(|_| (stream.magnitude(-3.0, 3.0), exponent(stream))).collect()
+}
+
+fn radius<T: Scalar>(terms: &[(T, T)], load_integral: T) -> T {
+    let radius = Polynomial::new(terms).map(|sum| sum.radius(load_integral));
+    radius.ok().and_then(Result::ok).unwrap_or_else(|| unreachable!("{terms:?}, {load_integral}"))
+}
+
+fn exact(terms: &[(f64, f64)], load_integral: f64) -> Exact {
+    Exact::from(&Profile::of(terms).radius(&double(load_integral)))
+}
+
+#[test]
+fn radii_of_sums_are_next_to_the_exact_ones() {
+    let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
+    let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
+    for (kind, exponent) in (0..).zip(KINDS) {
+        for case in 0..100 {
+            let mut stream = Stream::of_case(kind, case);
+            let terms = terms(&mut stream, exponent);
+            let load_integral = stream.magnitude(-6.0, 6.0);
+            let found = radius(&terms, load_integral);
+            errors.add(found, exact(&terms, load_integral), 1.0, &(&terms, load_integral));
+
+            let single: Vec<(f32, f32)> = terms.iter().map(|&(c, n)| (c as f32, n as f32)).collect();
+            let load_integral = load_integral as f32;
+            let found = radius(&single, load_integral);
+            let terms: Vec<(f64, f64)> = single.iter().map(|&(c, n)| (c.into(), n.into())).collect();
+            let expected = exact(&terms, load_integral.into());
+            errors_of_single.add(found.into(), expected, 1.0, &(&terms, load_integral));
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
