@@ -117,9 +117,11 @@ impl<T: Scalar> Spread<T> {
     }
 }
 
-/// The radius at which Σ j a^p is `load_integral`, for any powers, with the pairs (j, p), and J times a
-/// factor that is evaluated at a in two ways, for the last step and for those before; none beyond `limit`, where the steps have not come near, with negative terms, and
-/// for other scalars than f32 and f64.
+/// The radius at which Σ j a^p is `load_integral`, for any powers, with the pairs (j, p), and J times a factor that is
+/// evaluated at a in two ways, for the last step and for those before.
+///
+/// There is none beyond `limit`, where the steps have not come near, with negative terms, and for other scalars than f32
+/// and f64.
 #[inline(always)]
 pub fn radius_of_real_powers<T: Scalar>(
     load_integral: T,
