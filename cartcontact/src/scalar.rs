@@ -52,6 +52,9 @@ impl<T: RealField + Copy> Scalar for T {
 /// ⌊x⌋ of a number of 20 digits at the most; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
+    if !is_plain::<T>() {
+        return floor(x.value());
+    }
     let (nearest, integer) = nearest_integer(x);
     integer - i32::from(nearest > x)
 }
