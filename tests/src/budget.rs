@@ -93,7 +93,7 @@ pub const RADIUS_OF_SUMS: Allowance = allow(
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [1.1, 1.5],
-    [0.79, 0.7],
+    [0.79, 1.04],
     "as the radius, and the hereditary load over π m/4 is rounded three times, which its degree divides",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
