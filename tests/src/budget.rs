@@ -109,7 +109,7 @@ pub const CONTACT_APPROACH: Allowance = allow(
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
-    [4.0, 1.9],
+    [4.0, 1.0],
     "dozens of nodes, whose ages are rounded before they go into exponentials; the factor is how far the rounding of \
      a moves the edge",
 );
