@@ -59,6 +59,18 @@ pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
     integer - i32::from(nearest > x)
 }
 
+/// The lesser of two numbers, the first unless it is greater: one instruction, as NaN is not looked for.
+#[inline(always)]
+pub(crate) fn lesser<T: Scalar>(x: T, y: T) -> T {
+    if y < x { y } else { x }
+}
+
+/// The greater of two numbers, the first unless it is less.
+#[inline(always)]
+pub(crate) fn greater<T: Scalar>(x: T, y: T) -> T {
+    if y > x { y } else { x }
+}
+
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
 #[inline]
 pub(crate) fn is_plain<T: Scalar>() -> bool {

@@ -164,11 +164,15 @@ fn quick_term<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
         // Only slopes of gaps with an exponent below 1. Turning the sign of the exponent would round its fraction.
         return quick_term(c, x, whole + 1, fraction) / x;
     }
-    let degree = whole as u32;
+    quick_whole_term(c, x, whole as u32) * fractional_power(x, fraction)
+}
+
+/// c x^k with every product rounded, in halves.
+#[inline(always)]
+pub(crate) fn quick_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
     let half = integer_power(x, degree / 2);
     let even = c * half * half;
-    let whole_power = if degree & 1 == 1 { even * x } else { even };
-    whole_power * fractional_power(x, fraction)
+    if degree & 1 == 1 { even * x } else { even }
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.

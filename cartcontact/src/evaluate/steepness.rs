@@ -19,7 +19,7 @@
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use super::halved::Halved;
-use super::power::{fractional_power, integer_power, quarters, real_fractional_power};
+use super::power::{fractional_power, quarters, quick_whole_term, real_fractional_power};
 use crate::Scalar;
 use crate::seeds::Steepness;
 
@@ -103,10 +103,7 @@ fn quick_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
     if c.is_zero() {
         return c;
     }
-    let degree = p.whole as u32;
-    let half = integer_power(x, degree / 2);
-    let even = c * half * half;
-    let whole_power = if degree & 1 == 1 { even * x } else { even };
+    let whole_power = quick_whole_term(c, x, p.whole as u32);
     if p.fraction.is_zero() { whole_power } else { whole_power * quick_fractional_power(x, p.fraction) }
 }
 
@@ -127,6 +124,7 @@ fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Ha
     }
 }
 
+/// [`fractional_power`] out of the way, too.
 #[inline(never)]
 fn quick_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     fractional_power(x, fraction)

@@ -26,7 +26,7 @@ use crate::evaluate::bits::{
     with_half_its_digits,
 };
 use crate::evaluate::exponent::Exponent;
-use crate::scalar::{floor, is, is_plain};
+use crate::scalar::{floor, greater, is, is_plain, lesser};
 
 /// What is added to logarithms, whole numbers over p, before they are rounded: so that hardly any of them lies so near
 /// the middle between two integers that its own rounding, which depends on the units, decides.
@@ -61,12 +61,6 @@ impl<T: Scalar> Start<T> {
 #[inline(always)]
 pub(super) fn logarithm_alone<T: Scalar>(logarithm_of_y: T, (j, p): (T, T)) -> T {
     (logarithm_of_y - logarithm(j)) * p.recip()
-}
-
-/// The lesser of two numbers, the first unless it is greater.
-#[inline(always)]
-pub(super) fn lesser<T: Scalar>(x: T, y: T) -> T {
-    if y < x { y } else { x }
 }
 
 /// The range of the powers of J.
@@ -139,7 +133,7 @@ pub fn radius_of_real_powers<T: Scalar>(
     for (j, p) in terms {
         let p = p.value();
         lowest = lesser(lowest, p);
-        highest = if p > highest { p } else { highest };
+        highest = greater(highest, p);
         are_positive &= j >= T::zero();
         // The logarithm of zero, read from its bits, is that of a number.
         if !j.is_zero() {

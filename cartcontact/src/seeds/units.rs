@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
 use crate::evaluate::power::equal_terms;
-use crate::scalar::is;
+use crate::scalar::{greater, is, lesser};
 
 /// The units of a table's load integrals and radii.
 ///
@@ -51,8 +51,8 @@ impl<T: Scalar> EqualTerms<T> {
         let (radius, load_integral) = equal_terms(low, high);
         // Terms of different sign have NaN for a unit: as the first of three it stays, and no comparison holds for it.
         let sizes = [load_integral, low.0, high.0];
-        let smallest = sizes.into_iter().fold(sizes[0], |x, y| if y < x { y } else { x });
-        let largest = sizes.into_iter().fold(sizes[0], |x, y| if y > x { y } else { x });
+        let (smallest, largest) =
+            (sizes.into_iter().fold(sizes[0], lesser), sizes.into_iter().fold(sizes[0], greater));
         let has_table = (T::constant(least) <= smallest) & (largest <= T::constant(most));
         // Zero lies in no table.
         Self { radius, per_load_integral: if has_table { load_integral.recip() } else { T::zero() } }

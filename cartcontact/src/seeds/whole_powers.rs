@@ -5,11 +5,11 @@
 
 use super::Steepness;
 use super::blocks::fill;
-use super::leading_term::{Spread, Start, lesser, logarithm_alone};
+use super::leading_term::{Spread, Start, logarithm_alone};
 use crate::Scalar;
 use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::profile::RadiusError;
-use crate::scalar::is_plain;
+use crate::scalar::{is_plain, lesser};
 
 /// How many radii are found at once.
 const BLOCK: usize = 16;
@@ -61,14 +61,8 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
         let fits = is_normal::<T>(exponent) & is_normal::<T>(shift(lowest)) & is_normal::<T>(shift(highest));
         let spread =
             Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
-        let (radius, is_near) = spread.root(
-            fraction(load_integral),
-            start.fraction,
-            #[inline(always)]
-            |a| (self.steepness)(a, scaled),
-            #[inline(always)]
-            |a| (self.steepness)(a, scaled),
-        );
+        let evaluate = |a| (self.steepness)(a, scaled);
+        let (radius, is_near) = spread.root(fraction(load_integral), start.fraction, evaluate, evaluate);
         (radius * power_of_two(start.octave), fits & is_near)
     }
 }
