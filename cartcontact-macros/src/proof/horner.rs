@@ -29,11 +29,16 @@ const WORD: u64 = u64::BITS as u64;
 impl Abscissa {
     /// offset/2^bits, which is less than 1, or that more than 1.
     pub(crate) fn new(offset: &BigInt, bits: u64, exceeds_one: bool) -> Self {
-        let count = bits.div_ceil(WORD);
-        let mut words = (offset << (count * WORD - bits)).magnitude().to_u64_digits();
-        words.resize(count as usize, 0);
-        Abscissa { words, exceeds_one }
+        Abscissa { words: fraction(offset, bits), exceeds_one }
     }
+}
+
+/// The words behind the point of offset/2^bits, which is less than 1.
+pub(crate) fn fraction(offset: &BigInt, bits: u64) -> Vec<u64> {
+    let count = bits.div_ceil(WORD);
+    let mut words = (offset << (count * WORD - bits)).magnitude().to_u64_digits();
+    words.resize(count as usize, 0);
+    words
 }
 
 impl Table {

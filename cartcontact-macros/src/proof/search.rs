@@ -37,6 +37,7 @@ use crate::proof::integer_polynomial::IntegerPolynomial;
 use crate::proof::minimum::{Minimum, Roots, Undecided};
 use crate::proof::outline::Outline;
 use crate::proof::part::{Part, Whole};
+use crate::proof::powers::Powers;
 use crate::proof::source::Source;
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
@@ -179,8 +180,7 @@ impl<'a> Search<'a> {
         let fewer = if part.width > 0 && !is_exact { powers.without_negligible() } else { None };
         let powers = fewer.unwrap_or(powers);
         let local = Bernstein::new(&powers, is_exact);
-        let source = source.near(part.clone(), powers, digits, digits.saturating_sub(local.length()));
-        Candidate { part, local, digits, source, missed, before: (0, 0) }
+        Candidate::new(part, source, (powers, local), digits, missed)
     }
 
     /// As many more as it takes if every digit goes on making as many signs certain as the last ones did.
@@ -275,15 +275,7 @@ impl<'a> Search<'a> {
                     }
                     None => (powers, local),
                 };
-                let source = source.near(part.clone(), powers, digits, digits.saturating_sub(local.length()));
-                return Around::Piece(Candidate {
-                    part,
-                    local,
-                    digits,
-                    source,
-                    missed: front.missed,
-                    before: (0, 0),
-                });
+                return Around::Piece(Candidate::new(part, source, (powers, local), digits, front.missed));
             }
             digits = self.more(digits);
         }
@@ -320,6 +312,18 @@ impl<'a> Search<'a> {
 }
 
 impl<'a> Candidate<'a> {
+    /// With what a source gives over a part, which is the next source.
+    fn new(
+        part: Part,
+        source: Source<'a>,
+        (powers, local): (Powers, Bernstein),
+        digits: u64,
+        missed: Missed,
+    ) -> Self {
+        let source = source.near(part.clone(), powers, digits, digits.saturating_sub(local.length()));
+        Candidate { part, local, digits, source, missed, before: (0, 0) }
+    }
+
     /// Those that are zero in all numbers.
     fn spent_digits(&self) -> u64 {
         self.digits.saturating_sub(self.local.length())

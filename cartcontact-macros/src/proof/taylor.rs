@@ -15,7 +15,7 @@
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use crate::proof::horner::{add_row, integer, negate};
+use crate::proof::horner::{add_row, fraction, integer, negate};
 
 const WORD: u64 = u64::BITS as u64;
 
@@ -25,7 +25,9 @@ pub(crate) fn expand(coefficients: &[BigInt], offset: &BigInt, bits: u64, width:
     // They grow by binomials of the degree.
     let length = ((longest + coefficients.len() as u64 + 2) / WORD + 1) as usize;
     let mut rows: Vec<Vec<u64>> = coefficients.iter().map(|number| words(number, length)).collect();
-    let factor = factor(offset, bits, length);
+    let mut factor = fraction(offset, bits);
+    // Words behind its highest do not reach any row.
+    factor.drain(..factor.len().saturating_sub(length + 1));
     let mut expanded = Vec::with_capacity(coefficients.len());
     for power in 0..coefficients.len() {
         let (shift, unused) = (power as u64 * width % WORD, (power as u64 * width / WORD) as usize);
@@ -41,15 +43,6 @@ pub(crate) fn expand(coefficients: &[BigInt], offset: &BigInt, bits: u64, width:
     }
     expanded.resize(coefficients.len(), BigInt::zero());
     expanded
-}
-
-/// The highest words of a fraction.
-fn factor(offset: &BigInt, bits: u64, most: usize) -> Vec<u64> {
-    let count = bits.div_ceil(WORD);
-    let mut words = (offset << (count * WORD - bits)).magnitude().to_u64_digits();
-    words.resize(count as usize, 0);
-    words.drain(..words.len().saturating_sub(most + 1));
-    words
 }
 
 /// A number modulo 2^(64 length).

@@ -9,7 +9,8 @@ use syn::Path;
 use syn::parse::Parser;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::entry::{Entry, Whole, entries, is_punct, similar};
+use crate::reading::entry::{Entry, Whole, all_options, entries, similar};
+use crate::reading::is_punct;
 use crate::reading::parse;
 use crate::reading::positive::Positive;
 use crate::reading::syntax::{Expression, Kind, Summand};
@@ -153,10 +154,7 @@ impl Attribute {
             self.miss_option(entry);
             let remedy = match similar(name) {
                 Some(option) => format!("did you mean `{option}`?"),
-                None => {
-                    "there are `upper`, `lower`, `max_radius`, `order`, `tolerance`, `positive` and `crate`"
-                        .to_owned()
-                }
+                None => format!("there are {}", all_options()),
             };
             diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
         }

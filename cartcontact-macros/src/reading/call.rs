@@ -3,6 +3,7 @@
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 
 use crate::diagnostics::Extent;
+use crate::reading::is_punct;
 use crate::reading::item::closest;
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind, Surface};
@@ -11,8 +12,7 @@ impl Parser<'_> {
     /// `sphere(R)` or `conic(R, k)`, its name having been read.
     pub(super) fn surface(&mut self, name: &Ident, group: &Group) -> Expression {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
-        let named =
-            tokens.iter().any(|token| matches!(token, TokenTree::Punct(equals) if equals.as_char() == '='));
+        let named = tokens.iter().any(|token| is_punct(token, '='));
         let (radius, conic_constant) = match (name.to_string().as_str(), arguments(&tokens).as_slice()) {
             ("sphere", [radius]) if !named => (*radius, None),
             ("conic", [radius, conic_constant]) if !named => (*radius, Some(*conic_constant)),
@@ -45,13 +45,9 @@ impl Parser<'_> {
 
 /// What stands between the commas.
 fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
-    let mut arguments: Vec<&[TokenTree]> = tokens.split(is_comma).collect();
+    let mut arguments: Vec<&[TokenTree]> = tokens.split(|token| is_punct(token, ',')).collect();
     arguments.pop_if(|last| last.is_empty());
     arguments
-}
-
-fn is_comma(token: &TokenTree) -> bool {
-    matches!(token, TokenTree::Punct(comma) if comma.as_char() == ',')
 }
 
 /// What to say about a surface that is not written as one.

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::is_punct;
 use crate::reading::item::closest;
 
 pub(super) const OPTIONS: [&str; 7] =
@@ -11,6 +12,13 @@ pub(super) const OPTIONS: [&str; 7] =
 /// The option that a name is likely to stand for.
 pub(super) fn similar(name: &Ident) -> Option<String> {
     closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect())
+}
+
+/// All of them, for a message.
+pub(super) fn all_options() -> String {
+    let names = OPTIONS.map(|option| format!("`{option}`"));
+    let [before @ .., last] = &names;
+    format!("{} and {last}", before.join(", "))
 }
 
 /// Digits before a comma that may be meant as a decimal point.
@@ -126,10 +134,6 @@ impl Entry {
     pub(super) fn extent(&self) -> Extent {
         Extent::of(self.tokens.iter().map(TokenTree::span), self.place)
     }
-}
-
-pub(super) fn is_punct(token: &TokenTree, character: char) -> bool {
-    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
 pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {

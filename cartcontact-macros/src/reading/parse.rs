@@ -4,14 +4,14 @@
 //! or `-`, so one compilation reports the faults of all terms. Every call consumes a token or ends its loop, and
 //! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
 
-use num_traits::One;
-use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::call;
 use crate::reading::item::known_number;
 use crate::reading::literal;
+use crate::reading::slips::is_case;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
+use crate::reading::{call, is_punct};
 
 const MAXIMUM_DEPTH: usize = 64;
 
@@ -76,7 +76,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn factor(&mut self) -> Expression {
+    pub(super) fn factor(&mut self) -> Expression {
         let Some(sign) = self.next_sign() else { return self.power() };
         let start = self.previous;
         let operand = self.deeper(Self::factor);
@@ -96,24 +96,6 @@ impl<'a> Parser<'a> {
         }
         let extent = Extent::between(base.extent, exponent.extent);
         Expression { kind: Kind::Power(Box::new(base), Box::new(exponent)), extent }
-    }
-
-    /// What is wrong with `r^1/2`: it is (r^1)/2, for which nobody writes the exponent.
-    fn halved_exponent(&self, base: &Expression, exponent: &Expression) -> Option<(Extent, String)> {
-        let (Kind::Number(one), [TokenTree::Punct(slash), TokenTree::Literal(divisor), ..]) =
-            (&exponent.kind, self.rest)
-        else {
-            return None;
-        };
-        if !one.is_one() || slash.as_char() != '/' {
-            return None;
-        }
-        let base = if let Kind::Name(name) = &base.kind { name.to_string() } else { "(...)".to_owned() };
-        let message = format!(
-            "this is read as `({base}^1)/{divisor}`; write `{base}/{divisor}` if that is meant, or the exponent in \
-             parentheses, `{base}^(1/{divisor})`"
-        );
-        Some((Extent::between(exponent.extent, divisor.span().into()), message))
     }
 
     fn atom(&mut self) -> Expression {
@@ -184,34 +166,6 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The last name of a path such as `f64::INFINITY`, whose first has been read.
-    fn end_of_path(&mut self) -> Option<Ident> {
-        let mut last = None;
-        while let [TokenTree::Punct(first), TokenTree::Punct(second), TokenTree::Ident(name), rest @ ..] =
-            self.rest
-            && first.as_char() == ':'
-            && second.as_char() == ':'
-        {
-            last = Some(name.clone());
-            self.rest = rest;
-        }
-        last
-    }
-
-    fn case(&mut self, word: &Ident) -> Expression {
-        let message = match word == "let" {
-            true => {
-                "a gap is one expression, without `let`; write the number in place of its name".to_owned()
-            }
-            false => format!(
-                "a gap is one expression for all radii, without cases such as `{word}`; use a sum of powers"
-            ),
-        };
-        self.diagnostics.report(word.span(), message);
-        self.rest = &[];
-        Expression { kind: Kind::Faulty, extent: word.span().into() }
-    }
-
     fn group(&mut self, group: &Group) -> Expression {
         let extent = self.previous;
         match group.delimiter() {
@@ -242,31 +196,7 @@ impl<'a> Parser<'a> {
         })
     }
 
-    /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
-    pub(super) fn unless_method(&mut self, receiver: Expression) -> Expression {
-        let [TokenTree::Punct(dot), TokenTree::Ident(member), ..] = self.rest else { return receiver };
-        if dot.as_char() != '.' {
-            return receiver;
-        }
-        let is_call = matches!(self.rest.get(2), Some(TokenTree::Group(_)));
-        let message = match &receiver.kind {
-            Kind::Name(name) if name == "self" || (name != "r" && !is_call) => {
-                format!("fields are written by name alone; write `{member}`")
-            }
-            Kind::Number(_) if member.to_string().starts_with(['e', 'E']) => {
-                "a decimal point has digits behind it, as in `1.0e-3`".to_owned()
-            }
-            Kind::Number(_) => {
-                "a decimal point has digits behind it; for a product write `*`, as in `2 * r`".to_owned()
-            }
-            _ => format!(
-                "a gap has no methods such as `.{member}`; write powers with `^`, as in `r^2` or `r^0.5`"
-            ),
-        };
-        self.fault(Extent::between(receiver.extent, member.span().into()), message)
-    }
-
-    fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
+    pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
         if self.depth == MAXIMUM_DEPTH {
             let place = self.rest.first().map_or(self.previous, |next| next.span().into());
             return self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
@@ -281,18 +211,10 @@ impl<'a> Parser<'a> {
         self.take_punct('+').or_else(|| self.take_punct('-'))
     }
 
-    /// Whether the next factor divides. Two operands side by side, `**`, and words that Rust or people put behind a
-    /// number are reported and read as intended.
+    /// Whether the next factor divides. Two operands side by side, and what others write for an operator or behind a
+    /// number, are reported and read as intended.
     fn next_product_operator(&mut self) -> Option<bool> {
-        if let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest
-            && is_double_star(first, second)
-        {
-            self.rest = rest;
-            let place = Extent::between(first.span().into(), second.span().into());
-            self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
-            return Some(false);
-        }
-        if self.take_punct('*').is_some() {
+        if self.reads_double_star() || self.take_punct('*').is_some() {
             return Some(false);
         }
         if self.take_punct('/').is_some() {
@@ -302,43 +224,28 @@ impl<'a> Parser<'a> {
         if matches!(next, TokenTree::Punct(_)) {
             return None;
         }
-        if self.reads_unit() {
+        if self.reads_unit() || self.reads_conversion() {
             return self.next_product_operator();
         }
-        // Which parentheses are read is said where they are.
-        if matches!(next, TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket))
-        {
-            return Some(false);
-        }
-        let place = Extent::between(self.previous, next.span().into());
-        if let TokenTree::Ident(word) = next {
-            if (word == "x" || word == "X")
-                && self.rest.get(1).is_some_and(|next| !matches!(next, TokenTree::Punct(_)))
-            {
-                self.diagnostics.report(word.span(), format!("a product is written with `*`, not `{word}`"));
-                self.take_token();
-                return Some(false);
+        match next {
+            // Which parentheses are read is said where they are.
+            TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket) => {
             }
-            if word == "as" {
-                let message = "numbers here are exact and have no type; remove `as` and what follows it";
-                self.diagnostics.report(word.span(), message);
-                self.take_token();
-                self.take_token();
-                if self.take_punct('^').is_some() {
-                    self.deeper(Self::factor);
-                }
-                return self.next_product_operator();
-            }
-            if is_case(word) {
+            TokenTree::Ident(word) if is_case(word) => {
                 self.case(word);
                 return None;
             }
+            _ if self.reads_times() => {}
+            _ => {
+                let place = Extent::between(self.previous, next.span().into());
+                let message = "an operator is missing here; for a product write `*`, as in `2 * r`";
+                self.diagnostics.report(place, message);
+            }
         }
-        self.diagnostics.report(place, "an operator is missing here; for a product write `*`, as in `2 * r`");
         Some(false)
     }
 
-    fn take_punct(&mut self, wanted: char) -> Option<char> {
+    pub(super) fn take_punct(&mut self, wanted: char) -> Option<char> {
         match self.rest {
             [TokenTree::Punct(next), rest @ ..] if next.as_char() == wanted => {
                 self.rest = rest;
@@ -372,7 +279,7 @@ impl<'a> Parser<'a> {
 
     fn skip_term(&mut self) {
         while let Some(token) = self.rest.first() {
-            if matches!(token, TokenTree::Punct(sign) if sign.as_char() == '+' || sign.as_char() == '-') {
+            if is_punct(token, '+') || is_punct(token, '-') {
                 break;
             }
             self.take_token();
@@ -385,14 +292,6 @@ impl<'a> Parser<'a> {
             self.rest = rest;
         }
     }
-}
-
-fn is_case(name: &Ident) -> bool {
-    ["if", "else", "match", "for", "while", "where", "let"].iter().any(|word| name == word)
-}
-
-fn is_double_star(first: &Punct, second: &Punct) -> bool {
-    first.as_char() == '*' && first.spacing() == Spacing::Joint && second.as_char() == '*'
 }
 
 fn spanning<'a>(mut parts: impl Iterator<Item = &'a Expression>, otherwise: Extent) -> Extent {

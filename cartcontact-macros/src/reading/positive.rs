@@ -6,6 +6,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::is_punct;
 use crate::reading::item::{Item, Meaning, closest, is_same};
 
 /// The option as it was written, at `place`.
@@ -67,8 +68,7 @@ fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
                 && !list.stream().is_empty() =>
         {
             let inner: Vec<TokenTree> = list.stream().into_iter().collect();
-            let parts =
-                inner.split(|token| matches!(token, TokenTree::Punct(comma) if comma.as_char() == ','));
+            let parts = inner.split(|token| is_punct(token, ','));
             let mut parts: Vec<&[TokenTree]> = parts.collect();
             parts.pop_if(|last| last.is_empty());
             parts.into_iter().map(|part| name(part, list.span())).collect()

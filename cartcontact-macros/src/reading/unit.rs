@@ -3,6 +3,7 @@
 use proc_macro2::TokenTree;
 
 use crate::diagnostics::Extent;
+use crate::reading::is_punct;
 use crate::reading::parse::Parser;
 
 /// Of lengths.
@@ -31,9 +32,7 @@ impl Parser<'_> {
 fn length(tokens: &[TokenTree]) -> Option<usize> {
     match tokens {
         [TokenTree::Ident(name), rest @ ..] if is_unit(&name.to_string()) => Some(1 + exponent(rest)),
-        [TokenTree::Literal(one), TokenTree::Punct(slash), rest @ ..]
-            if one.to_string() == "1" && slash.as_char() == '/' =>
-        {
+        [TokenTree::Literal(one), slash, rest @ ..] if one.to_string() == "1" && is_punct(slash, '/') => {
             Some(2 + length(rest)?)
         }
         [TokenTree::Group(group), ..] => {
@@ -46,10 +45,9 @@ fn length(tokens: &[TokenTree]) -> Option<usize> {
 
 /// How many tokens `^2` and `^-2` are.
 fn exponent(tokens: &[TokenTree]) -> usize {
-    let is = |token: &TokenTree, sign| matches!(token, TokenTree::Punct(own) if own.as_char() == sign);
     match tokens {
-        [power, TokenTree::Literal(_), ..] if is(power, '^') => 2,
-        [power, minus, TokenTree::Literal(_), ..] if is(power, '^') && is(minus, '-') => 3,
+        [power, TokenTree::Literal(_), ..] if is_punct(power, '^') => 2,
+        [power, minus, TokenTree::Literal(_), ..] if is_punct(power, '^') && is_punct(minus, '-') => 3,
         _ => 0,
     }
 }

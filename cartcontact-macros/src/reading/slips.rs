@@ -1,0 +1,127 @@
+//! What people write, out of habit from other languages, in place of the grammar: reported, with what to write.
+
+use num_traits::One;
+use proc_macro2::{Ident, Spacing, TokenTree};
+
+use crate::diagnostics::Extent;
+use crate::reading::parse::Parser;
+use crate::reading::syntax::{Expression, Kind};
+
+impl Parser<'_> {
+    /// Reads over `**`, which other languages have for powers.
+    pub(super) fn reads_double_star(&mut self) -> bool {
+        let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest else { return false };
+        if first.as_char() != '*' || first.spacing() != Spacing::Joint || second.as_char() != '*' {
+            return false;
+        }
+        self.rest = rest;
+        let place = Extent::between(first.span().into(), second.span().into());
+        self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
+        true
+    }
+
+    /// Reads over an `x` between two operands.
+    pub(super) fn reads_times(&mut self) -> bool {
+        let [TokenTree::Ident(word), operand, ..] = self.rest else { return false };
+        if !(word == "x" || word == "X") || matches!(operand, TokenTree::Punct(_)) {
+            return false;
+        }
+        self.diagnostics.report(word.span(), format!("a product is written with `*`, not `{word}`"));
+        self.take_token();
+        true
+    }
+
+    /// Reads over `as f64`, and over the power behind it.
+    pub(super) fn reads_conversion(&mut self) -> bool {
+        let [TokenTree::Ident(word), ..] = self.rest else { return false };
+        if word != "as" {
+            return false;
+        }
+        let message = "numbers here are exact and have no type; remove `as` and what follows it";
+        self.diagnostics.report(word.span(), message);
+        self.take_token();
+        self.take_token();
+        if self.take_punct('^').is_some() {
+            self.deeper(Self::factor);
+        }
+        true
+    }
+
+    /// What is wrong with `r^1/2`: it is (r^1)/2, for which nobody writes the exponent.
+    pub(super) fn halved_exponent(
+        &self,
+        base: &Expression,
+        exponent: &Expression,
+    ) -> Option<(Extent, String)> {
+        let (Kind::Number(one), [TokenTree::Punct(slash), TokenTree::Literal(divisor), ..]) =
+            (&exponent.kind, self.rest)
+        else {
+            return None;
+        };
+        if !one.is_one() || slash.as_char() != '/' {
+            return None;
+        }
+        let base = if let Kind::Name(name) = &base.kind { name.to_string() } else { "(...)".to_owned() };
+        let message = format!(
+            "this is read as `({base}^1)/{divisor}`; write `{base}/{divisor}` if that is meant, or the exponent in \
+             parentheses, `{base}^(1/{divisor})`"
+        );
+        Some((Extent::between(exponent.extent, divisor.span().into()), message))
+    }
+
+    /// The last name of a path such as `f64::INFINITY`, whose first has been read.
+    pub(super) fn end_of_path(&mut self) -> Option<Ident> {
+        let mut last = None;
+        while let [TokenTree::Punct(first), TokenTree::Punct(second), TokenTree::Ident(name), rest @ ..] =
+            self.rest
+            && first.as_char() == ':'
+            && second.as_char() == ':'
+        {
+            last = Some(name.clone());
+            self.rest = rest;
+        }
+        last
+    }
+
+    pub(super) fn case(&mut self, word: &Ident) -> Expression {
+        let message = match word == "let" {
+            true => {
+                "a gap is one expression, without `let`; write the number in place of its name".to_owned()
+            }
+            false => format!(
+                "a gap is one expression for all radii, without cases such as `{word}`; use a sum of powers"
+            ),
+        };
+        self.diagnostics.report(word.span(), message);
+        self.rest = &[];
+        Expression { kind: Kind::Faulty, extent: word.span().into() }
+    }
+
+    /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
+    pub(super) fn unless_method(&mut self, receiver: Expression) -> Expression {
+        let [TokenTree::Punct(dot), TokenTree::Ident(member), ..] = self.rest else { return receiver };
+        if dot.as_char() != '.' {
+            return receiver;
+        }
+        let is_call = matches!(self.rest.get(2), Some(TokenTree::Group(_)));
+        let message = match &receiver.kind {
+            Kind::Name(name) if name == "self" || (name != "r" && !is_call) => {
+                format!("fields are written by name alone; write `{member}`")
+            }
+            Kind::Number(_) if member.to_string().starts_with(['e', 'E']) => {
+                "a decimal point has digits behind it, as in `1.0e-3`".to_owned()
+            }
+            Kind::Number(_) => {
+                "a decimal point has digits behind it; for a product write `*`, as in `2 * r`".to_owned()
+            }
+            _ => format!(
+                "a gap has no methods such as `.{member}`; write powers with `^`, as in `r^2` or `r^0.5`"
+            ),
+        };
+        self.fault(Extent::between(receiver.extent, member.span().into()), message)
+    }
+}
+
+pub(super) fn is_case(name: &Ident) -> bool {
+    ["if", "else", "match", "for", "while", "where", "let"].iter().any(|word| name == word)
+}
