@@ -1,18 +1,17 @@
 //! One scene through every public result, compared with the exact ones.
 
 use cartcontact::load::{LoadError, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Snapshot};
+use cartcontact::{ContactError, GapProfile, Snapshot};
 
 use super::condition;
 use super::exact::{Profile, Sum};
-use super::fields;
 use super::finding::{Fault, Findings, Quantity, Tally};
 use super::history::History;
 use super::precision::Precision;
-use super::scene::{Form, Scene};
+use super::scene::Scene;
+use super::solver::{Loaded, contact, solver};
 use super::wide::Wide;
 use crate::condition::edge;
-use crate::profiles::cases;
 use crate::quadrature::Graded;
 
 /// The most knots for which the balance is looked at: its pressures, and the time of each, number as many as they.
@@ -27,67 +26,30 @@ pub struct Depth {
     pub balance: bool,
 }
 
-type Loaded<'a, T> = Contact<T, &'a dyn GapProfile<T>, PiecewiseLinear<T, &'a [(T, T)]>>;
-
 /// Computes a scene and reports what is found.
 pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
     let profile = match solver(scene) {
         Ok(profile) => profile,
         Err(error) => {
-            let is_usable = scene.terms.iter().all(|(c, n)| {
-                let least = T::LEAST * (n.value() + 2.0).powi(2) / n.value().min(1.0) * 2.0;
-                c.is_finite() && (c.is_zero() || c.value().abs() >= least)
-            });
-            let is_usable = is_usable && scene.terms.iter().any(|(c, _)| !c.is_zero());
-            if is_usable {
+            if is_usable(scene) {
                 findings.fault(Fault::Refused, &error);
             }
-            findings.count(Tally::Refused);
-            return;
+            return findings.count(Tally::Refused);
         }
     };
-    let contact = match contact(scene, &*profile) {
-        Ok(contact) => contact,
-        // Medium and load are checked by tests of their own; scenes that leave the format are none.
-        Err(_) => {
-            findings.count(Tally::Refused);
-            return;
-        }
-    };
+    // Medium and load are checked by tests of their own; scenes that leave the format are none.
+    let Ok(contact) = contact(scene, &*profile) else { return findings.count(Tally::Refused) };
     let examination = Examination { scene, contact, exact: exact(scene), findings };
     examination.run(depth);
 }
 
-/// The solver of a scene's geometry.
-///
-/// # Errors
-///
-/// As [`Polynomial::new`].
-pub fn solver<T: Precision>(scene: &Scene<T>) -> Result<Box<dyn GapProfile<T>>, cartcontact::ProfileError> {
-    Ok(match (scene.form, scene.max_radius) {
-        (Form::Constant(index), _) => Box::new(T::solver(&cases()[index])),
-        (Form::Fields(index), _) => {
-            let coefficients = core::array::from_fn(|term| scene.terms[term].0);
-            let solver = fields::solver(index, coefficients);
-            solver.check()?;
-            solver
-        }
-        (Form::Polynomial, None) => Box::new(Polynomial::new(scene.terms.clone())?),
-        (Form::Polynomial, Some(end)) => Box::new(Polynomial::with_max_radius(scene.terms.clone(), end)?),
-    })
-}
-
-/// The contact of a scene.
-///
-/// # Errors
-///
-/// Whatever its parts complain of.
-pub fn contact<'a, T: Precision>(
-    scene: &'a Scene<T>,
-    profile: &'a dyn GapProfile<T>,
-) -> Result<Loaded<'a, T>, Box<dyn core::error::Error>> {
-    let load = PiecewiseLinear::new(scene.knots.as_slice())?;
-    Ok(Contact::new(profile, Medium::from_constants(scene.m, scene.chi)?, load)?)
+/// Whether the coefficients of a scene have all their digits, and are not all zero.
+fn is_usable<T: Precision>(scene: &Scene<T>) -> bool {
+    let has_digits = scene.terms.iter().all(|(c, n)| {
+        let least = T::LEAST * (n.value() + 2.0).powi(2) / n.value().min(1.0) * 2.0;
+        c.is_finite() && (c.is_zero() || c.value().abs() >= least)
+    });
+    has_digits && scene.terms.iter().any(|(c, _)| !c.is_zero())
 }
 
 fn exact<T: Precision>(scene: &Scene<T>) -> History {
@@ -109,19 +71,20 @@ impl<T: Precision> Examination<'_, T> {
         let hereditary = self.exact.hereditary(time);
         // What rounds to zero is no load.
         if hereditary.value() < T::LEAST * T::EPSILON {
-            self.unloaded();
-            return;
+            self.findings.count(Tally::Unsolved);
+            return self.unloaded();
         }
         let y = hereditary / self.exact.stiffness();
         let now = contact.at(self.scene.time);
         let found = now.as_ref().map_or(f64::NAN, |now| now.radius().value());
         let estimate = if found > 0.0 { Wide::of(found) } else { self.exact.profile.one_term_radius(y) };
         let radius = self.exact.profile.radius(y, estimate);
+        let is_solved = now.is_ok() && radius.is_some();
+        self.findings.count(if is_solved { Tally::Solved } else { Tally::Unsolved });
         match (now, radius) {
             (Ok(now), Some(a)) => self.solved(&now, a, depth),
             (Ok(_), None) => self.accepted(found, y),
             (Err(error), _) => {
-                self.findings.count(Tally::Unsolved);
                 self.refused(&error, self.scene.time);
             }
         }
@@ -129,7 +92,6 @@ impl<T: Precision> Examination<'_, T> {
 
     /// No load, no contact.
     fn unloaded(&mut self) {
-        self.findings.count(Tally::Unsolved);
         match self.contact.at(self.scene.time) {
             Ok(now) if now.radius().is_zero() && now.peak_pressure().is_zero() => {}
             Ok(now) => self.findings.fault(Fault::Accepted, &now.radius().value()),
@@ -139,7 +101,6 @@ impl<T: Precision> Examination<'_, T> {
 
     /// A radius beyond the last exact one is right if J there is as much as rounding lets it be told apart.
     fn accepted(&mut self, found: f64, y: Wide) {
-        self.findings.count(Tally::Unsolved);
         let load_integral = self.exact.profile.kernels(Wide::of(found)).load_integral;
         let error = ((load_integral.value - y) / load_integral.size).value().abs() / T::EPSILON;
         if error > T::allowed(Quantity::LoadIntegral.allowance()) {
@@ -197,7 +158,6 @@ impl<T: Precision> Examination<'_, T> {
     }
 
     fn solved(&mut self, now: &Now<'_, '_, T>, a: Wide, depth: Depth) {
-        self.findings.count(Tally::Solved);
         let here = self.exact.profile.kernels(a);
         let found = now.radius().value();
         let condition = condition::of_radius(&here);

@@ -11,6 +11,7 @@ pub mod precision;
 pub mod region;
 mod report;
 pub mod scene;
+mod solver;
 pub mod soundness;
 mod units;
 pub mod wide;

@@ -1,9 +1,10 @@
 //! One scene in other units.
 
-use super::examine::{Examination, Now, contact, solver};
+use super::examine::{Examination, Now};
 use super::finding::{Fault, Tally};
 use super::precision::Precision;
 use super::scene::Form;
+use super::solver::{contact, solver};
 
 impl<T: Precision> Examination<'_, T> {
     /// Lengths, forces and times in units that differ by powers of two: the same bits.
