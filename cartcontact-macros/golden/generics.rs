@@ -66,13 +66,11 @@ const _: () = {
             __a,
             [
                 (
-                    __c0
-                        * <S as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                     __cartcontact::generated::Exponent::whole(6),
                 ),
                 (
-                    __c1
-                        * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64),
+                    __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
                     __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
                 ),
             ],
@@ -281,19 +279,14 @@ const _: () = {
                     __limit,
                     __cartcontact::generated::EqualTerms::of(
                         (
-                            __c0
-                                * <S as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
+                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                             <S as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
-                            __c1
-                                * <S as __cartcontact::Scalar>::constant(
-                                    0.08547008547008547f64,
-                                ),
+                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
                             <S as __cartcontact::Scalar>::constant(6.5f64),
                         ),
+                        <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
                     |__a| __steepness(__a, [__c0, __c1]),
                 )
@@ -375,19 +368,14 @@ const _: () = {
                     __limit,
                     __cartcontact::generated::EqualTerms::of(
                         (
-                            __c0
-                                * <S as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
+                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                             <S as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
-                            __c1
-                                * <S as __cartcontact::Scalar>::constant(
-                                    0.08547008547008547f64,
-                                ),
+                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
                             <S as __cartcontact::Scalar>::constant(6.5f64),
                         ),
+                        <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
                     #[inline(always)]
                     |__a| __steepness(__a, [__c0, __c1]),

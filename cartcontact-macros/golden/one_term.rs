@@ -149,10 +149,8 @@ const _: () = {
                     __cartcontact::generated::elsewhere(move || {
                         __cartcontact::generated::invert_one_term(
                             __load_integral,
-                            __cartcontact::generated::PositiveTerm::of(
-                                <T as __cartcontact::Scalar>::constant(0.025f64),
-                                <T as __cartcontact::Scalar>::constant(2.0f64),
-                            ),
+                            <T as __cartcontact::Scalar>::constant(0.025f64),
+                            <T as __cartcontact::Scalar>::constant(2.0f64),
                             __limit,
                         )
                     })

@@ -76,16 +76,12 @@ const _: () = {
         let __s = __a * __a;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: __c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)
-                + (__c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64))
-                    * __s,
+            value: __c0 * <T as __cartcontact::Scalar>::constant(0.125f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(0.125f64)) * __s,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
-            first: __c0 * <T as __cartcontact::Scalar>::constant(0.5f64)
-                + (__c1 * <T as __cartcontact::Scalar>::constant(0.6666666666666666f64))
-                    * __s,
-            half_second: __c0 * <T as __cartcontact::Scalar>::constant(1.25f64)
-                + (__c1 * <T as __cartcontact::Scalar>::constant(2.3333333333333335f64))
-                    * __s,
+            first: __c0 * <T as __cartcontact::Scalar>::constant(0.75f64) + (__c1) * __s,
+            half_second: __c0 * <T as __cartcontact::Scalar>::constant(1.875f64)
+                + (__c1 * <T as __cartcontact::Scalar>::constant(3.5f64)) * __s,
             per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
         }
     }
@@ -212,19 +208,14 @@ const _: () = {
                     __limit,
                     __cartcontact::generated::EqualTerms::of(
                         (
-                            __c0
-                                * <T as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
+                            __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                             <T as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
-                            __c1
-                                * <T as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
+                            __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
                             <T as __cartcontact::Scalar>::constant(8.0f64),
                         ),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     |__a| __steepness(__a, [__c0, __c1]),
                 )
@@ -294,19 +285,14 @@ const _: () = {
                     __limit,
                     __cartcontact::generated::EqualTerms::of(
                         (
-                            __c0
-                                * <T as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
+                            __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                             <T as __cartcontact::Scalar>::constant(6.0f64),
                         ),
                         (
-                            __c1
-                                * <T as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
+                            __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
                             <T as __cartcontact::Scalar>::constant(8.0f64),
                         ),
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     #[inline(always)]
                     |__a| __steepness(__a, [__c0, __c1]),

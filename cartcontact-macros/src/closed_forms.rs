@@ -3,10 +3,15 @@
 //! Each is a sum of powers whose coefficients are those of the gap times rational numbers, see
 //! I. Argatov, Mech. Res. Commun. 38 (2011), doi 10.1016/j.mechrescom.2010.11.006.
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::One;
 
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, integer};
+
+/// Half of those of double precision.
+const MOST_DIGITS: u64 = 26;
 
 /// Σ weight · C · x^exponent, where C is the coefficient of the gap's term with that index.
 pub(crate) struct PowerSum {
@@ -26,6 +31,12 @@ impl Summand {
     }
 }
 
+/// J times a number between 1 and 2.
+pub(crate) struct Scaled {
+    pub(crate) load_integral: PowerSum,
+    pub(crate) per_unit: Rational,
+}
+
 pub(crate) struct ClosedForms {
     /// Φ(r) = Σ C rⁿ
     pub(crate) gap: PowerSum,
@@ -35,6 +46,8 @@ pub(crate) struct ClosedForms {
     pub(crate) approach_slope: PowerSum,
     /// J(a) = Σ C n aⁿ⁺⁴/((n+2)(n+4)), Eq. (14)
     pub(crate) load_integral: PowerSum,
+    /// J as the steps to the radius take it: where coefficients are symbols, with weights that have few digits.
+    pub(crate) stepped: Scaled,
     /// L(x) = Σ C xⁿ⁺²/(n+2)², the log kernel of Eq. (28)
     pub(crate) log_kernel: PowerSum,
 }
@@ -43,11 +56,17 @@ impl ClosedForms {
     pub(crate) fn of(gap: &Gap) -> Self {
         let two = integer(2);
         let plus = |n: &Rational, k: i32| n + integer(k);
+        let load_integral = PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4)));
         Self {
+            stepped: load_integral.times(if gap.is_constant() {
+                Rational::one()
+            } else {
+                load_integral.shortener()
+            }),
             gap: PowerSum::of(gap, 0, &|_| Rational::one()),
             approach: PowerSum::of(gap, 0, &|n| &two / plus(n, 2)),
             approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
-            load_integral: PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4))),
+            load_integral,
             log_kernel: PowerSum::of(gap, 2, &|n| (plus(n, 2) * plus(n, 2)).recip()),
         }
     }
@@ -62,6 +81,20 @@ impl PowerSum {
             exponent: exponent.clone(),
         });
         Self { summands: summands.collect() }
+    }
+
+    fn times(&self, per_unit: Rational) -> Scaled {
+        Scaled { load_integral: self.weighted(|_| per_unit.clone()), per_unit }
+    }
+
+    /// The common denominator of the weights, divided by powers of two so that it is odd, and by others so that it is less
+    /// than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of a number.
+    fn shortener(&self) -> Rational {
+        let denominators = self.summands.iter().map(|summand| summand.weight.denom());
+        let common = denominators.fold(BigInt::one(), |common, own| common.lcm(own));
+        let odd = &common >> common.trailing_zeros().unwrap_or(0);
+        let digits = odd.bits();
+        if digits > MOST_DIGITS { Rational::one() } else { Rational::new(odd, BigInt::one() << (digits - 1)) }
     }
 
     /// The sum with the exponents n + `shift` and the weights that `weight` gives for n.

@@ -20,7 +20,8 @@ pub use crate::evaluate::slopes_and_drops::{fill_by_functions, fill_slopes_and_d
 pub use crate::evaluate::steepness::{
     power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
 };
-pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
+pub use crate::inversion::{PositiveTerm, invert, positive_terms};
+pub use crate::one_term::invert_one_term;
 pub use crate::profile::with_parameters;
 pub use crate::seeds::{
     EqualTerms, OwnUnits, Seeds, Steepness, WholePowers, elsewhere, radii_of_whole_powers,

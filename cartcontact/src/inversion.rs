@@ -25,9 +25,7 @@
 //! arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the result.
 
 use crate::Scalar;
-use crate::evaluate::binary::{estimated_root_of_product, root_of_product};
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::power;
+use crate::evaluate::binary::estimated_root_of_product;
 use crate::profile::RadiusError;
 use crate::scalar::is;
 
@@ -55,25 +53,6 @@ pub fn positive_terms<T: Scalar>(
     terms: impl IntoIterator<Item = (T, T)>,
 ) -> impl Iterator<Item = PositiveTerm<T>> {
     terms.into_iter().filter(|&(c, _)| c > T::zero()).map(|(c, n)| PositiveTerm::of(c, n))
-}
-
-/// Solves J(a) = `target` for a profile of one term with a dyadic exponent: the closed form (18).
-///
-/// # Errors
-///
-/// [`RadiusError`] as [`invert`].
-#[inline]
-pub fn invert_one_term<T: Scalar>(target: T, term: PositiveTerm<T>, limit: T) -> Result<T, RadiusError> {
-    if !is_valid(target, limit)? {
-        return Ok(T::zero());
-    }
-    let radius = root_of_product(target, term.inverse, term.power);
-    if radius <= limit {
-        return Ok(radius);
-    }
-    let largest = power::term(term.inverse.recip(), limit, Exponent::of(term.power));
-    // The root may round to just beyond a limit that the load integral does not exceed.
-    if target <= largest { Ok(limit) } else { Err(beyond(target, largest, limit)) }
 }
 
 /// Solves J(a) = `target` on (0, `limit`].
@@ -115,7 +94,7 @@ pub fn invert<T: Scalar>(
 }
 
 /// False for zero, whose radius is zero without a search; a range that is none reaches no further.
-fn is_valid<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
+pub(crate) fn is_valid<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
     if target.is_zero() {
         Ok(false)
     } else if !(target > T::zero() && target.is_finite()) {
@@ -127,7 +106,7 @@ fn is_valid<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
     }
 }
 
-fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
+pub(crate) fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
     RadiusError::BeyondRange {
         load_integral: target.value(),
         largest: largest.value(),
@@ -261,13 +240,17 @@ mod tests {
         mixed(a).0
     }
 
+    fn radius(target: f64, limit: f64) -> Result<f64, RadiusError> {
+        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
+        invert(target, limit, positive.into_iter(), true, mixed, load_integral)
+    }
+
     #[test]
     fn planted_radii_are_recovered_with_negative_terms() {
-        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
         for k in -60..60 {
             let planted = 10f64.powf(f64::from(k) / 10.0);
             let target = mixed(planted).0;
-            let found = invert(target, f64::INFINITY, positive.into_iter(), true, mixed, load_integral);
+            let found = radius(target, f64::INFINITY);
             let error = found.map(|a| (a / planted - 1.0).abs());
             assert!(error.is_ok_and(|e| e < 1e-15), "{planted}: {found:?}");
         }
@@ -297,12 +280,11 @@ mod tests {
 
     #[test]
     fn the_end_of_the_range_is_inside() {
-        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
         let end = mixed(5.0).0;
-        let found = invert(end, 5.0, positive.into_iter(), true, mixed, load_integral);
+        let found = radius(end, 5.0);
         assert!(found.is_ok_and(|a| (a - 5.0).abs() <= 1e-15), "{found:?}");
         assert!(matches!(
-            invert(end * 1.000_001, 5.0, positive.into_iter(), true, mixed, load_integral),
+            radius(end * 1.000_001, 5.0),
             Err(RadiusError::BeyondRange { max_radius: 5.0, .. })
         ));
     }
@@ -310,20 +292,17 @@ mod tests {
     #[test]
     fn what_is_not_a_load_integral_is_refused() {
         for bad in [-1.0, f64::NAN, f64::INFINITY, -f64::INFINITY] {
-            let found = invert_one_term(bad, PositiveTerm::of(0.025, 2.0), f64::INFINITY);
+            let found = radius(bad, f64::INFINITY);
             assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
         }
-        assert_eq!(invert_one_term(0.0, PositiveTerm::of(0.025, 2.0), f64::INFINITY), Ok(0.0));
+        assert_eq!(radius(0.0, f64::INFINITY), Ok(0.0));
     }
 
     #[test]
     fn there_is_no_radius_in_a_range_that_is_none() {
-        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
         for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
-            let alone = invert_one_term(1.0, positive[0], limit);
-            let all = invert(1.0, limit, positive.into_iter(), true, mixed, load_integral);
-            assert!(matches!(alone, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{alone:?}");
-            assert!(matches!(all, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{all:?}");
+            let found = radius(1.0, limit);
+            assert!(matches!(found, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{found:?}");
         }
     }
 }

@@ -78,6 +78,7 @@ pub mod load;
 mod matrix;
 mod medium;
 mod memory;
+mod one_term;
 mod parameters;
 mod polynomial;
 #[cfg(doc)]

@@ -81,7 +81,7 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 /// `f32`; from a table, with two symbols 7 and 250, with constants none of two million and 20 in a million. Of four million
 /// random ones in each format none is above 1.1, or 1.25 in `f32`.
 pub const RADIUS: Allowance =
-    allow("radius", [1.0, 1.5], [0.9, 1.1], "the error of J in plain arithmetic, divided by the degree of J");
+    allow("radius", [1.0, 1.0], [0.9, 1.0], "the error of J in plain arithmetic, divided by the degree of J");
 /// The inverse of J that is known at run time only, or has powers that are not whole, with positive terms.
 pub const RADIUS_OF_SUMS: Allowance = allow(
     "radius of a sum",

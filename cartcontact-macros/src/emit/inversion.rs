@@ -9,7 +9,7 @@ use super::power_sum::{self, Whole, pairs};
 use super::{Names, leading_term, local, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::{Gap, Term};
-use crate::number::{integer, literal};
+use crate::number::{Rational, integer, literal};
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -31,17 +31,20 @@ pub(super) fn methods(
     let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
     let general = match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
-            let (invert, term) =
-                (names.generated("invert_one_term"), positive_term(0, only, coefficients, names));
-            quote!(#invert(#load_integral, #term, #limit))
+            let (invert, constant) = (names.generated("invert_one_term"), names.constant());
+            let (coefficient, exponent) = (coefficients.times(0, &Rational::one()), literal(&only.exponent));
+            quote!(#invert(#load_integral, #coefficient, #constant(#exponent), #limit))
         }
         _ => newton(gap, forms, coefficients, names),
     };
-    let sum = &forms.load_integral;
     let (found, radii) = if has_seeds {
-        (Some(seeds::radius(sum, coefficients, names)), Some(seeds::radii(sum, coefficients, names)))
+        let scaled = &forms.stepped;
+        (Some(seeds::radius(scaled, coefficients, names)), Some(seeds::radii(scaled, coefficients, names)))
     } else if leading_term::is_for(gap) {
-        (Some(leading_term::radius(sum, coefficients, names)), leading_term::radii(sum, coefficients, names))
+        (
+            Some(leading_term::radius(forms, coefficients, names)),
+            leading_term::radii(forms, coefficients, names),
+        )
     } else {
         (None, None)
     };
@@ -144,8 +147,7 @@ fn positive_term(
     names: &Names<'_>,
 ) -> TokenStream {
     let (constant, of) = (names.constant(), names.generated("PositiveTerm"));
-    let (coefficient, exponent) =
-        (coefficients.times(index, &crate::number::Rational::one()), literal(&term.exponent));
+    let (coefficient, exponent) = (coefficients.times(index, &Rational::one()), literal(&term.exponent));
     quote!(#of::of(#coefficient, #constant(#exponent)))
 }
 

@@ -7,7 +7,7 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, pairs};
 use super::{Names, local, steepness};
-use crate::closed_forms::PowerSum;
+use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, integer, literal};
@@ -22,15 +22,15 @@ pub(super) fn is_for(gap: &Gap) -> bool {
 }
 
 /// The radius from the leading term, if that leads to it.
-pub(super) fn radius(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let [a, load_integral, limit, scale] = ["a", "load_integral", "limit", "scale"].map(local);
-    if let Some(powers) = whole_powers(sum, coefficients, names) {
+    if let Some(powers) = whole_powers(&forms.stepped, coefficients, names) {
         return quote!((#powers).radius(#load_integral, #limit));
     }
     let [radius, quick, precise] =
         ["radius_of_real_powers", "quick_power_sum_steepness", "scaled_power_sum_steepness"]
             .map(|name| names.generated(name));
-    let pairs = pairs(sum, coefficients, names);
+    let pairs = pairs(&forms.load_integral, coefficients, names);
     quote! {
         #radius(
             #load_integral,
@@ -45,11 +45,11 @@ pub(super) fn radius(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Na
 /// The radii of a slice from the leading term, and elsewhere by `radius_within`; for whole powers only, as others are no
 /// vector code.
 pub(super) fn radii(
-    sum: &PowerSum,
+    forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> Option<TokenStream> {
-    let powers = whole_powers(sum, coefficients, names)?;
+    let powers = whole_powers(&forms.stepped, coefficients, names)?;
     let (krate, radii_of_whole_powers) = (names.krate, names.generated("radii_of_whole_powers"));
     let [load_integral, limit] = ["load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
@@ -66,12 +66,21 @@ pub(super) fn radii(
 }
 
 /// J as `WholePowers`, if that is what they are.
-fn whole_powers(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
+fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
+    let Scaled { load_integral: sum, per_unit } = scaled;
     let whole = whole(sum)?;
+    let (constant, per_unit) = (names.constant(), literal(per_unit));
     let (all, steepness) = (names.generated("WholePowers"), steepness::name());
     let values = sum.summands.iter().map(|summand| coefficients.times(summand.term, &summand.weight));
     let powers = whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power));
-    Some(quote!(#all { coefficients: [#(#values),*], powers: [#(#powers),*], steepness: #steepness }))
+    Some(quote! {
+        #all {
+            coefficients: [#(#values),*],
+            powers: [#(#powers),*],
+            steepness: #steepness,
+            per_unit: #constant(#per_unit),
+        }
+    })
 }
 
 fn whole(sum: &PowerSum) -> Option<Whole> {

@@ -141,8 +141,10 @@ fn beside_inversion(
     names: &Names<'_>,
 ) -> Option<TokenStream> {
     match seeds {
-        Some(seeds) => Some(seeds::items(seeds, &forms.load_integral, coefficients, names)),
-        None if leading_term::is_for(&geometry.gap) => leading_term::items(&forms.load_integral, names),
+        Some(seeds) => Some(seeds::items(seeds, &forms.stepped.load_integral, coefficients, names)),
+        None if leading_term::is_for(&geometry.gap) => {
+            leading_term::items(&forms.stepped.load_integral, names)
+        }
         None => None,
     }
 }

@@ -7,7 +7,7 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, pairs};
 use super::{Names, local, steepness};
-use crate::closed_forms::{PowerSum, Summand};
+use crate::closed_forms::{PowerSum, Scaled, Summand};
 use crate::number::{Rational, integer, literal};
 use crate::seeds::Seeds;
 
@@ -42,26 +42,18 @@ pub(super) fn items(
 }
 
 /// The radius from the table, if it is there.
-pub(super) fn radius(
-    load_integral: &PowerSum,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
+pub(super) fn radius(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (variables, _) = coefficients.variables();
-    let units = units(load_integral, coefficients, names);
+    let units = units(scaled, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     let (table, steepness) = (table(), steepness::name());
     quote!(#table.radius(#load_integral, #limit, #units, |#a| #steepness(#a, #variables)))
 }
 
 /// The radii of a slice from the table, and elsewhere by `radius_within`.
-pub(super) fn radii(
-    load_integral: &PowerSum,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
+pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (krate, (variables, _)) = (names.krate, coefficients.variables());
-    let units = units(load_integral, coefficients, names);
+    let units = units(scaled, coefficients, names);
     let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     let (table, steepness) = (table(), steepness::name());
@@ -79,9 +71,9 @@ pub(super) fn radii(
 }
 
 /// The units of the table: those of its own geometry, or of the two terms that it stands for.
-fn units(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let own = names.generated("OwnUnits");
-    let [low, high] = load_integral.summands.as_slice() else { return own };
+    let [low, high] = scaled.load_integral.summands.as_slice() else { return own };
     if coefficients.constant(low).is_some() && coefficients.constant(high).is_some() {
         return own;
     }
@@ -91,7 +83,8 @@ fn units(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Name
             (coefficients.times(summand.term, &summand.weight), literal(&summand.exponent));
         quote!((#coefficient, #constant(#exponent)))
     });
-    quote!(#equal_terms::of(#low, #high))
+    let per_unit = literal(&scaled.per_unit);
+    quote!(#equal_terms::of(#low, #high, #constant(#per_unit)))
 }
 
 /// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.

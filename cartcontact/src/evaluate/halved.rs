@@ -46,6 +46,14 @@ impl<T: Scalar> Halved<T> {
         Self { rest: quotient.rest + left * inverse, ..quotient }
     }
 
+    /// `dividend` over the number, and what share of itself the quotient lacks; all are near 1.
+    #[inline(always)]
+    pub(crate) fn divide(self, dividend: T) -> (T, T) {
+        let quotient = dividend / self.word();
+        let (high, low) = Self::of(quotient).parts_of_product(self);
+        (quotient, ((dividend - high) - low) / dividend)
+    }
+
     /// The number rounded.
     #[inline(always)]
     pub(crate) fn word(self) -> T {
@@ -112,6 +120,13 @@ impl<T: Scalar> Halved<T> {
         let left = (self.head - head * head) + (self.rest - rest * (head + root));
         Self { head, rest: rest + left / (root + root) }
     }
+}
+
+/// A product and what it lacks, exactly if the factor has at most half the digits of a word.
+#[inline(always)]
+pub(crate) fn product_with_few_digits<T: Scalar>(x: T, factor: T) -> (T, T) {
+    let (product, Halved { head, rest }) = (x * factor, Halved::of(x));
+    (product, (head * factor - product) + rest * factor)
 }
 
 #[cfg(test)]

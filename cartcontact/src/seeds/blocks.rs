@@ -130,7 +130,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
         }
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
             let seed = units.of_geometry(single(seed));
-            *radius = evaluate(seed).step(seed, load_integral);
+            *radius = evaluate(seed).halley(seed, units.target(load_integral));
         }
         // Mostly there is no limit; a limit that is not a number holds nothing.
         found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))

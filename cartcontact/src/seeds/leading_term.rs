@@ -19,7 +19,7 @@
 //! more digits in this step, see [`steepness`](crate::evaluate::steepness); whole ones, of which up to eight roundings are
 //! divided by p ≥ 5, are off by more than 1 ulp in 5 radii of a million, or 20 in single precision.
 
-use super::Steepness;
+use super::{Steepness, Target};
 use crate::Scalar;
 use crate::evaluate::bits::{
     DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
@@ -85,29 +85,29 @@ impl<T: Scalar> Spread<T> {
         }
     }
 
-    /// The root of J(a) = `y`, 1 ≤ y < 2, near `start`, and whether it is one; `evaluate` is what all steps but the
+    /// The root of J(a) = y, 1 ≤ y < 2, near `start`, and whether it is one; `evaluate` is what all steps but the
     /// last are taken with.
     #[inline(always)]
     pub(super) fn root(
         self,
-        y: T,
+        target: Target<T>,
         start: T,
         evaluate: impl Fn(T) -> Steepness<T>,
         evaluate_at_last: impl Fn(T) -> Steepness<T>,
     ) -> (T, bool) {
         let at = evaluate(start);
-        let value = at.power * at.value;
+        let (value, y) = (at.power * at.value, target.value);
         let (near, far) = (at.value * (value - y), at.first * (value + y));
         let mut a = start * ((far - near) / (far + near));
         let mut is_near = true;
         let close = T::constant(if is::<T, f32>() { 0.4 } else { 0.05 }) / self.highest;
         for _ in 0..self.steps() {
-            let next = evaluate(a).halley(a, y);
+            let next = evaluate(a).halley(a, target);
             is_near = (next - a).abs() <= a * close;
             a = next;
         }
         let a = with_half_its_digits(a);
-        (evaluate_at_last(a).halley(a, y), is_near)
+        (evaluate_at_last(a).halley(a, target), is_near)
     }
 }
 
@@ -150,7 +150,7 @@ pub fn radius_of_real_powers<T: Scalar>(
     let scale = power_of_two(-exponent);
     let spread = Spread { lowest, highest };
     let (radius, is_near) = spread.root(
-        fraction(load_integral),
+        Target::of(fraction(load_integral)),
         start.fraction * power_of_two(start.octave),
         #[inline(always)]
         |a| evaluate(a, scale),

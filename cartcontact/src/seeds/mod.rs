@@ -1,17 +1,15 @@
 //! The contact radius in one step, from a table that the macro has computed.
 //!
 //! A row of the table is a cubic in the fraction of the load integral y that meets the radius to six digits.
-//! From there one step of Halley's method reaches the last bit of double precision,
+//! From there one step of Halley's method reaches the last bit,
 //!
 //! ```text
 //! a ← a − a f aJ′/((aJ′)² − f a²J″/2),    f = J(a) − y
 //! ```
 //!
-//! and one of Newton's that of single precision. The macro has checked what the step leaves at every row: less
-//! than ε/8. J itself, whose error is divided by p = a J′/J > 4, and the last subtraction round. In double precision the
-//! squares of seeds are exact, and of two million random radii of constant geometries none was off by more than 1 ulp; of
-//! two symbols, whose weights round too, 7 in a million are. In single precision the rounding of the square is multiplied in
-//! every power: 20 in a million are off by more than 1 ulp, of two symbols 250, by 1.25 at the most.
+//! in single precision, too, where the seed is cut to half its digits first, so that its square is exact in both. The macro
+//! has checked what the step leaves at every row: less than ε/8. J itself, whose error is divided by p = a J′/J > 4, and the
+//! last subtraction round. Symbols have few digits for weights, see [`Target`], so that they round no more than constants.
 //!
 //! What lies outside the table, be it zero, not a number, or beyond the range, is left to the general solution:
 //! one comparison finds all of it.
@@ -31,6 +29,8 @@ pub use units::{EqualTerms, OwnUnits};
 pub use whole_powers::{WholePowers, radii_of_whole_powers};
 
 use crate::Scalar;
+use crate::evaluate::bits::{fraction, power_of_two};
+use crate::evaluate::halved::product_with_few_digits;
 use crate::scalar::is;
 
 /// a(y) ≈ c₀ + c₁ u + c₂ u² + c₃ u³ with y = u · 2^e, 1 ≤ u < 2, for quarters of octaves k = 4 e + ⌊4 (u − 1)⌋.
@@ -47,6 +47,17 @@ pub struct Seeds {
     /// That is the number in eight bits of y, six of its exponent and two of its fraction: the row that they name needs
     /// no check of bounds.
     pub rows: [[f32; 4]; 256],
+}
+
+/// What J has to be: a number, and what it lacks of a product that it was rounded from.
+///
+/// Of symbols, J is multiplied by the common denominator of its weights C n/((n+2)(n+4)), divided by a power of two so that
+/// it is less than 2. What is left of the weights has few digits, often one, and so has the factor: of its product with the
+/// load integral nothing is lost.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<T> {
+    value: T,
+    rest: T,
 }
 
 /// J and its derivatives at a radius, divided by the lowest power a^k of J; the derivatives in units of a number j p, that
@@ -84,7 +95,7 @@ impl Seeds {
         }
         let digits = digits(y);
         let seed = units.of_geometry(single(cubic(self.row(digits), digits)));
-        let radius = evaluate(seed).step(seed, load_integral);
+        let radius = evaluate(seed).halley(seed, units.target(load_integral));
         // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
         let is_within = radius <= limit || limit == T::infinity();
         is_within.then_some(radius)
@@ -136,6 +147,25 @@ fn single<T: Scalar>(value: f32) -> T {
     <T as SupersetOf<f32>>::from_subset(&value)
 }
 
+impl<T: Scalar> Target<T> {
+    #[inline(always)]
+    fn of(value: T) -> Self {
+        Self { value, rest: T::zero() }
+    }
+
+    #[inline(always)]
+    fn in_units(load_integral: T, per_unit: T) -> Self {
+        let (value, rest) = product_with_few_digits(load_integral, per_unit);
+        Self { value, rest }
+    }
+
+    /// Divided by the power of two at or below it, which is 2^`exponent`.
+    #[inline(always)]
+    fn fraction(self, exponent: i32) -> Self {
+        Self { value: fraction(self.value), rest: self.rest * power_of_two(-exponent) }
+    }
+}
+
 impl<T: Scalar> Steepness<T> {
     /// That of no terms at all, in units of 1.
     #[inline(always)]
@@ -152,29 +182,14 @@ impl<T: Scalar> Steepness<T> {
         self.half_second += half * (p - T::one()) * first;
     }
 
-    #[inline(always)]
-    fn surplus(&self, load_integral: T) -> T {
-        // A difference instead of a sum, as a zero that is taken away takes no instruction.
-        (self.power * self.value - load_integral) - self.excess
-    }
-
     /// The radius from its seed.
     #[inline(always)]
-    fn step(self, seed: T, load_integral: T) -> T {
-        if is::<T, f32>() { self.newton(seed, load_integral) } else { self.halley(seed, load_integral) }
-    }
-
-    #[inline(always)]
-    fn halley(self, a: T, load_integral: T) -> T {
-        let surplus = self.surplus(load_integral);
+    fn halley(self, a: T, target: Target<T>) -> T {
+        // Differences instead of sums, as a zero that is taken away takes no instruction.
+        let surplus = ((self.power * self.value - target.value) - self.excess) - target.rest;
         // What needs no surplus is multiplied while that is formed, and nothing after the division.
         let steep = self.power * self.first * self.first - surplus * self.half_second;
         a - (a * self.per_unit * self.first) * surplus / steep
-    }
-
-    #[inline(always)]
-    fn newton(self, a: T, load_integral: T) -> T {
-        a - (a * self.per_unit) * self.surplus(load_integral) / (self.power * self.first)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The units that a table of seeds is in.
 
+use super::Target;
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
 use crate::evaluate::power::equal_terms;
@@ -12,8 +13,11 @@ pub trait Units<T>: Copy {
     /// A load integral of the geometry in units of the table.
     fn in_table(self, load_integral: T) -> T;
 
-    /// A radius from the table in units of the geometry.
+    /// A radius from the table in units of the geometry, with a square that is exact.
     fn of_geometry(self, radius: T) -> T;
+
+    /// The same load integral as J has to be.
+    fn target(self, load_integral: T) -> Target<T>;
 }
 
 /// Those of the geometry that the table was made for.
@@ -28,7 +32,13 @@ impl<T: Scalar> Units<T> for OwnUnits {
 
     #[inline(always)]
     fn of_geometry(self, radius: T) -> T {
-        radius
+        // The table's numbers have half the digits of double precision.
+        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
+    }
+
+    #[inline(always)]
+    fn target(self, load_integral: T) -> Target<T> {
+        Target::of(load_integral)
     }
 }
 
@@ -38,15 +48,16 @@ impl<T: Scalar> Units<T> for OwnUnits {
 pub struct EqualTerms<T> {
     radius: T,
     per_load_integral: T,
+    per_unit: T,
 }
 
 impl<T: Scalar> EqualTerms<T> {
-    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′.
+    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, and what load integrals are multiplied by, see [`Target`].
     ///
     /// If j, j′ and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±51 b, J′/a^(p−1) within as much,
     /// and aᵖ within 2^±44 b²: none of their products in a step leaves the format. Other terms have no table.
     #[inline(always)]
-    pub fn of(low: (T, T), high: (T, T)) -> Self {
+    pub fn of(low: (T, T), high: (T, T), per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (radius, load_integral) = equal_terms(low, high);
         // Terms of different sign have NaN for a unit: as the first of three it stays, and no comparison holds for it.
@@ -55,7 +66,11 @@ impl<T: Scalar> EqualTerms<T> {
             (sizes.into_iter().fold(sizes[0], lesser), sizes.into_iter().fold(sizes[0], greater));
         let has_table = (T::constant(least) <= smallest) & (largest <= T::constant(most));
         // Zero lies in no table.
-        Self { radius, per_load_integral: if has_table { load_integral.recip() } else { T::zero() } }
+        Self {
+            radius,
+            per_load_integral: if has_table { per_unit / load_integral } else { T::zero() },
+            per_unit,
+        }
     }
 }
 
@@ -67,8 +82,11 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
 
     #[inline(always)]
     fn of_geometry(self, radius: T) -> T {
-        let radius = radius * self.radius;
-        // As the table's own, its square is exact then; single precision has no digits to waste for one step.
-        if is::<T, f64>() { with_half_its_digits(radius) } else { radius }
+        with_half_its_digits(radius * self.radius)
+    }
+
+    #[inline(always)]
+    fn target(self, load_integral: T) -> Target<T> {
+        Target::in_units(load_integral, self.per_unit)
     }
 }

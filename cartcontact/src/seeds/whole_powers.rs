@@ -3,11 +3,11 @@
 //! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 2, the terms are j 2^(k p − e) x^p: no step leaves the format, and other
 //! units by powers of two change nothing but k and e.
 
-use super::Steepness;
 use super::blocks::fill;
 use super::leading_term::{Spread, Start, logarithm_alone};
+use super::{Steepness, Target};
 use crate::Scalar;
-use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
+use crate::evaluate::bits::{exponent, is_normal, logarithm, power_of_two};
 use crate::profile::RadiusError;
 use crate::scalar::{is_plain, lesser};
 
@@ -27,6 +27,8 @@ pub struct WholePowers<T, F, const N: usize> {
     pub powers: [u32; N],
     /// J and its derivatives at a radius with these powers and other coefficients, in units of 1.
     pub steepness: F,
+    /// What load integrals are multiplied by, see [`Target`].
+    pub per_unit: T,
 }
 
 impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T, F, N> {
@@ -45,14 +47,15 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
     #[inline(always)]
     pub fn solve(&self, load_integral: T) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
-        let logarithm_of_y = logarithm(load_integral);
+        let target = Target::in_units(load_integral, self.per_unit);
+        let logarithm_of_y = logarithm(target.value);
         let alone = self.coefficients.iter().zip(&self.powers).map(
             #[inline(always)]
             |(&j, &p)| logarithm_alone(logarithm_of_y, (j, T::constant(f64::from(p)))),
         );
         let Some(least) = alone.reduce(lesser) else { return (load_integral, false) };
         let start = Start::of(T::constant(f64::from(lowest)), least);
-        let exponent = exponent(load_integral);
+        let exponent = exponent(target.value);
         let shift = |p: u32| start.octave * p as i32 - exponent;
         let mut scaled = self.coefficients;
         for (j, &p) in scaled.iter_mut().zip(&self.powers) {
@@ -62,7 +65,7 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
         let spread =
             Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
         let evaluate = |a| (self.steepness)(a, scaled);
-        let (radius, is_near) = spread.root(fraction(load_integral), start.fraction, evaluate, evaluate);
+        let (radius, is_near) = spread.root(target.fraction(exponent), start.fraction, evaluate, evaluate);
         (radius * power_of_two(start.octave), fits & is_near)
     }
 }
@@ -134,7 +137,7 @@ mod tests {
     }
 
     fn radius<T: Scalar>(coefficients: [T; 3], load_integral: T) -> Option<T> {
-        WholePowers { coefficients, powers: [6, 8, 10], steepness: steepness::<T> }
+        WholePowers { coefficients, powers: [6, 8, 10], steepness: steepness::<T>, per_unit: T::one() }
             .radius(load_integral, T::infinity())
     }
 

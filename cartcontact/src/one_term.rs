@@ -1,0 +1,124 @@
+//! The contact radius where the gap is one term, in closed form: Eq. (18).
+//!
+//! J(a) = j a^p = y has the root a = (y/j)^(1/p) with j = C n/((n+2)(n+4)) and p = n + 4. Powers of two are taken out of
+//! y and C, with y/j = f · 2^e,
+//!
+//! ```text
+//! a = 2^(k ⌊e/(k p)⌋) · (f · 2^(e mod k p))^(1/p)
+//! ```
+//!
+//! so that nothing overflows before the result does, and other units by powers of two change no digit; with k = 1, 2 or 4
+//! for p in quarters the reduced number is exact.
+//!
+//! **Accuracy.** What the quotient and 1/p lose in rounding is put back into f. The error is that of `powf`, and ε/(2 p) from
+//! the rounding of f.
+
+use crate::Scalar;
+use crate::evaluate::binary::{divide, scale, split};
+use crate::evaluate::exponent::Exponent;
+use crate::evaluate::halved::{Halved, product_with_few_digits};
+use crate::evaluate::power;
+use crate::inversion::{beyond, is_valid};
+use crate::profile::RadiusError;
+use crate::scalar::floor;
+
+/// The most octaves that the reduced number may have, so that single precision holds it.
+const LONGEST_PERIOD: f64 = 100.0;
+
+/// Solves J(a) = `target` on (0, `limit`] for the gap C r^n alone, whose exponent has few digits.
+///
+/// # Errors
+///
+/// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`).
+#[inline]
+pub fn invert_one_term<T: Scalar>(target: T, c: T, n: T, limit: T) -> Result<T, RadiusError> {
+    if !is_valid(target, limit)? {
+        return Ok(T::zero());
+    }
+    let radius = radius(target, c, n);
+    if radius <= limit {
+        return Ok(radius);
+    }
+    let p = n + T::constant(4.0);
+    let largest = power::term(c * (n / ((n + T::constant(2.0)) * p)), limit, Exponent::of(p));
+    // The root may round to just beyond a limit that the load integral does not exceed.
+    if target <= largest { Ok(limit) } else { Err(beyond(target, largest, limit)) }
+}
+
+fn radius<T: Scalar>(target: T, c: T, n: T) -> T {
+    let ((target, exponent_of_target), (c, exponent_of_c)) = (split(target), split(c));
+    let (quotient, lost) = Halved::load_integral_coefficient(c, n).divide(target);
+    let (quotient, exponent) = split(quotient);
+    let p = n + T::constant(4.0);
+    let multiple = whole_multiple(p);
+    let period = p * T::constant(f64::from(multiple));
+    let (periods, rest) = divide(exponent + exponent_of_target - exponent_of_c, period, period.recip());
+    scale(root((quotient, lost), rest, p), multiple * periods)
+}
+
+/// The k for which k p is whole, unless that is too large for the exponent of a number.
+fn whole_multiple<T: Scalar>(p: T) -> i32 {
+    let is_whole = |k: i32| {
+        let period = p * T::constant(f64::from(k));
+        period <= T::constant(LONGEST_PERIOD) && period == T::constant(f64::from(floor(period)))
+    };
+    [1, 2, 4].into_iter().find(|&k| is_whole(k)).unwrap_or(1)
+}
+
+/// (f (1 + `lost`) · 2^`rest`)^(1/p) for 1 ≤ f < 2, and 0 ≤ `rest` < p or a whole one up to the [`LONGEST_PERIOD`].
+fn root<T: Scalar>((f, lost): (T, T), rest: T, p: T) -> T {
+    let inverse = p.recip();
+    // (f 2^rest)^(1/p − inverse), of whose logarithm two digits are enough: log₂ f ≈ f − 1 is off by less than 0.09.
+    let (back, back_rest) = product_with_few_digits(inverse, p);
+    let logarithm = T::ln_2() * (rest + (f - T::one()));
+    let f = f + f * (lost + ((T::one() - back) - back_rest) * logarithm);
+    let two = T::constant(2.0);
+    if p > T::constant(LONGEST_PERIOD) {
+        // 2^rest would not fit every format, so its root is taken apart.
+        f.powf(inverse) * two.powf(rest * inverse)
+    } else if rest == T::constant(f64::from(floor(rest))) {
+        scale(f, floor(rest)).powf(inverse)
+    } else {
+        // Two roundings, of which hardly anything is left by such a p.
+        (f * two.powf(rest)).powf(inverse)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_survive_quotients_out_of_range() {
+        // J = C a⁶/12; only the exponents of 10 differ from an exact power: 1e600^(1/6) = 1e100.
+        let root: f64 = radius(1e300, 12e-300, 2.0);
+        assert!((root / 1e100 - 1.0).abs() < 1e-15, "{root:e}");
+        let root: f64 = radius(1e-300, 12e300, 2.0);
+        assert!((root / 1e-100 - 1.0).abs() < 1e-15, "{root:e}");
+    }
+
+    #[test]
+    fn roots_scale_exactly_with_powers_of_two() {
+        for n in [1.0, 2.0, 2.5, 4.0, 64.0] {
+            let base: f64 = radius(0.7, 0.3, n);
+            assert_eq!(radius(scale(0.7, (2.0 * (n + 4.0)) as i32), 0.3, n), 4.0 * base);
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_load_integral_is_refused() {
+        for bad in [-1.0, f64::NAN, f64::INFINITY, -f64::INFINITY] {
+            let found = invert_one_term(bad, 0.025, 2.0, f64::INFINITY);
+            assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
+        }
+        assert_eq!(invert_one_term(0.0, 0.025, 2.0, f64::INFINITY), Ok(0.0));
+    }
+
+    #[test]
+    fn there_is_no_radius_in_a_range_that_is_none() {
+        for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
+            let found = invert_one_term(1.0, 0.025, 2.0, limit);
+            assert!(matches!(found, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{found:?}");
+        }
+    }
+}
