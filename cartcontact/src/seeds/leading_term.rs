@@ -16,8 +16,8 @@
 //! another would be multiplied in every power; the loss of 2⁻²⁵ of a, or 2⁻¹², is within what the step corrects: of the
 //! latter it leaves ε/8 with p₂ = 110. Higher powers in single precision are left to the general solution. The correction is
 //! small and taken away as it is, so that no other rounding is of the size of 1/2 ulp. Where powers are not whole, J has
-//! more digits in this step, see [`steepness`](crate::evaluate::steepness); whole ones, of which up to eight roundings are
-//! divided by p ≥ 5, are off by more than 1 ulp in 5 radii of a million, or 20 in single precision.
+//! more digits in this step, see [`steepness`](crate::evaluate::steepness); of whole ones up to seven roundings are
+//! divided by p ≥ 5.
 
 use super::{Steepness, Target};
 use crate::Scalar;
