@@ -378,7 +378,7 @@ const _: () = {
                         <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
                     #[inline(always)]
-                    |__a| __steepness(__a, [__c0, __c1]),
+                    move |__a| __steepness(__a, [__c0, __c1]),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

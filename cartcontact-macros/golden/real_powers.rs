@@ -316,7 +316,7 @@ const _: () = {
                     __limit,
                     __cartcontact::generated::OwnUnits,
                     #[inline(always)]
-                    |__a| __steepness(__a, []),
+                    move |__a| __steepness(__a, []),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

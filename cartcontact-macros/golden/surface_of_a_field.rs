@@ -296,7 +296,7 @@ const _: () = {
                         <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
                     #[inline(always)]
-                    |__a| __steepness(__a, [__c0, __c1]),
+                    move |__a| __steepness(__a, [__c0, __c1]),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -6,7 +6,8 @@
 //!
 //! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more; y from
 //! 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ) are contacts from ℓ/200 upward for a sphere. Outside it, the radius is iterated.
-//! Where coefficients are symbols, two terms have one table in units of their own: with j a^p + j′ a^p′ = y and
+//! Where coefficients are symbols, a single term j a^p = y has a table of y/j from 1 to 2^k, p = k/q: there the radius has
+//! become 2^q times as long. And two terms have one table in units of their own: with j a^p + j′ a^p′ = y and
 //! j ℓ^p = j′ ℓ^p′, a/ℓ depends on y/(j ℓ^p) alone. Its window lies 20 octaves above y = 1 and 44 below, because
 //! the higher term is mostly the correction.
 //!
@@ -19,7 +20,7 @@
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::PowerSum;
+use crate::closed_forms::{PowerSum, Summand};
 use crate::gap::Gap;
 use crate::geometry::{Geometry, Range};
 
@@ -78,18 +79,25 @@ impl Seeds {
 pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Seeds> {
     let gap = &geometry.gap;
     let is_constant = gap.is_constant();
-    // Two terms with any coefficients, in units of the radius at which they are equal and of their value there, have 1.
-    if !is_constant && load_integral.summands.len() != 2 {
-        return None;
-    }
     let mut terms = Vec::new();
     for summand in &load_integral.summands {
+        // Symbols have the units in which it is 1.
         let coefficient = if is_constant { summand.constant(gap)?.to_f64()? } else { 1.0 };
         terms.push((coefficient, summand.exponent.to_f64()?));
     }
-    let load_integral = LoadIntegral::new(terms);
-    let top = if is_constant { top(geometry, &load_integral)? } else { OCTAVES_ABOVE_EQUALITY };
-    load_integral.seeds(top)
+    let sum = LoadIntegral::new(terms);
+    let top = match load_integral.summands.as_slice() {
+        _ if is_constant => top(geometry, &sum)?,
+        [only] => period(only)?,
+        [_, _] => OCTAVES_ABOVE_EQUALITY,
+        _ => return None,
+    };
+    sum.seeds(top)
+}
+
+/// After how many octaves of a^p the radius has whole octaves, too, if the table holds as many.
+fn period(only: &Summand) -> Option<i32> {
+    only.exponent.numer().to_i32().filter(|&octaves| octaves <= OCTAVES)
 }
 
 /// The octave at which the table ends, for constant coefficients.

@@ -11,6 +11,7 @@ pub use crate::evaluate::horner::{
 };
 pub use crate::evaluate::power::{
     integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, real_power,
+    square_root,
 };
 pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
@@ -24,6 +25,6 @@ pub use crate::inversion::{PositiveTerm, invert, positive_terms};
 pub use crate::one_term::invert_one_term;
 pub use crate::profile::with_parameters;
 pub use crate::seeds::{
-    EqualTerms, OwnUnits, Seeds, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
+    EqualTerms, OwnUnits, Seeds, SingleTerm, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
     radius_of_real_powers,
 };

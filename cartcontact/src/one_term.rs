@@ -45,6 +45,7 @@ pub fn invert_one_term<T: Scalar>(target: T, c: T, n: T, limit: T) -> Result<T, 
     if target <= largest { Ok(limit) } else { Err(beyond(target, largest, limit)) }
 }
 
+#[inline]
 fn radius<T: Scalar>(target: T, c: T, n: T) -> T {
     let ((target, exponent_of_target), (c, exponent_of_c)) = (split(target), split(c));
     let (quotient, lost) = Halved::load_integral_coefficient(c, n).divide(target);
@@ -57,6 +58,7 @@ fn radius<T: Scalar>(target: T, c: T, n: T) -> T {
 }
 
 /// The k for which k p is whole, unless that is too large for the exponent of a number.
+#[inline]
 fn whole_multiple<T: Scalar>(p: T) -> i32 {
     let is_whole = |k: i32| {
         let period = p * T::constant(f64::from(k));
@@ -66,6 +68,7 @@ fn whole_multiple<T: Scalar>(p: T) -> i32 {
 }
 
 /// (f (1 + `lost`) · 2^`rest`)^(1/p) for 1 ≤ f < 2, and 0 ≤ `rest` < p or a whole one up to the [`LONGEST_PERIOD`].
+#[inline]
 fn root<T: Scalar>((f, lost): (T, T), rest: T, p: T) -> T {
     let inverse = p.recip();
     // (f 2^rest)^(1/p − inverse), of whose logarithm two digits are enough: log₂ f ≈ f − 1 is off by less than 0.09.

@@ -96,7 +96,7 @@ pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
         let weighted = |weight: fn(u32) -> u32| nested(&whole, variable, &variables, weight, names);
         [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)]
     };
-    let body = steepness::value(&whole, &a, sums, &Rational::one(), names);
+    let body = steepness::value((&whole, false), &a, sums, &Rational::one(), names);
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }
 

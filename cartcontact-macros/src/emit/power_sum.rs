@@ -18,7 +18,7 @@ use super::coefficients::Coefficients;
 use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
-use crate::number::{Rational, literal};
+use crate::number::{Rational, fraction, literal};
 
 /// How a sum is written.
 pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> Counted;
@@ -34,6 +34,15 @@ impl Whole {
         let exponent =
             |summand: &Summand| summand.exponent.is_integer().then(|| summand.exponent.to_u32()).flatten();
         Some(Self { exponents: sum.summands.iter().map(exponent).collect::<Option<_>>()? })
+    }
+
+    /// The whole parts of exponents which all are whole, or all have a half beside, and whether they have.
+    pub(super) fn and_half(sum: &PowerSum) -> Option<(Self, bool)> {
+        let has_half = !sum.summands.first()?.exponent.is_integer();
+        let beside = if has_half { fraction(1, 2) } else { Rational::zero() };
+        let whole = |exponent: Rational| exponent.is_integer().then(|| exponent.to_u32()).flatten();
+        let exponents = sum.summands.iter().map(|summand| whole(&summand.exponent - &beside));
+        Some((Self { exponents: exponents.collect::<Option<_>>()? }, has_half))
     }
 
     pub(super) fn lowest(&self) -> u32 {

@@ -1,6 +1,6 @@
 //! The step from the table of seeds to the contact radius.
 
-use num_traits::One;
+use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -64,7 +64,7 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
             #units,
             // Without it, wide vectors would end at the call.
             #[inline(always)]
-            |#a| #steepness(#a, #variables),
+            move |#a| #steepness(#a, #variables),
             |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
         )
     }
@@ -72,19 +72,29 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
 
 /// The units of the table: those of its own geometry, or of the two terms that it stands for.
 fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let own = names.generated("OwnUnits");
-    let [low, high] = scaled.load_integral.summands.as_slice() else { return own };
-    if coefficients.constant(low).is_some() && coefficients.constant(high).is_some() {
-        return own;
-    }
-    let (constant, equal_terms) = (names.constant(), names.generated("EqualTerms"));
-    let [low, high] = [low, high].map(|summand| {
-        let (coefficient, exponent) =
-            (coefficients.times(summand.term, &summand.weight), literal(&summand.exponent));
+    let summands = scaled.load_integral.summands.as_slice();
+    let (constant, per_unit) = (names.constant(), literal(&scaled.per_unit));
+    let coefficient = |summand: &Summand| coefficients.times(summand.term, &summand.weight);
+    let term = |summand| {
+        let (coefficient, exponent) = (coefficient(summand), literal(&summand.exponent));
         quote!((#coefficient, #constant(#exponent)))
-    });
-    let per_unit = literal(&scaled.per_unit);
-    quote!(#equal_terms::of(#low, #high, #constant(#per_unit)))
+    };
+    match summands {
+        _ if summands.iter().all(|summand| coefficients.constant(summand).is_some()) => {
+            names.generated("OwnUnits")
+        }
+        [only] => {
+            let (single_term, coefficient) = (names.generated("SingleTerm"), coefficient(only));
+            let [k, q] = [only.exponent.numer(), only.exponent.denom()]
+                .map(|part| Literal::u32_unsuffixed(part.to_u32().unwrap_or(1)));
+            quote!(#single_term::<_, #k, #q>::of(#coefficient, #constant(#per_unit)))
+        }
+        [low, high, ..] => {
+            let (equal_terms, low, high) = (names.generated("EqualTerms"), term(low), term(high));
+            quote!(#equal_terms::of(#low, #high, #constant(#per_unit)))
+        }
+        [] => TokenStream::new(),
+    }
 }
 
 /// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.
@@ -97,8 +107,8 @@ fn body(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
-    let (Some(whole), Some(last)) = (whole, load_integral.summands.last()) else {
+    let whole = Whole::and_half(load_integral).filter(|(whole, _)| whole.largest_gap() <= WIDEST_GAP);
+    let (Some((whole, has_half)), Some(last)) = (whole, load_integral.summands.last()) else {
         let (function, pairs) =
             (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
         return quote!(#function(#a, [#(#pairs),*]));
@@ -113,7 +123,7 @@ fn body(
         let [value, first] = [load_integral, &first].map(|sum| nested(sum, &whole, variable, coefficients));
         [value, first, paired(&half_second, &whole, variable, coefficients)]
     };
-    steepness::value(&whole, a, sums, &unit, names)
+    steepness::value((&whole, has_half), a, sums, &unit, names)
 }
 
 /// The sum divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor does more at a time

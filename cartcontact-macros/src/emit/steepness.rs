@@ -32,10 +32,10 @@ pub(super) fn function(
     }
 }
 
-/// The value at the radius `a` of whole powers, from J and its derivatives as sums in the [`variable`](Whole::variable),
-/// divided by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square.
+/// The value at the radius `a` of powers that are whole, or all are but for a half, from J and its derivatives as sums in the
+/// [`variable`](Whole::variable), divided by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square.
 pub(super) fn value(
-    whole: &Whole,
+    (whole, has_half): (&Whole, bool),
     a: &Ident,
     sums: impl Fn(&Ident) -> [TokenStream; 3],
     unit: &Rational,
@@ -46,12 +46,16 @@ pub(super) fn value(
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let exponent = Literal::u32_unsuffixed(lowest / stride);
     let odd = (lowest % stride == 1).then(|| quote!(* #a));
+    let root = has_half.then(|| {
+        let square_root = names.generated("square_root");
+        quote!(* #square_root(#a))
+    });
     let [power, steepness] = ["integer_power", "Steepness"].map(|name| names.generated(name));
     let (constant, per_unit) = (names.constant(), literal(&unit.recip()));
     quote! {
         #square
         #steepness {
-            power: #power(#variable, #exponent) #odd,
+            power: #power(#variable, #exponent) #odd #root,
             value: #value,
             excess: #constant(0.0f64),
             first: #first,

@@ -20,6 +20,12 @@ pub fn integer_power<T: Scalar>(x: T, k: u32) -> T {
     if rest == 1 { power * square } else { power }
 }
 
+/// √x, by a name that generated code can call without a trait.
+#[inline(always)]
+pub fn square_root<T: Scalar>(x: T) -> T {
+    x.sqrt()
+}
+
 /// x^n for a parameter x of the geometry.
 #[inline]
 pub fn real_power<T: Scalar>(x: T, n: T) -> T {

@@ -24,7 +24,7 @@ impl Seeds {
         (load_integrals, radii): (&[T], &mut [T]),
         limit: T,
         units: impl Units<T>,
-        evaluate: impl Fn(T) -> Steepness<T>,
+        evaluate: impl Fn(T) -> Steepness<T> + Copy,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         let blocks = Blocks { seeds: self, limit, units, evaluate };
@@ -77,7 +77,7 @@ struct Blocks<'a, T, U, F> {
     evaluate: F,
 }
 
-impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
+impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F> {
     /// The radii before the first block that is not all in the table, or before the last few; how many they are.
     #[inline(always)]
     fn solve(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
@@ -112,7 +112,8 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
         rows: &mut [[f32; 4]; N],
         radii: &mut [T; N],
     ) -> bool {
-        let Self { seeds: table, limit, units, evaluate } = self;
+        // Copies, so that nothing that is read can be what is written: else it were read anew for every radius.
+        let Self { seeds: table, limit, units, evaluate } = *self;
         let [from, to] = table.ends::<T>();
         let mut found = true;
         let mut all_digits = [0; N];
@@ -129,10 +130,10 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T>> Blocks<'_, T, U, F> {
             *seed = cubic(row, digits);
         }
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
-            let seed = units.of_geometry(single(seed));
+            let seed = units.of_geometry(single(seed), load_integral);
             *radius = evaluate(seed).halley(seed, units.target(load_integral));
         }
         // Mostly there is no limit; a limit that is not a number holds nothing.
-        found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
+        found && (limit == T::infinity() || radii.iter().fold(true, |all, &radius| all & (radius <= limit)))
     }
 }

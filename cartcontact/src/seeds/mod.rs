@@ -18,6 +18,7 @@
 
 mod blocks;
 mod leading_term;
+mod single_term;
 mod units;
 mod whole_powers;
 
@@ -26,6 +27,7 @@ use core::any::Any;
 use simba::scalar::SupersetOf;
 
 pub use leading_term::radius_of_real_powers;
+pub use single_term::SingleTerm;
 use units::Units;
 pub use units::{EqualTerms, OwnUnits};
 pub use whole_powers::{WholePowers, radii_of_whole_powers};
@@ -96,7 +98,7 @@ impl Seeds {
             return None;
         }
         let digits = digits(y);
-        let seed = units.of_geometry(single(cubic(self.row(digits), digits)));
+        let seed = units.of_geometry(single(cubic(self.row(digits), digits)), load_integral);
         let radius = evaluate(seed).halley(seed, units.target(load_integral));
         // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
         let is_within = radius <= limit || limit == T::infinity();

@@ -13,8 +13,8 @@ pub trait Units<T>: Copy {
     /// A load integral of the geometry in units of the table.
     fn in_table(self, load_integral: T) -> T;
 
-    /// A radius from the table in units of the geometry, with a square that is exact.
-    fn of_geometry(self, radius: T) -> T;
+    /// The table's radius for a load integral in units of the geometry, with a square that is exact.
+    fn of_geometry(self, radius: T, load_integral: T) -> T;
 
     /// The same load integral as J has to be.
     fn target(self, load_integral: T) -> Target<T>;
@@ -31,7 +31,7 @@ impl<T: Scalar> Units<T> for OwnUnits {
     }
 
     #[inline(always)]
-    fn of_geometry(self, radius: T) -> T {
+    fn of_geometry(self, radius: T, _: T) -> T {
         // The table's numbers have half the digits of double precision.
         if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
     }
@@ -81,7 +81,7 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     }
 
     #[inline(always)]
-    fn of_geometry(self, radius: T) -> T {
+    fn of_geometry(self, radius: T, _: T) -> T {
         with_half_its_digits(radius * self.radius)
     }
 
