@@ -56,14 +56,14 @@ impl Seeds {
         [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
     }
 
-    /// The rows where the solver looks for them, with their coefficients in its order: that of index k is at k − 4
-    /// modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
-    pub(crate) fn in_places(&self) -> [[f32; 4]; ROWS] {
-        let mut places = [[0.0; 4]; ROWS];
+    /// The bytes of the rows where the solver looks for them, with their coefficients in its order: that of index k is at
+    /// k − 4 modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
+    pub(crate) fn in_places(&self) -> Vec<u8> {
+        let mut places = [[0_f32; 4]; ROWS];
         for (&[c0, c1, c2, c3], index) in self.rows.iter().zip(self.first..) {
             places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = [c0, c2, c1, c3];
         }
-        places
+        places.as_flattened().iter().flat_map(|coefficient| coefficient.to_le_bytes()).collect()
     }
 
     pub(crate) const fn size_in_bytes() -> usize {

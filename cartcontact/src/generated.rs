@@ -23,6 +23,6 @@ pub use crate::evaluate::steepness::{
 pub use crate::inversion::{PositiveTerm, invert, invert_one_term, positive_terms};
 pub use crate::profile::with_parameters;
 pub use crate::seeds::{
-    EqualTerms, OwnUnits, Seeds, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
+    EqualTerms, OwnUnits, Rows, Seeds, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
     radius_of_real_powers,
 };

@@ -25,17 +25,16 @@ pub(super) fn items(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let (table, kind) = (table(), names.generated("Seeds"));
+    let table = table();
+    let [kind, rows] = ["Seeds", "Rows"].map(|name| names.generated(name));
     let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
     let count = Literal::usize_unsuffixed(seeds.rows.len());
-    // One text for the compiler to read is quicker than three thousand tokens, and shortest literals are what `Debug`
-    // writes.
-    let rows: TokenStream = format!("{:?}", seeds.in_places()).parse().unwrap_or_default();
+    let bytes = Literal::byte_string(&seeds.in_places());
     let a = local("a");
     let body = body(load_integral, &a, coefficients, names);
     let function = steepness::function(&a, coefficients.variables(), &body, names);
     quote! {
-        static #table: #kind = #kind { first: #first, count: #count, single: #single, rows: #rows };
+        static #table: #kind = #kind { first: #first, count: #count, single: #single, rows: #rows(*#bytes) };
 
         #function
     }
