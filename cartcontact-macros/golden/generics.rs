@@ -75,7 +75,7 @@ const _: () = {
                 (
                     __c1
                         * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64),
-                    __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                 ),
             ],
         )
@@ -93,10 +93,7 @@ const _: () = {
                 __r,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (
-                        __c1,
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
-                    ),
+                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -115,7 +112,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
                     ),
                 ],
             )
@@ -132,7 +129,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                 ],
             )
@@ -155,7 +152,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -175,7 +172,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.04938271604938271f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(4, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0),
                     ),
                 ],
             )
@@ -195,7 +192,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
                     ),
                 ],
             )
@@ -212,7 +209,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                 ],
             )
@@ -235,7 +232,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -248,10 +245,7 @@ const _: () = {
                 __r,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (
-                        __c1,
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
-                    ),
+                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -263,10 +257,7 @@ const _: () = {
                 __r,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (
-                        __c1,
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
-                    ),
+                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -327,11 +318,7 @@ const _: () = {
                                                 * <S as __cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::in_parts(
-                                                6,
-                                                0.5f64,
-                                                0.0f64,
-                                            ),
+                                            __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                                         ),
                                     ],
                                 )
@@ -351,11 +338,7 @@ const _: () = {
                                             * <S as __cartcontact::Scalar>::constant(
                                                 0.08547008547008547f64,
                                             ),
-                                        __cartcontact::generated::Exponent::in_parts(
-                                            6,
-                                            0.5f64,
-                                            0.0f64,
-                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                                     ),
                                 ],
                             ),
@@ -419,7 +402,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -450,7 +433,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )

@@ -38,11 +38,11 @@ const _: () = {
             [
                 (
                     <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                    __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                 ),
                 (
                     <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
-                    __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                    __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                 ),
             ],
         )
@@ -59,11 +59,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -75,11 +75,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -91,11 +91,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.25, 0.0),
                     ),
                 ],
             )
@@ -107,13 +107,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -125,11 +125,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0008163265306122449f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(7.256235827664399e-5f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.25, 0.0),
                     ),
                 ],
             )
@@ -141,11 +141,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -157,11 +157,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.25, 0.0),
                     ),
                 ],
             )
@@ -173,13 +173,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -192,11 +192,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -209,11 +209,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -257,21 +257,13 @@ const _: () = {
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.0007792207792207792f64,
                                             ),
-                                            __cartcontact::generated::Exponent::in_parts(
-                                                5,
-                                                0.5f64,
-                                                0.0f64,
-                                            ),
+                                            __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                                         ),
                                         (
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.00017077175697865354f64,
                                             ),
-                                            __cartcontact::generated::Exponent::in_parts(
-                                                7,
-                                                0.25f64,
-                                                0.0f64,
-                                            ),
+                                            __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                                         ),
                                     ],
                                 )
@@ -283,21 +275,13 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(
-                                            5,
-                                            0.5f64,
-                                            0.0f64,
-                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.00017077175697865354f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(
-                                            7,
-                                            0.25f64,
-                                            0.0f64,
-                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                                     ),
                                 ],
                             ),
@@ -334,13 +318,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -360,13 +344,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )

@@ -15,14 +15,25 @@ pub(crate) struct PowerSum {
 
 pub(crate) struct Summand {
     pub(crate) term: usize,
-    pub(crate) weight: Rational,
+    pub(crate) factor: Factor,
     pub(crate) exponent: Rational,
+}
+
+/// weight · C.
+pub(crate) enum Factor {
+    /// The product with a C that is a constant.
+    Constant(Rational),
+    /// The weight of one that depends on fields.
+    Weight(Rational),
 }
 
 impl Summand {
     /// The factor of its power, if that is a constant.
-    pub(crate) fn constant(&self, gap: &Gap) -> Option<Rational> {
-        Some(gap.terms.get(self.term)?.coefficient.as_constant()? * &self.weight)
+    pub(crate) fn constant(&self) -> Option<&Rational> {
+        match &self.factor {
+            Factor::Constant(value) => Some(value),
+            Factor::Weight(_) => None,
+        }
     }
 }
 
@@ -55,21 +66,25 @@ impl ClosedForms {
 
 impl PowerSum {
     /// The same sum with every summand multiplied by a function of its exponent.
-    pub(crate) fn weighted(&self, factor: impl Fn(&Rational) -> Rational) -> Self {
-        let summands = self.summands.iter().map(|Summand { term, weight, exponent }| Summand {
-            term: *term,
-            weight: weight * factor(exponent),
-            exponent: exponent.clone(),
+    pub(crate) fn weighted(&self, weight: impl Fn(&Rational) -> Rational) -> Self {
+        let summands = self.summands.iter().map(|Summand { term, factor, exponent }| {
+            let factor = match factor {
+                Factor::Constant(value) => Factor::Constant(value * weight(exponent)),
+                Factor::Weight(own) => Factor::Weight(own * weight(exponent)),
+            };
+            Summand { term: *term, factor, exponent: exponent.clone() }
         });
         Self { summands: summands.collect() }
     }
 
     /// The sum with the exponents n + `shift` and the weights that `weight` gives for n.
     fn of(gap: &Gap, shift: i32, weight: &dyn Fn(&Rational) -> Rational) -> Self {
-        let summands = gap.terms.iter().enumerate().map(|(term, Term { exponent, .. })| Summand {
-            term,
-            weight: weight(exponent),
-            exponent: exponent + integer(shift),
+        let summands = gap.terms.iter().enumerate().map(|(term, Term { coefficient, exponent, .. })| {
+            let factor = match coefficient.as_constant() {
+                Some(value) => Factor::Constant(value * weight(exponent)),
+                None => Factor::Weight(weight(exponent)),
+            };
+            Summand { term, factor, exponent: exponent + integer(shift) }
         });
         Self { summands: summands.collect() }
     }

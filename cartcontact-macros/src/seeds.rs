@@ -81,7 +81,7 @@ pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<See
     }
     let mut terms = Vec::new();
     for summand in &load_integral.summands {
-        let coefficient = if is_constant { summand.constant(gap)?.to_f64()? } else { 1.0 };
+        let coefficient = if is_constant { summand.constant()?.to_f64()? } else { 1.0 };
         terms.push((coefficient, summand.exponent.to_f64()?));
     }
     let load_integral = LoadIntegral::new(terms);

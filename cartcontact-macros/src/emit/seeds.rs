@@ -5,9 +5,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, nested, pairs};
+use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness};
-use crate::closed_forms::{PowerSum, Summand};
+use crate::closed_forms::PowerSum;
 use crate::number::{Rational, integer, literal};
 use crate::seeds::Seeds;
 
@@ -81,13 +81,12 @@ pub(super) fn radii(
 fn units(load_integral: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let own = names.generated("OwnUnits");
     let [low, high] = load_integral.summands.as_slice() else { return own };
-    if coefficients.constant(low).is_some() && coefficients.constant(high).is_some() {
+    if low.constant().is_some() && high.constant().is_some() {
         return own;
     }
     let (constant, equal_terms) = (names.constant(), names.generated("EqualTerms"));
     let [low, high] = [low, high].map(|summand| {
-        let (coefficient, exponent) =
-            (coefficients.times(summand.term, &summand.weight), literal(&summand.exponent));
+        let (coefficient, exponent) = (coefficients.factor(summand), literal(&summand.exponent));
         quote!((#coefficient, #constant(#exponent)))
     });
     quote!(#equal_terms::of(#low, #high))
@@ -105,37 +104,44 @@ fn body(
 ) -> TokenStream {
     let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
     let (Some(whole), Some(last)) = (whole, load_integral.summands.last()) else {
-        let (function, pairs) =
-            (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
-        return quote!(#function(#a, [#(#pairs),*]));
+        let (function, terms) =
+            (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
+        return quote!(#function(#a, #terms));
     };
-    let unit = match coefficients.constant(last) {
+    let unit = match last.constant() {
         Some(leading) => leading * &last.exponent,
         None => Rational::one(),
     };
     let first = load_integral.weighted(|p| p / &unit);
     let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * &unit));
+    let (values, of_value) = coefficients.bound("value", load_integral);
+    let (firsts, of_first) = coefficients.bound("first", &first);
+    let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let sums = |variable: &Ident| {
-        let [value, first] = [load_integral, &first].map(|sum| nested(sum, &whole, variable, coefficients));
-        [value, first, paired(&half_second, &whole, variable, coefficients)]
+        [
+            nested(load_integral, &whole, variable, of_value),
+            nested(&first, &whole, variable, of_first),
+            paired(&whole, variable, of_half_second),
+        ]
     };
-    steepness::value(&whole, a, sums, &unit, names)
+    let steepness = steepness::value(&whole, a, sums, &unit, names);
+    quote!(#values #firsts #half_seconds #steepness)
 }
 
-/// The sum divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor does more at a time
-/// than of Horner's rule.
+/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor
+/// does more at a time than of Horner's rule.
 ///
 /// Where both derivatives had the same form, compilers would put them side by side into one vector, and its halves had
 /// to wait for each other.
-fn paired(sum: &PowerSum, whole: &Whole, variable: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>) -> TokenStream {
     // The variable's power from one exponent to another.
     let power = |from: u32, to: u32| {
         let further = (1..(to - from) / whole.stride()).map(|_| variable);
         quote!(#variable #(* #further)*)
     };
-    let own = |summand: &Summand| coefficients.times(summand.term, &summand.weight);
-    let mut summands = sum.summands.iter().map(own).zip(whole.exponents.iter().copied()).rev();
-    let mut paired = if sum.summands.len() % 2 == 1 { summands.next() } else { None };
+    let is_odd = factors.len() % 2 == 1;
+    let mut summands = factors.into_iter().zip(whole.exponents.iter().copied()).rev();
+    let mut paired = if is_odd { summands.next() } else { None };
     while let (Some((high, upper)), Some((low, lower))) = (summands.next(), summands.next()) {
         let step = power(lower, upper);
         let pair = quote!(#low + (#high) * #step);
