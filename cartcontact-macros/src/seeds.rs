@@ -63,7 +63,8 @@ impl Seeds {
         for (&[c0, c1, c2, c3], index) in self.rows.iter().zip(self.first..) {
             places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = [c0, c2, c1, c3];
         }
-        places.as_flattened().iter().flat_map(|coefficient| coefficient.to_le_bytes()).collect()
+        let bytes = places.as_flattened().iter().map(|coefficient| coefficient.to_le_bytes());
+        bytes.collect::<Vec<_>>().into_flattened()
     }
 
     pub(crate) const fn size_in_bytes() -> usize {
