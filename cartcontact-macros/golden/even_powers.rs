@@ -36,7 +36,9 @@ const _: () = {
         first: -168,
         count: 256,
         single: true,
-        rows: [/* 256 cubics */],
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
     };
     #[inline(always)]
     fn __steepness<T: __cartcontact::Scalar>(

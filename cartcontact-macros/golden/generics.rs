@@ -53,7 +53,9 @@ const _: () = {
         first: -176,
         count: 256,
         single: true,
-        rows: [/* 256 cubics */],
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
     };
     #[inline(always)]
     fn __steepness<S: __cartcontact::Scalar>(
@@ -71,7 +73,7 @@ const _: () = {
                 ),
                 (
                     __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                    __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                 ),
             ],
         )
@@ -89,10 +91,7 @@ const _: () = {
                 __r,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (
-                        __c1,
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
-                    ),
+                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -111,7 +110,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
                     ),
                 ],
             )
@@ -128,7 +127,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                 ],
             )
@@ -151,7 +150,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -171,7 +170,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.04938271604938271f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(4, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0),
                     ),
                 ],
             )
@@ -191,7 +190,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.4444444444444444f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
                     ),
                 ],
             )
@@ -208,7 +207,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                 ],
             )
@@ -231,7 +230,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -244,10 +243,7 @@ const _: () = {
                 __r,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (
-                        __c1,
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
-                    ),
+                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -259,10 +255,7 @@ const _: () = {
                 __r,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (
-                        __c1,
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5f64, 0.0f64),
-                    ),
+                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -318,11 +311,7 @@ const _: () = {
                                                 * <S as __cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::in_parts(
-                                                6,
-                                                0.5f64,
-                                                0.0f64,
-                                            ),
+                                            __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                                         ),
                                     ],
                                 )
@@ -342,11 +331,7 @@ const _: () = {
                                             * <S as __cartcontact::Scalar>::constant(
                                                 0.08547008547008547f64,
                                             ),
-                                        __cartcontact::generated::Exponent::in_parts(
-                                            6,
-                                            0.5f64,
-                                            0.0f64,
-                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                                     ),
                                 ],
                             ),
@@ -405,7 +390,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -436,7 +421,7 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )

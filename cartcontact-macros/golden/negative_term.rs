@@ -36,7 +36,9 @@ const _: () = {
         first: -176,
         count: 256,
         single: true,
-        rows: [/* 256 cubics */],
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
     };
     #[inline(always)]
     fn __steepness<T: __cartcontact::Scalar>(
@@ -282,19 +284,20 @@ const _: () = {
                 * (__cartcontact::generated::divided_difference(
                     __a,
                     __s,
-                    [
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.004166666666666667f64),
-                        <T as __cartcontact::Scalar>::constant(
-                            -0.00034285714285714285f64,
-                        ),
-                        <T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64),
-                    ],
+                    __cartcontact::generated::constants::<
+                        T,
+                        _,
+                    >([
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.004166666666666667,
+                        -0.00034285714285714285,
+                        1.6666666666666667e-5,
+                    ]),
                 ))
         }
         #[inline]

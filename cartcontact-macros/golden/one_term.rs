@@ -37,7 +37,9 @@ const _: () = {
         first: -148,
         count: 256,
         single: true,
-        rows: [/* 256 cubics */],
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
     };
     #[inline(always)]
     fn __steepness<T: __cartcontact::Scalar>(
@@ -149,8 +151,10 @@ const _: () = {
                     __cartcontact::generated::elsewhere(move || {
                         __cartcontact::generated::invert_one_term(
                             __load_integral,
-                            <T as __cartcontact::Scalar>::constant(0.025f64),
-                            <T as __cartcontact::Scalar>::constant(2.0f64),
+                            (
+                                <T as __cartcontact::Scalar>::constant(0.025f64),
+                                <T as __cartcontact::Scalar>::constant(2.0f64),
+                            ),
                             __limit,
                         )
                     })

@@ -24,7 +24,9 @@ const _: () = {
         first: -176,
         count: 256,
         single: true,
-        rows: [/* 256 cubics */],
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
     };
     #[inline(always)]
     fn __steepness<T: __cartcontact::Scalar>(
@@ -36,11 +38,11 @@ const _: () = {
             [
                 (
                     <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                    __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                 ),
                 (
                     <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
-                    __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                    __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                 ),
             ],
         )
@@ -57,11 +59,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -73,11 +75,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -89,11 +91,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.25, 0.0),
                     ),
                 ],
             )
@@ -105,13 +107,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -123,11 +125,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0008163265306122449f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(7.256235827664399e-5f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.25, 0.0),
                     ),
                 ],
             )
@@ -139,11 +141,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -155,11 +157,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(2, 0.25, 0.0),
                     ),
                 ],
             )
@@ -171,13 +173,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -190,11 +192,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -207,11 +209,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -255,21 +257,13 @@ const _: () = {
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.0007792207792207792f64,
                                             ),
-                                            __cartcontact::generated::Exponent::in_parts(
-                                                5,
-                                                0.5f64,
-                                                0.0f64,
-                                            ),
+                                            __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                                         ),
                                         (
                                             <T as __cartcontact::Scalar>::constant(
                                                 0.00017077175697865354f64,
                                             ),
-                                            __cartcontact::generated::Exponent::in_parts(
-                                                7,
-                                                0.25f64,
-                                                0.0f64,
-                                            ),
+                                            __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                                         ),
                                     ],
                                 )
@@ -281,21 +275,13 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(
-                                            5,
-                                            0.5f64,
-                                            0.0f64,
-                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.00017077175697865354f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(
-                                            7,
-                                            0.25f64,
-                                            0.0f64,
-                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                                     ),
                                 ],
                             ),
@@ -332,13 +318,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -358,13 +344,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25f64, 0.0f64),
+                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )

@@ -64,7 +64,9 @@ const _: () = {
         first: -176,
         count: 256,
         single: true,
-        rows: [/* 256 cubics */],
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
     };
     #[inline(always)]
     fn __steepness<T: __cartcontact::Scalar>(

@@ -20,14 +20,25 @@ pub(crate) struct PowerSum {
 
 pub(crate) struct Summand {
     pub(crate) term: usize,
-    pub(crate) weight: Rational,
+    pub(crate) factor: Factor,
     pub(crate) exponent: Rational,
+}
+
+/// weight · C.
+pub(crate) enum Factor {
+    /// The product with a C that is a constant.
+    Constant(Rational),
+    /// The weight of one that depends on fields.
+    Weight(Rational),
 }
 
 impl Summand {
     /// The factor of its power, if that is a constant.
-    pub(crate) fn constant(&self, gap: &Gap) -> Option<Rational> {
-        Some(gap.terms.get(self.term)?.coefficient.as_constant()? * &self.weight)
+    pub(crate) fn constant(&self) -> Option<&Rational> {
+        match &self.factor {
+            Factor::Constant(value) => Some(value),
+            Factor::Weight(_) => None,
+        }
     }
 }
 
@@ -58,11 +69,7 @@ impl ClosedForms {
         let plus = |n: &Rational, k: i32| n + integer(k);
         let load_integral = PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4)));
         Self {
-            stepped: load_integral.times(if gap.is_constant() {
-                Rational::one()
-            } else {
-                load_integral.shortener()
-            }),
+            stepped: load_integral.times(load_integral.shortener()),
             gap: PowerSum::of(gap, 0, &|_| Rational::one()),
             approach: PowerSum::of(gap, 0, &|n| &two / plus(n, 2)),
             approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
@@ -74,11 +81,13 @@ impl ClosedForms {
 
 impl PowerSum {
     /// The same sum with every summand multiplied by a function of its exponent.
-    pub(crate) fn weighted(&self, factor: impl Fn(&Rational) -> Rational) -> Self {
-        let summands = self.summands.iter().map(|Summand { term, weight, exponent }| Summand {
-            term: *term,
-            weight: weight * factor(exponent),
-            exponent: exponent.clone(),
+    pub(crate) fn weighted(&self, weight: impl Fn(&Rational) -> Rational) -> Self {
+        let summands = self.summands.iter().map(|Summand { term, factor, exponent }| {
+            let factor = match factor {
+                Factor::Constant(value) => Factor::Constant(value * weight(exponent)),
+                Factor::Weight(own) => Factor::Weight(own * weight(exponent)),
+            };
+            Summand { term: *term, factor, exponent: exponent.clone() }
         });
         Self { summands: summands.collect() }
     }
@@ -90,7 +99,10 @@ impl PowerSum {
     /// The common denominator of the weights, divided by powers of two so that it is odd, and by others so that it is less
     /// than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of a number.
     fn shortener(&self) -> Rational {
-        let denominators = self.summands.iter().map(|summand| summand.weight.denom());
+        let denominators = self.summands.iter().filter_map(|summand| match &summand.factor {
+            Factor::Weight(weight) => Some(weight.denom()),
+            Factor::Constant(_) => None,
+        });
         let common = denominators.fold(BigInt::one(), |common, own| common.lcm(own));
         let odd = &common >> common.trailing_zeros().unwrap_or(0);
         let digits = odd.bits();
@@ -99,10 +111,12 @@ impl PowerSum {
 
     /// The sum with the exponents n + `shift` and the weights that `weight` gives for n.
     fn of(gap: &Gap, shift: i32, weight: &dyn Fn(&Rational) -> Rational) -> Self {
-        let summands = gap.terms.iter().enumerate().map(|(term, Term { exponent, .. })| Summand {
-            term,
-            weight: weight(exponent),
-            exponent: exponent + integer(shift),
+        let summands = gap.terms.iter().enumerate().map(|(term, Term { coefficient, exponent, .. })| {
+            let factor = match coefficient.as_constant() {
+                Some(value) => Factor::Constant(value * weight(exponent)),
+                None => Factor::Weight(weight(exponent)),
+            };
+            Summand { term, factor, exponent: exponent + integer(shift) }
         });
         Self { summands: summands.collect() }
     }

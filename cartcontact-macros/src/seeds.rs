@@ -60,14 +60,15 @@ impl Seeds {
         [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
     }
 
-    /// The rows where the solver looks for them, with their coefficients in its order: that of index k is at k − 4
-    /// modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
-    pub(crate) fn in_places(&self) -> [[f32; 4]; ROWS] {
-        let mut places = [[0.0; 4]; ROWS];
+    /// The bytes of the rows where the solver looks for them, with their coefficients in its order: that of index k is at
+    /// k − 4 modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
+    pub(crate) fn in_places(&self) -> Vec<u8> {
+        let mut places = [[0_f32; 4]; ROWS];
         for (&[c0, c1, c2, c3], index) in self.rows.iter().zip(self.first..) {
             places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = [c0, c2, c1, c3];
         }
-        places
+        let bytes = places.as_flattened().iter().map(|coefficient| coefficient.to_le_bytes());
+        bytes.collect::<Vec<_>>().into_flattened()
     }
 
     pub(crate) const fn size_in_bytes() -> usize {
@@ -82,7 +83,7 @@ pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<See
     let mut terms = Vec::new();
     for summand in &load_integral.summands {
         // Symbols have the units in which it is 1.
-        let coefficient = if is_constant { summand.constant(gap)?.to_f64()? } else { 1.0 };
+        let coefficient = if is_constant { summand.constant()?.to_f64()? } else { 1.0 };
         terms.push((coefficient, summand.exponent.to_f64()?));
     }
     let sum = LoadIntegral::new(terms);

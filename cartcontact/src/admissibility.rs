@@ -93,6 +93,15 @@ pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) ->
     terms.into_iter().try_for_each(|(c, n)| if fits(c, n) { Ok(()) } else { Err(invalid(c, n)) })
 }
 
+/// [`check_coefficients`] of numbers.
+///
+/// # Errors
+///
+/// As [`check_coefficients`].
+pub fn check_constants<T: Scalar>(terms: &[(f64, f64)]) -> Result<(), ProfileError> {
+    check_coefficients(terms.iter().map(|&(c, n)| (T::constant(c), T::constant(n))))
+}
+
 fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
     if c.is_zero() || fits(c, n) { Ok(()) } else { Err(invalid(c, n)) }
 }

@@ -3,9 +3,9 @@
 // Generated code reaches everything through this: a wrong path to the crate then is one error.
 pub use crate as root;
 pub use crate::admissibility::{
-    check_coefficients, check_positive, checked_range, inside_surfaces, not_below_zero,
+    check_coefficients, check_constants, check_positive, checked_range, inside_surfaces, not_below_zero,
 };
-pub use crate::evaluate::exponent::Exponent;
+pub use crate::evaluate::exponent::{Exponent, whole_terms};
 pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
@@ -24,7 +24,8 @@ pub use crate::evaluate::steepness::{
 pub use crate::inversion::{PositiveTerm, invert, positive_terms};
 pub use crate::one_term::invert_one_term;
 pub use crate::profile::with_parameters;
+pub use crate::scalar::constants;
 pub use crate::seeds::{
-    EqualTerms, OwnUnits, Seeds, SingleTerm, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
+    EqualTerms, OwnUnits, Rows, Seeds, SingleTerm, Steepness, WholePowers, elsewhere, radii_of_whole_powers,
     radius_of_real_powers,
 };

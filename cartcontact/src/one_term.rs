@@ -31,7 +31,7 @@ const LONGEST_PERIOD: f64 = 100.0;
 ///
 /// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`).
 #[inline]
-pub fn invert_one_term<T: Scalar>(target: T, c: T, n: T, limit: T) -> Result<T, RadiusError> {
+pub fn invert_one_term<T: Scalar>(target: T, (c, n): (T, T), limit: T) -> Result<T, RadiusError> {
     if !is_valid(target, limit)? {
         return Ok(T::zero());
     }
@@ -111,16 +111,16 @@ mod tests {
     #[test]
     fn what_is_not_a_load_integral_is_refused() {
         for bad in [-1.0, f64::NAN, f64::INFINITY, -f64::INFINITY] {
-            let found = invert_one_term(bad, 0.025, 2.0, f64::INFINITY);
+            let found = invert_one_term(bad, (0.025, 2.0), f64::INFINITY);
             assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
         }
-        assert_eq!(invert_one_term(0.0, 0.025, 2.0, f64::INFINITY), Ok(0.0));
+        assert_eq!(invert_one_term(0.0, (0.025, 2.0), f64::INFINITY), Ok(0.0));
     }
 
     #[test]
     fn there_is_no_radius_in_a_range_that_is_none() {
         for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
-            let found = invert_one_term(1.0, 0.025, 2.0, limit);
+            let found = invert_one_term(1.0, (0.025, 2.0), limit);
             assert!(matches!(found, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{found:?}");
         }
     }

@@ -49,6 +49,12 @@ impl<T: RealField + Copy> Scalar for T {
     }
 }
 
+/// The numbers nearest to literals.
+#[inline(always)]
+pub fn constants<T: Scalar, const N: usize>(values: [f64; N]) -> [T; N] {
+    values.map(T::constant)
+}
+
 /// ⌊x⌋ of a number of 20 digits at the most; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {

@@ -1,17 +1,22 @@
 //! The coefficients of the gap in generated code: literals where they are constants, otherwise computed once per
 //! call from the fields.
 
-use num_traits::One;
+use num_traits::{One, Zero};
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 
-use super::{Names, arguments, bounded_generics, local, power_sum};
-use crate::closed_forms::Summand;
+use super::{Names, arguments, bounded_generics, local};
+use crate::closed_forms::{Factor, PowerSum, Summand};
+use crate::gap::Term;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::geometry::Geometry;
 use crate::number::{self, Rational};
 use crate::reading::item::{Field, FieldKind, Item};
+
+/// So many constants at the most are written out one by one, which compilers fold into the code around them. More stand in
+/// a table, which takes much less time to compile.
+pub(super) const FEW: usize = 8;
 
 pub(super) struct Coefficients<'a> {
     item: &'a Item,
@@ -24,46 +29,75 @@ impl<'a> Coefficients<'a> {
         Self { item, geometry, names }
     }
 
-    /// `weight` times the coefficient of the term with the index `term`.
-    pub(super) fn times(&self, term: usize, weight: &Rational) -> TokenStream {
-        let constant = self.names.constant();
-        let Some(own) = self.geometry.gap.terms.get(term) else { return TokenStream::new() };
-        if let Some(value) = own.coefficient.as_constant() {
-            let literal = number::literal(&(value * weight));
-            return quote!(#constant(#literal));
+    /// The coefficient of the term with that index.
+    fn own(&self, index: usize, term: &Term) -> TokenStream {
+        match term.coefficient.as_constant() {
+            Some(value) => self.literal(&value),
+            None => variable(index).into_token_stream(),
         }
-        let variable = variable(term);
-        if weight.is_one() {
-            return quote!(#variable);
-        }
-        let literal = number::literal(weight);
-        quote!(#variable * #constant(#literal))
     }
 
-    /// The factor of a power in a sum, if it is a constant.
-    pub(super) fn constant(&self, summand: &Summand) -> Option<Rational> {
-        summand.constant(&self.geometry.gap)
+    fn literal(&self, value: &Rational) -> TokenStream {
+        let (constant, literal) = (self.names.constant(), number::literal(value));
+        quote!(#constant(#literal))
+    }
+
+    /// The factor of a power in a sum.
+    pub(super) fn factor(&self, summand: &Summand) -> TokenStream {
+        let variable = variable(summand.term);
+        match &summand.factor {
+            Factor::Constant(value) => self.literal(value),
+            Factor::Weight(weight) if weight.is_one() => quote!(#variable),
+            Factor::Weight(weight) => {
+                let weight = self.literal(weight);
+                quote!(#variable * #weight)
+            }
+        }
+    }
+
+    /// An array of such factors, zero where there is no summand.
+    pub(super) fn factors(&self, summands: &[Option<&Summand>]) -> TokenStream {
+        self.table(summands).unwrap_or_else(|| {
+            let factors = summands.iter().map(|summand| match summand {
+                Some(summand) => self.factor(summand),
+                None => self.literal(&Rational::zero()),
+            });
+            quote!([#(#factors),*])
+        })
+    }
+
+    /// The factors of a sum one by one: many constants are variables that begin with `name`, and bound beforehand.
+    pub(super) fn bound(&self, name: &str, sum: &PowerSum) -> (Option<TokenStream>, Vec<TokenStream>) {
+        let summands: Vec<Option<&Summand>> = sum.summands.iter().map(Some).collect();
+        let Some(table) = self.table(&summands) else {
+            return (None, sum.summands.iter().map(|summand| self.factor(summand)).collect());
+        };
+        let variables = (0..summands.len()).map(|index| local(&format!("{name}{index}")).into_token_stream());
+        let variables: Vec<TokenStream> = variables.collect();
+        (Some(quote!(let [#(#variables),*] = #table;)), variables)
+    }
+
+    /// The array as a table, if all are constants and many.
+    fn table(&self, summands: &[Option<&Summand>]) -> Option<TokenStream> {
+        let constant = |summand: &Option<&Summand>| match summand {
+            Some(summand) => summand.constant().map(number::rounded),
+            None => Some(0.0),
+        };
+        let constants: Vec<f64> = summands.iter().map(constant).collect::<Option<_>>()?;
+        let (function, scalar) = (self.names.generated("constants"), &self.names.scalar);
+        (constants.len() > FEW).then(|| {
+            let constants = number::code(constants);
+            quote!(#function::<#scalar, _>(#constants))
+        })
     }
 
     /// All terms of the gap as pairs (coefficient, exponent).
-    pub(super) fn terms(&self) -> Vec<TokenStream> {
-        let constant = self.names.constant();
-        let pair = |(index, term): (usize, &crate::gap::Term)| {
-            let (coefficient, exponent) =
-                (self.times(index, &Rational::one()), number::literal(&term.exponent));
+    pub(super) fn terms(&self) -> impl Iterator<Item = TokenStream> {
+        self.geometry.gap.terms.iter().enumerate().map(|(index, term)| {
+            let (coefficient, constant) = (self.own(index, term), self.names.constant());
+            let exponent = number::literal(&term.exponent);
             quote!((#coefficient, #constant(#exponent)))
-        };
-        self.geometry.gap.terms.iter().enumerate().map(pair).collect()
-    }
-
-    /// All terms of the gap as pairs (coefficient, exponent in parts).
-    pub(super) fn powers(&self) -> Vec<TokenStream> {
-        let pair = |(index, term): (usize, &crate::gap::Term)| {
-            let coefficient = self.times(index, &Rational::one());
-            let exponent = power_sum::exponent(&term.exponent, self.names);
-            quote!((#coefficient, #exponent))
-        };
-        self.geometry.gap.terms.iter().enumerate().map(pair).collect()
+        })
     }
 
     /// The coefficients whose sign only the values of the fields tell; none if a constant is negative.
@@ -72,7 +106,7 @@ impl<'a> Coefficients<'a> {
         let constants = || terms.iter().filter_map(|term| term.coefficient.as_constant());
         let uncertain = self.symbolic().filter(|(_, value)| value.certain_sign() != Some(Sign::NotNegative));
         (!constants().any(|value| value.is_negative()))
-            .then(|| uncertain.map(|(index, _)| self.times(index, &Rational::one())).collect())
+            .then(|| uncertain.map(|(index, _)| variable(index).into_token_stream()).collect())
     }
 
     /// An array of the coefficients that are not constants, and how many there are.

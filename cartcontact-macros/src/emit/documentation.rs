@@ -3,7 +3,7 @@
 use num_traits::One;
 
 use super::operations::Operations;
-use crate::closed_forms::{ClosedForms, PowerSum};
+use crate::closed_forms::{ClosedForms, Factor, PowerSum};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::expansion::Truncation;
@@ -17,12 +17,11 @@ use crate::seeds::Seeds;
 pub(super) fn lines(
     item: &Item,
     geometry: &Geometry,
+    forms: &ClosedForms,
     seeds: Option<&Seeds>,
-    operations: &[Operations],
-    shared: Operations,
+    (operations, shared): (&[Operations], Operations),
 ) -> Vec<String> {
     let gap = &geometry.gap;
-    let forms = ClosedForms::of(gap);
     let sum = |sum: &PowerSum, variable: &str| written(sum, gap, variable);
     let text = format!(
         "
@@ -61,8 +60,11 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 /// The sum with its numbers, such as `0.0125 a² + 7.29167e-5 a⁴`.
 fn written(sum: &PowerSum, gap: &Gap, variable: &str) -> String {
     let summands = sum.summands.iter().filter_map(|summand| {
-        let scaled = gap.terms.get(summand.term)?.coefficient.scaled(&summand.weight);
-        Some((scaled, power(variable, &summand.exponent)))
+        let factor = match &summand.factor {
+            Factor::Constant(value) => Coefficient::constant(value.clone()),
+            Factor::Weight(weight) => gap.terms.get(summand.term)?.coefficient.scaled(weight),
+        };
+        Some((factor, power(variable, &summand.exponent)))
     });
     joined(summands)
 }

@@ -22,7 +22,7 @@ pub(super) fn block(
         true => implementation(item, &item.generics, &constants(geometry)),
         false => {
             let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
-            of_fields(item, names, pairs.len(), &quote!(#preamble [#(#pairs),*]))
+            of_fields(item, names, geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
         }
     }
 }

@@ -1,15 +1,14 @@
 //! The contact radius from the load integral, and what else the solver asks of J.
 
-use num_traits::One;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{self, Whole, pairs};
+use super::power_sum::{self, Whole, terms};
 use super::{Names, leading_term, local, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::{Gap, Term};
-use crate::number::{Rational, integer, literal};
+use crate::number::{integer, literal};
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -31,9 +30,8 @@ pub(super) fn methods(
     let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
     let general = match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
-            let (invert, constant) = (names.generated("invert_one_term"), names.constant());
-            let (coefficient, exponent) = (coefficients.times(0, &Rational::one()), literal(&only.exponent));
-            quote!(#invert(#load_integral, #coefficient, #constant(#exponent), #limit))
+            let (invert, terms) = (names.generated("invert_one_term"), coefficients.terms());
+            quote!(#invert(#load_integral, #(#terms)*, #limit))
         }
         _ => newton(gap, forms, coefficients, names),
     };
@@ -109,16 +107,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     let zero = names.constant();
     let zero = quote!(#zero(0.0f64));
     let evaluate = value_and_log_slope(forms, coefficients, names);
-    let positive = if gap.is_constant() {
-        let is_positive =
-            |term: &Term| term.coefficient.as_constant().is_some_and(|value| value.is_positive());
-        let positive = gap.terms.iter().enumerate().filter(|(_, term)| is_positive(term));
-        let positive = positive.map(|(index, term)| positive_term(index, term, coefficients, names));
-        quote!(::core::iter::IntoIterator::into_iter([#(#positive),*]))
-    } else {
-        let (terms, of) = (coefficients.terms(), names.generated("positive_terms"));
-        quote!(#of([#(#terms),*]))
-    };
+    let positive = positive_terms(gap, coefficients, names);
     let has_negative = match coefficients.of_uncertain_sign() {
         None => quote!(true),
         Some(none) if none.is_empty() => quote!(false),
@@ -139,16 +128,17 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     }
 }
 
-/// The term of J that belongs to a term of the gap.
-fn positive_term(
-    index: usize,
-    term: &Term,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
-    let (constant, of) = (names.constant(), names.generated("PositiveTerm"));
-    let (coefficient, exponent) = (coefficients.times(index, &Rational::one()), literal(&term.exponent));
-    quote!(#of::of(#coefficient, #constant(#exponent)))
+/// The positive terms to iterate over.
+fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let terms = gap.terms.iter().zip(coefficients.terms());
+    if !gap.is_constant() {
+        let (of, terms) = (names.generated("positive_terms"), terms.map(|(_, pair)| pair));
+        return quote!(#of([#(#terms),*]));
+    }
+    let is_positive = |term: &Term| term.coefficient.as_constant().is_some_and(|value| value.is_positive());
+    let pairs = terms.filter(|(term, _)| is_positive(term)).map(|(_, pair)| pair);
+    let of = names.generated("PositiveTerm");
+    quote!(::core::iter::IntoIterator::into_iter([#(#of::of #pairs),*]))
 }
 
 /// J(a) and a J′(a), in the cheapest form: Newton's method divides their error by the degree of J.
@@ -160,13 +150,13 @@ fn value_and_log_slope(
     let sum = &forms.load_integral;
     let [a, x, value, slope, log_slope] = ["a", "x", "value", "slope", "log_slope"].map(local);
     let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER) else {
-        let (function, pairs) = (names.generated("power_sum_and_log_slope"), pairs(sum, coefficients, names));
-        return quote!(#function(#a, [#(#pairs),*]));
+        let (function, terms) = (names.generated("power_sum_and_log_slope"), terms(sum, coefficients, names));
+        return quote!(#function(#a, #terms));
     };
     let constant = names.constant();
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let (function, dense) =
-        (names.generated("value_and_slope"), whole.dense(lowest, sum, coefficients, names));
+        (names.generated("value_and_slope"), whole.dense((lowest, stride), sum, coefficients));
     // J = x^k a^odd Q(x) with x = a² or a, hence a J′ = x^k a^odd (lowest Q + stride x Q′).
     let argument = if stride == 2 { quote!(#a * #a) } else { quote!(#a) };
     let factors = (0..lowest / stride).map(|_| &x);
@@ -175,7 +165,7 @@ fn value_and_log_slope(
     let scale = quote!(#(* #factors)* #odd);
     quote! {
         let #x = #argument;
-        let (#value, #slope) = #function(#x, [#(#dense),*]);
+        let (#value, #slope) = #function(#x, #dense);
         let #log_slope = #constant(#lowest) * #value + #constant(#stride) * #x * #slope;
         (#value #scale, #log_slope #scale)
     }
@@ -192,11 +182,12 @@ fn dense_drop(
     let whole = Whole::of(sum).filter(|whole| {
         whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP && (whole.stride() == 1 || whole.lowest() % 2 == 0)
     })?;
-    let (function, dense) = (names.generated("divided_difference"), whole.dense(0, sum, coefficients, names));
+    let (function, dense) =
+        (names.generated("divided_difference"), whole.dense((0, whole.stride()), sum, coefficients));
     let quotient = if whole.stride() == 2 {
-        quote!((#a + #s) * #function(#a * #a, #s * #s, [#(#dense),*]))
+        quote!((#a + #s) * #function(#a * #a, #s * #s, #dense))
     } else {
-        quote!(#function(#a, #s, [#(#dense),*]))
+        quote!(#function(#a, #s, #dense))
     };
     Some(quote!(let #s = #a - #depth; #depth * (#quotient)))
 }
@@ -204,9 +195,9 @@ fn dense_drop(
 /// J(a) − J(a − depth) of any powers.
 fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let [a, depth] = ["a", "depth"].map(local);
-    let (function, pairs) =
-        (names.generated("power_sum_drop"), pairs(&forms.load_integral, coefficients, names));
-    quote!(#function(#a, #depth, [#(#pairs),*]))
+    let (function, terms) =
+        (names.generated("power_sum_drop"), terms(&forms.load_integral, coefficients, names));
+    quote!(#function(#a, #depth, #terms))
 }
 
 /// The method for slices of slopes and drops, where something is the same for all: the coefficients if they depend on
@@ -223,13 +214,13 @@ fn slopes_and_drops(
         Some(_) if preamble.is_empty() => return None,
         Some(drop) => {
             let function = names.generated("fill_by_functions");
-            let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names).code;
+            let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
             quote!(#function(#places, #values, |#r| { #slope }, |#depth| { #drop }))
         }
         None => {
-            let (function, pairs) =
-                (names.generated("fill_slopes_and_drops"), pairs(&forms.load_integral, coefficients, names));
-            quote!(#function(self, #a, #places, #values, [#(#pairs),*]))
+            let (function, terms) =
+                (names.generated("fill_slopes_and_drops"), terms(&forms.load_integral, coefficients, names));
+            quote!(#function(self, #a, #places, #values, #terms))
         }
     };
     Some(quote! {

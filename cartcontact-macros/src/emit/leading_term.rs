@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, pairs};
+use super::power_sum::{Whole, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
 use crate::gap::coefficient::Sign;
@@ -30,14 +30,14 @@ pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     let [radius, quick, precise] =
         ["radius_of_real_powers", "quick_power_sum_steepness", "scaled_power_sum_steepness"]
             .map(|name| names.generated(name));
-    let pairs = pairs(&forms.load_integral, coefficients, names);
+    let terms = terms(&forms.load_integral, coefficients, names);
     quote! {
         #radius(
             #load_integral,
             #limit,
-            ::core::iter::IntoIterator::into_iter([#(#pairs),*]),
-            |#a, #scale| #quick(#a, #scale, [#(#pairs),*]),
-            |#a, #scale| #precise(#a, #scale, [#(#pairs),*]),
+            ::core::iter::IntoIterator::into_iter(#terms),
+            |#a, #scale| #quick(#a, #scale, #terms),
+            |#a, #scale| #precise(#a, #scale, #terms),
         )
     }
 }
@@ -71,7 +71,7 @@ fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<
     let whole = whole(sum)?;
     let (constant, per_unit) = (names.constant(), literal(per_unit));
     let (all, steepness) = (names.generated("WholePowers"), steepness::name());
-    let values = sum.summands.iter().map(|summand| coefficients.times(summand.term, &summand.weight));
+    let values = sum.summands.iter().map(|summand| coefficients.factor(summand));
     let powers = whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power));
     Some(quote! {
         #all {

@@ -76,7 +76,7 @@ pub(crate) fn solver(
     let shared = coefficients.function();
     let header = implementation(item, &names);
     let beside = Operations::of_function(&shared);
-    let lines = documentation::lines(item, geometry, seeds.as_ref(), &operations, beside);
+    let lines = documentation::lines(item, geometry, &forms, seeds.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
     quote! {
         #documented
@@ -104,32 +104,39 @@ fn evaluators(
     names: &Names<'_>,
 ) -> (TokenStream, Vec<Operations>) {
     let (scalar, preamble) = (&names.scalar, coefficients.preamble());
-    let sums: [(_, _, _, power_sum::Form); 8] = [
-        ("gap", "r", &forms.gap, power_sum::value),
-        ("approach", "a", &forms.approach, power_sum::value),
-        ("approach_slope", "a", &forms.approach_slope, power_sum::value),
-        ("load_integral", "a", &forms.load_integral, power_sum::value),
-        ("log_kernel", "x", &forms.log_kernel, power_sum::value),
-        ("quick_approach", "a", &forms.approach, power_sum::quick_value),
-        ("quick_approach_slope", "a", &forms.approach_slope, power_sum::quick_value),
-        ("quick_load_integral", "a", &forms.load_integral, power_sum::quick_value),
-    ];
-    let mut operations: Vec<Operations> = Vec::new();
-    let evaluators = sums.map(|(name, variable, sum, form)| {
-        let (name, variable) = (format_ident!("{name}"), local(variable));
-        let body = form(sum, &variable, coefficients, names);
-        operations.push(body.operations);
-        let body = body.code;
+    let method = |name: &str, variable: &Ident, body: TokenStream| {
+        let name = Ident::new(name, Span::call_site());
         quote! {
             #[inline]
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
         }
+    };
+    let mut operations: Vec<Operations> = Vec::new();
+    let precise = [
+        ("gap", "r", &forms.gap),
+        ("approach", "a", &forms.approach),
+        ("approach_slope", "a", &forms.approach_slope),
+        ("load_integral", "a", &forms.load_integral),
+        ("log_kernel", "x", &forms.log_kernel),
+    ]
+    .map(|(name, variable, sum)| {
+        let variable = local(variable);
+        let value = power_sum::value(sum, &variable, coefficients, names);
+        operations.push(value.operations);
+        method(name, &variable, value.code)
     });
-    // The quick forms, which are the last, are not part of the interface.
-    operations.truncate(5);
-    let pressure_kernels = pressure_kernel::methods(&geometry.gap, coefficients, names);
+    let quick = [
+        ("quick_approach", &forms.approach),
+        ("quick_approach_slope", &forms.approach_slope),
+        ("quick_load_integral", &forms.load_integral),
+    ]
+    .map(|(name, sum)| {
+        let a = local("a");
+        method(name, &a, power_sum::quick_value(sum, &a, coefficients, names))
+    });
+    let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));
-    (quote!(#(#evaluators)* #(#pressure_kernels)*), operations)
+    (quote!(#(#precise)* #(#quick)* #(#pressure_kernels)*), operations)
 }
 
 /// What the inversion calls that is no method: a table and the step from it, or the step alone.

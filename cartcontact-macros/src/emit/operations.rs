@@ -25,12 +25,6 @@ pub(super) struct Counted {
     pub(super) operations: Operations,
 }
 
-impl From<TokenStream> for Counted {
-    fn from(code: TokenStream) -> Self {
-        Self { operations: Operations::of(&code), code }
-    }
-}
-
 impl Operations {
     /// Those of a routine that are not counted.
     pub(super) fn in_library() -> Self {

@@ -14,14 +14,11 @@ use num_traits::{One, ToPrimitive, Zero};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::coefficients::Coefficients;
+use super::coefficients::{Coefficients, FEW};
 use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
-use crate::number::{Rational, fraction, literal};
-
-/// How a sum is written.
-pub(super) type Form = fn(&PowerSum, &Ident, &Coefficients<'_>, &Names<'_>) -> Counted;
+use crate::number::{Rational, code, fraction, rounded};
 
 /// The whole exponents of a sum of powers.
 pub(super) struct Whole {
@@ -81,26 +78,18 @@ impl Whole {
         self.stride() == 2 && self.largest_gap() <= 4 && self.highest() <= 24
     }
 
-    /// The coefficients of all powers from `from` in steps of the stride, zero where there is no summand.
+    /// The factors of all powers from `from` in steps of `step` as an array, zero where there is no summand.
     pub(super) fn dense(
         &self,
-        from: u32,
+        (from, step): (u32, u32),
         sum: &PowerSum,
         coefficients: &Coefficients<'_>,
-        names: &Names<'_>,
-    ) -> Vec<TokenStream> {
-        let constant = names.constant();
-        let step = usize::try_from(self.stride()).unwrap_or(1);
-        (from..=self.highest())
-            .step_by(step)
-            .map(|power| match self.exponents.iter().position(|&exponent| exponent == power) {
-                Some(index) => {
-                    let summand = &sum.summands[index];
-                    coefficients.times(summand.term, &summand.weight)
-                }
-                None => quote!(#constant(0.0f64)),
-            })
-            .collect()
+    ) -> TokenStream {
+        let mut summands = self.exponents.iter().zip(&sum.summands).peekable();
+        let powers = (from..=self.highest()).step_by(usize::try_from(step).unwrap_or(1));
+        let present = powers
+            .map(|power| summands.next_if(|(exponent, _)| **exponent == power).map(|(_, summand)| summand));
+        coefficients.factors(&present.collect::<Vec<_>>())
     }
 }
 
@@ -112,17 +101,18 @@ pub(super) fn value(
     names: &Names<'_>,
 ) -> Counted {
     let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
-        return by_powers("power_sum", sum, x, coefficients, names).into();
+        let code = by_powers("power_sum", sum, x, coefficients, names);
+        return Counted { code, operations: Operations::in_library() };
     };
     let (lowest, stride) = (whole.lowest(), whole.stride());
-    let dense = whole.dense(lowest, sum, coefficients, names);
+    let dense = whole.dense((lowest, stride), sum, coefficients);
     let steps = (whole.highest() - lowest) / stride;
     // r² and an odd factor, besides the steps and the lowest power.
     let (function, beside) =
         if stride == 2 { ("precise_even_sum", 1 + lowest % 2) } else { ("precise_sum", 0) };
     let function = names.generated(function);
     Counted {
-        code: quote!(#function(#x, #lowest, [#(#dense),*])),
+        code: quote!(#function(#x, #lowest, #dense)),
         operations: Operations::in_double_words(steps + lowest / stride + beside, steps),
     }
 }
@@ -133,47 +123,45 @@ pub(super) fn quick_value(
     x: &Ident,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-) -> Counted {
-    let code = match Whole::of(sum) {
+) -> TokenStream {
+    match Whole::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
         Some(whole) if whole.is_low_in_square() => {
             let odd = whole.lowest() % 2;
-            let (even_sum, dense) = (names.generated("even_sum"), whole.dense(odd, sum, coefficients, names));
-            let even = quote!(#even_sum(#x, [#(#dense),*]));
+            let (even_sum, dense) = (names.generated("even_sum"), whole.dense((odd, 2), sum, coefficients));
+            let even = quote!(#even_sum(#x, #dense));
             if odd == 1 { quote!(#even * #x) } else { even }
         }
         _ => by_powers("quick_power_sum", sum, x, coefficients, names),
-    };
-    code.into()
+    }
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
 fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let (square, variable) = whole.variable(x);
-    let nested = nested(sum, whole, &variable, coefficients);
+    let (bindings, factors) = coefficients.bound("c", sum);
+    let nested = nested(sum, whole, &variable, factors);
     let lowest = whole.lowest();
-    let factors = (0..lowest / whole.stride()).map(|_| &variable);
+    let powers = (0..lowest / whole.stride()).map(|_| &variable);
     let odd = (lowest % whole.stride() == 1).then(|| quote!(* #x));
-    quote!(#square (#nested) #(* #factors)* #odd)
+    quote!(#bindings #square (#nested) #(* #powers)* #odd)
 }
 
-/// Horner's rule for the sum divided by its lowest power; a leading coefficient of 1 takes no multiplication.
+/// Horner's rule for the sum with these `factors` divided by its lowest power; a leading coefficient of 1 takes no
+/// multiplication.
 pub(super) fn nested(
     sum: &PowerSum,
     whole: &Whole,
     variable: &Ident,
-    coefficients: &Coefficients<'_>,
+    factors: Vec<TokenStream>,
 ) -> TokenStream {
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
-    let mut is_one = false;
-    for (summand, &exponent) in sum.summands.iter().zip(&whole.exponents).rev() {
-        let own = coefficients.times(summand.term, &summand.weight);
+    let leading = sum.summands.last().and_then(Summand::constant);
+    let mut is_one = leading.is_some_and(One::is_one);
+    for (own, &exponent) in factors.into_iter().zip(&whole.exponents).rev() {
         nested = match above {
-            None => {
-                is_one = coefficients.constant(summand).is_some_and(|value| value.is_one());
-                own
-            }
+            None => own,
             Some(above) => {
                 let steps = (above - exponent) / whole.stride();
                 let further = (1..steps).map(|_| variable);
@@ -193,32 +181,49 @@ fn by_powers(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let (power_sum, pairs) = (names.generated(function), pairs(sum, coefficients, names));
-    quote!(#power_sum(#x, [#(#pairs),*]))
+    let (power_sum, terms) = (names.generated(function), terms(sum, coefficients, names));
+    quote!(#power_sum(#x, #terms))
 }
 
-/// The sum as pairs (coefficient, exponent).
-pub(super) fn pairs(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Vec<TokenStream> {
-    let pair = |summand: &Summand| {
-        let coefficient = coefficients.times(summand.term, &summand.weight);
-        let exponent = exponent(&summand.exponent, names);
-        quote!((#coefficient, #exponent))
-    };
-    sum.summands.iter().map(pair).collect()
-}
-
-/// An exponent of which nothing is rounded, in any format.
-pub(super) fn exponent(exponent: &Rational, names: &Names<'_>) -> TokenStream {
-    let of = names.generated("Exponent");
-    let whole = exponent.floor();
-    let fraction = exponent - &whole;
-    let whole = Literal::i32_unsuffixed(whole.to_i32().unwrap_or(0));
-    if fraction.is_zero() {
-        return quote!(#of::whole(#whole));
+/// The sum as terms (coefficient, exponent) to iterate over.
+pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    if let Some(table) = table(sum).filter(|table| table.len() > FEW) {
+        let (whole_terms, table) = (names.generated("whole_terms"), code(table));
+        return quote!(#whole_terms(&#table));
     }
-    let nearest = fraction.to_f64().and_then(Rational::from_float).unwrap_or_else(Rational::zero);
-    let rest = &fraction - nearest;
-    let (size, sign) = (literal(&rest.abs()), rest.is_negative().then(|| quote!(-)));
-    let fraction = literal(&fraction);
-    quote!(#of::in_parts(#whole, #fraction, #sign #size))
+    let factors = sum.summands.iter().map(|summand| coefficients.factor(summand));
+    let exponents = sum.summands.iter().map(|summand| exponent(&summand.exponent, names));
+    quote!([#((#factors, #exponents)),*])
+}
+
+/// The terms as numbers, if all factors are constants and all exponents whole.
+fn table(sum: &PowerSum) -> Option<Vec<(f64, i32)>> {
+    let term = |summand: &Summand| {
+        let whole = summand.exponent.is_integer().then(|| whole_part(&summand.exponent))?;
+        Some((rounded(summand.constant()?), whole))
+    };
+    sum.summands.iter().map(term).collect()
+}
+
+fn exponent(exponent: &Rational, names: &Names<'_>) -> TokenStream {
+    let of = names.generated("Exponent");
+    if exponent.is_integer() {
+        let whole = Literal::i32_unsuffixed(whole_part(exponent));
+        quote!(#of::whole(#whole))
+    } else {
+        let parts = code(in_parts(exponent));
+        quote!(#of::in_parts #parts)
+    }
+}
+
+fn whole_part(exponent: &Rational) -> i32 {
+    exponent.floor().to_i32().unwrap_or(0)
+}
+
+/// An exponent of which nothing is rounded, in any format: its whole part, the fraction, and what that lacks.
+fn in_parts(exponent: &Rational) -> (i32, f64, f64) {
+    let fraction = exponent - exponent.floor();
+    let nearest = rounded(&fraction);
+    let rest = fraction - Rational::from_float(nearest).unwrap_or_else(Rational::zero);
+    (whole_part(exponent), nearest, rounded(&rest))
 }

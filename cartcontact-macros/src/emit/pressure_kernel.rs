@@ -11,8 +11,10 @@ use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::operations::Operations;
+use super::power_sum::{self, Whole};
 use super::{Names, local};
-use crate::gap::Gap;
+use crate::closed_forms::{ClosedForms, PowerSum};
+use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
 /// The highest even exponent of a kernel that is rounded once, and of a quick one; the highest of a quick one for all
@@ -22,73 +24,68 @@ const HIGHEST_QUICK_EVEN: u32 = 24;
 const HIGHEST_QUICK_WHOLE: u32 = 12;
 
 /// The kernel as it is asked for, and as pressures are made of it.
-pub(super) fn methods(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> [TokenStream; 2] {
-    let weights = |indices: &[u32], step| weights(indices, step, coefficients, names);
-    let (kernel, arguments) = match multiples(gap, 2, HIGHEST_EVEN) {
-        Some(halves) => ("even_pressure_kernel", weights(&halves, 2)),
-        None => ("pressure_kernel", coefficients.powers()),
+pub(super) fn methods(
+    gap: &Gap,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> [TokenStream; 2] {
+    let weights = |step| weights(step, &forms.log_kernel, coefficients);
+    let terms = || power_sum::terms(&forms.gap, coefficients, names);
+    let kernel = match highest_multiple(gap, 2, HIGHEST_EVEN) {
+        Some(_) => ("even_pressure_kernel", weights(2)),
+        None => ("pressure_kernel", terms()),
     };
-    let (quick_kernel, quick_arguments) = if let Some(halves) = multiples(gap, 2, HIGHEST_QUICK_EVEN) {
-        ("quick_even_pressure_kernel", weights(&halves, 2))
-    } else if let Some(powers) = multiples(gap, 1, HIGHEST_QUICK_WHOLE) {
-        ("quick_whole_pressure_kernel", weights(&powers, 1))
+    let quick_kernel = if highest_multiple(gap, 2, HIGHEST_QUICK_EVEN).is_some() {
+        ("quick_even_pressure_kernel", weights(2))
+    } else if highest_multiple(gap, 1, HIGHEST_QUICK_WHOLE).is_some() {
+        ("quick_whole_pressure_kernel", weights(1))
     } else {
-        ("quick_pressure_kernel", coefficients.powers())
+        ("quick_pressure_kernel", terms())
     };
     let (scalar, preamble) = (&names.scalar, coefficients.preamble());
     let (a, r) = (local("a"), local("r"));
-    let method = |method, function, arguments: Vec<TokenStream>, inline| {
+    let method = |method, (function, terms), inline| {
         let (method, function) = (Ident::new(method, Span::call_site()), names.generated(function));
         quote! {
             #inline
             fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar {
                 #preamble
-                #function(#a, #r, [#(#arguments),*])
+                #function(#a, #r, #terms)
             }
         }
     };
     [
-        method("pressure_kernel", kernel, arguments, quote!(#[inline])),
+        method("pressure_kernel", kernel, quote!(#[inline])),
         // Loops over many radii take the quick one with wide vectors, which would end at a call.
-        method("quick_pressure_kernel", quick_kernel, quick_arguments, quote!(#[inline(always)])),
+        method("quick_pressure_kernel", quick_kernel, quote!(#[inline(always)])),
     ]
 }
 
 /// Those of the kernel as it is asked for.
 pub(super) fn operations(gap: &Gap) -> Operations {
-    let Some(halves) = multiples(gap, 2, HIGHEST_EVEN) else {
+    let Some(highest) = highest_multiple(gap, 2, HIGHEST_EVEN) else {
         return Operations::in_library();
     };
     // a², r² and (a² − r²)²; two products for the second weight, and three sums; three of each for every further one.
-    match halves.last().copied().unwrap_or(1) {
+    match highest {
         1 => Operations::in_double_words(5, 2),
-        highest => Operations::in_double_words(7 + 3 * (highest - 2), 5 + 3 * (highest - 2)),
+        _ => Operations::in_double_words(7 + 3 * (highest - 2), 5 + 3 * (highest - 2)),
     }
 }
 
-/// n/`step` for every term, if that is whole and no n is above `highest`.
-fn multiples(gap: &Gap, step: u32, highest: u32) -> Option<Vec<u32>> {
-    let multiple = |term: &crate::gap::Term| {
+/// The largest n/`step`, if all are whole and no n is above `highest`.
+fn highest_multiple(gap: &Gap, step: u32, highest: u32) -> Option<u32> {
+    let multiple = |term: &Term| {
         let index = &term.exponent / integer(step);
         index.is_integer().then(|| index.to_u32()).flatten().filter(|index| step * index <= highest)
     };
-    gap.terms.iter().map(multiple).collect()
+    gap.terms.iter().map(multiple).try_fold(1, |largest, index| Some(largest.max(index?)))
 }
 
-/// C step/(2 (n+2)²) for all multiples n of `step` up to the highest index, zero where there is no term.
-fn weights(
-    indices: &[u32],
-    step: u32,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> Vec<TokenStream> {
-    let constant = names.constant();
-    let weight = |index: u32| match indices.iter().position(|&own| own == index) {
-        Some(term) => {
-            let shifted = integer(step) * integer(index) + integer(2);
-            coefficients.times(term, &(fraction(step, 2) / (&shifted * &shifted)))
-        }
-        None => quote!(#constant(0.0f64)),
-    };
-    (1..=indices.last().copied().unwrap_or(1)).map(weight).collect()
+/// C step/(2 (n+2)²) for all multiples n of `step` up to the highest, zero where there is no term.
+fn weights(step: u32, log_kernel: &PowerSum, coefficients: &Coefficients<'_>) -> TokenStream {
+    let halved = log_kernel.weighted(|_| fraction(step, 2));
+    let dense = |whole: Whole| whole.dense((step + 2, step), &halved, coefficients);
+    Whole::of(&halved).map(dense).unwrap_or_default()
 }

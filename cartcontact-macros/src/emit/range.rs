@@ -33,7 +33,7 @@ pub(super) fn methods(
     let check = match &checked {
         Some(checked) => Some(checked.check()),
         None if geometry.gap.terms.iter().all(fits_every_format) => None,
-        None => Some(check_of_constants(coefficients, names)),
+        None => Some(check_of_constants(names)),
     };
     quote!(#max_radius #check)
 }
@@ -46,11 +46,11 @@ fn fits_every_format(term: &Term) -> bool {
 }
 
 /// `check` of a geometry with constants that not every format holds.
-fn check_of_constants(coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let (krate, check, terms) = (names.krate, names.generated("check_coefficients"), coefficients.terms());
+fn check_of_constants(names: &Names<'_>) -> TokenStream {
+    let (Names { krate, scalar }, check) = (names, names.generated("check_constants"));
     quote! {
         fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
-            #check([#(#terms),*])
+            #check::<#scalar>(&Self::TERMS)
         }
     }
 }

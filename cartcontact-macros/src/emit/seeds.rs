@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, nested, pairs};
+use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{PowerSum, Scaled, Summand};
 use crate::number::{Rational, integer, literal};
@@ -25,17 +25,16 @@ pub(super) fn items(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let (table, kind) = (table(), names.generated("Seeds"));
+    let table = table();
+    let [kind, rows] = ["Seeds", "Rows"].map(|name| names.generated(name));
     let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
     let count = Literal::usize_unsuffixed(seeds.rows.len());
-    // One text for the compiler to read is quicker than three thousand tokens, and shortest literals are what `Debug`
-    // writes.
-    let rows: TokenStream = format!("{:?}", seeds.in_places()).parse().unwrap_or_default();
+    let bytes = Literal::byte_string(&seeds.in_places());
     let a = local("a");
     let body = body(load_integral, &a, coefficients, names);
     let function = steepness::function(&a, coefficients.variables(), &body, names);
     quote! {
-        static #table: #kind = #kind { first: #first, count: #count, single: #single, rows: #rows };
+        static #table: #kind = #kind { first: #first, count: #count, single: #single, rows: #rows(*#bytes) };
 
         #function
     }
@@ -74,17 +73,14 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
 fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let summands = scaled.load_integral.summands.as_slice();
     let (constant, per_unit) = (names.constant(), literal(&scaled.per_unit));
-    let coefficient = |summand: &Summand| coefficients.times(summand.term, &summand.weight);
-    let term = |summand| {
-        let (coefficient, exponent) = (coefficient(summand), literal(&summand.exponent));
+    let term = |summand: &Summand| {
+        let (coefficient, exponent) = (coefficients.factor(summand), literal(&summand.exponent));
         quote!((#coefficient, #constant(#exponent)))
     };
     match summands {
-        _ if summands.iter().all(|summand| coefficients.constant(summand).is_some()) => {
-            names.generated("OwnUnits")
-        }
+        _ if summands.iter().all(|summand| summand.constant().is_some()) => names.generated("OwnUnits"),
         [only] => {
-            let (single_term, coefficient) = (names.generated("SingleTerm"), coefficient(only));
+            let (single_term, coefficient) = (names.generated("SingleTerm"), coefficients.factor(only));
             let [k, q] = [only.exponent.numer(), only.exponent.denom()]
                 .map(|part| Literal::u32_unsuffixed(part.to_u32().unwrap_or(1)));
             quote!(#single_term::<_, #k, #q>::of(#coefficient, #constant(#per_unit)))
@@ -109,37 +105,44 @@ fn body(
 ) -> TokenStream {
     let whole = Whole::and_half(load_integral).filter(|(whole, _)| whole.largest_gap() <= WIDEST_GAP);
     let (Some((whole, has_half)), Some(last)) = (whole, load_integral.summands.last()) else {
-        let (function, pairs) =
-            (names.generated("power_sum_steepness"), pairs(load_integral, coefficients, names));
-        return quote!(#function(#a, [#(#pairs),*]));
+        let (function, terms) =
+            (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
+        return quote!(#function(#a, #terms));
     };
-    let unit = match coefficients.constant(last) {
+    let unit = match last.constant() {
         Some(leading) => leading * &last.exponent,
         None => Rational::one(),
     };
     let first = load_integral.weighted(|p| p / &unit);
     let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * &unit));
+    let (values, of_value) = coefficients.bound("value", load_integral);
+    let (firsts, of_first) = coefficients.bound("first", &first);
+    let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let sums = |variable: &Ident| {
-        let [value, first] = [load_integral, &first].map(|sum| nested(sum, &whole, variable, coefficients));
-        [value, first, paired(&half_second, &whole, variable, coefficients)]
+        [
+            nested(load_integral, &whole, variable, of_value),
+            nested(&first, &whole, variable, of_first),
+            paired(&whole, variable, of_half_second),
+        ]
     };
-    steepness::value((&whole, has_half), a, sums, &unit, names)
+    let steepness = steepness::value((&whole, has_half), a, sums, &unit, names);
+    quote!(#values #firsts #half_seconds #steepness)
 }
 
-/// The sum divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor does more at a time
-/// than of Horner's rule.
+/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor
+/// does more at a time than of Horner's rule.
 ///
 /// Where both derivatives had the same form, compilers would put them side by side into one vector, and its halves had
 /// to wait for each other.
-fn paired(sum: &PowerSum, whole: &Whole, variable: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>) -> TokenStream {
     // The variable's power from one exponent to another.
     let power = |from: u32, to: u32| {
         let further = (1..(to - from) / whole.stride()).map(|_| variable);
         quote!(#variable #(* #further)*)
     };
-    let own = |summand: &Summand| coefficients.times(summand.term, &summand.weight);
-    let mut summands = sum.summands.iter().map(own).zip(whole.exponents.iter().copied()).rev();
-    let mut paired = if sum.summands.len() % 2 == 1 { summands.next() } else { None };
+    let is_odd = factors.len() % 2 == 1;
+    let mut summands = factors.into_iter().zip(whole.exponents.iter().copied()).rev();
+    let mut paired = if is_odd { summands.next() } else { None };
     while let (Some((high, upper)), Some((low, lower))) = (summands.next(), summands.next()) {
         let step = power(lower, upper);
         let pair = quote!(#low + (#high) * #step);

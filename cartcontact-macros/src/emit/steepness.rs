@@ -37,7 +37,7 @@ pub(super) fn function(
 pub(super) fn value(
     (whole, has_half): (&Whole, bool),
     a: &Ident,
-    sums: impl Fn(&Ident) -> [TokenStream; 3],
+    sums: impl FnOnce(&Ident) -> [TokenStream; 3],
     unit: &Rational,
     names: &Names<'_>,
 ) -> TokenStream {

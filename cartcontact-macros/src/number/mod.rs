@@ -6,10 +6,12 @@
 pub(crate) mod common_factor;
 mod rational;
 
+use core::fmt::Debug;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
-use proc_macro2::Literal;
+use proc_macro2::{Literal, TokenStream};
 
 pub(crate) use rational::Rational;
 
@@ -33,10 +35,21 @@ pub(crate) fn nearest(value: &Rational) -> Option<f64> {
     value.to_f64().filter(|nearest| nearest.is_finite() && *nearest != 0.0)
 }
 
-/// The nearest `f64` as a literal in its shortest form, such as `0.025f64`.
+/// The nearest finite `f64`.
+pub(crate) fn rounded(value: &Rational) -> f64 {
+    value.to_f64().unwrap_or(0.0).clamp(f64::MIN, f64::MAX)
+}
+
+/// The nearest finite `f64` as a literal in its shortest form, such as `0.025f64`.
 pub(crate) fn literal(value: &Rational) -> Literal {
-    let nearest = value.to_f64().unwrap_or(0.0).clamp(f64::MIN, f64::MAX);
+    let nearest = rounded(value);
     format!("{nearest:?}f64").parse().unwrap_or_else(|_| Literal::f64_suffixed(nearest))
+}
+
+/// Numbers, tuples and arrays of them as code, which is what `Debug` writes, in shortest literals: one text is quicker for
+/// the compiler to read than its tokens one by one.
+pub(crate) fn code(numbers: impl Debug) -> TokenStream {
+    format!("{numbers:?}").parse().unwrap_or_default()
 }
 
 const TOO_LONG: &str = "a number may have at most 1000 digits; round it";
@@ -92,16 +105,14 @@ pub(crate) fn floor(value: &Rational, digits: u64) -> Rational {
     Rational::new(quotient << excess, BigInt::one() << shift)
 }
 
-/// For people: a decimal if that is exact and short, else a short fraction, else the nearest `f64`.
+/// For people: a short fraction if it is no decimal, otherwise the nearest `f64`.
 pub(crate) fn decimal(value: &Rational) -> String {
     let shortest = value.to_f64().unwrap_or(0.0);
-    match Rational::from_float(shortest).is_some_and(|nearest| nearest == *value)
-        || is_written(value, shortest)
-    {
-        true => plain(shortest),
-        false if value.numer().bits() + value.denom().bits() < 40 => {
-            format!("{}/{}", value.numer(), value.denom())
-        }
+    let (numerator, denominator) = (value.numer(), value.denom());
+    let is_short = numerator.bits() + denominator.bits() < 40;
+    let is_binary = || denominator.magnitude().count_ones() == 1;
+    match is_short && !is_binary() && !is_written(value, shortest) {
+        true => format!("{numerator}/{denominator}"),
         false => plain(shortest),
     }
 }

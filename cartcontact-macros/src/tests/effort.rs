@@ -1,5 +1,6 @@
 //! How long an expansion takes, without the compiler around it;
-//! `cargo test -p cartcontact-macros effort -- --nocapture` prints it.
+//! `CARGO_PROFILE_TEST_OPT_LEVEL=0 cargo test -p cartcontact-macros effort -- --nocapture` prints it for the macro as
+//! cargo builds it by default, which is not optimised.
 
 use std::time::{Duration, Instant};
 

@@ -59,6 +59,14 @@ impl<T: Scalar> Exponent<T> {
     }
 }
 
+/// The terms (c, n) of constants with whole exponents.
+#[inline(always)]
+pub fn whole_terms<T: Scalar>(
+    terms: &'static [(f64, i32)],
+) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
+    terms.iter().map(|&(c, whole)| (T::constant(c), Exponent::whole(whole)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

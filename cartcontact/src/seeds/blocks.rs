@@ -1,7 +1,7 @@
 //! The radii of many load integrals, in blocks that become vector code.
 
 use super::units::Units;
-use super::{Seeds, Steepness, cubic, digits, single};
+use super::{Row, Seeds, Steepness, cubic, digits, single};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_lengths};
@@ -92,7 +92,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
     #[inline(always)]
     fn leading<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
         let (load_integrals, radii) = (load_integrals.as_chunks::<N>().0, radii.as_chunks_mut::<N>().0);
-        let (mut found, mut rows) = (0, [[0.0; 4]; N]);
+        let (mut found, mut rows) = (0, [[0; 16]; N]);
         for (load_integrals, radii) in load_integrals.iter().zip(radii) {
             if !self.block(load_integrals, &mut rows, radii) {
                 break;
@@ -109,7 +109,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
     fn block<const N: usize>(
         &self,
         load_integrals: &[T; N],
-        rows: &mut [[f32; 4]; N],
+        rows: &mut [Row; N],
         radii: &mut [T; N],
     ) -> bool {
         // Copies, so that nothing that is read can be what is written: else it were read anew for every radius.

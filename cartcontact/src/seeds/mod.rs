@@ -46,11 +46,11 @@ pub struct Seeds {
     pub count: u32,
     /// Whether single precision holds all y, and all powers of a, up to 2^±100.
     pub single: bool,
-    /// c₀, c₂, c₁ and c₃, those of k at k − 4 modulo 256.
+    /// The row of k at k − 4 modulo 256.
     ///
     /// That is the number in eight bits of y, six of its exponent and two of its fraction: the row that they name needs
     /// no check of bounds.
-    pub rows: [[f32; 4]; 256],
+    pub rows: Rows,
 }
 
 /// What J has to be: a number, and what it lacks of a product that it was rounded from.
@@ -63,6 +63,13 @@ pub struct Target<T> {
     value: T,
     rest: T,
 }
+/// 256 rows, as bytes: one literal for the compiler to read, instead of a thousand. None lies in two lines of a cache.
+#[derive(Debug)]
+#[repr(align(16))]
+pub struct Rows(pub [u8; 4096]);
+
+/// c₀, c₂, c₁ and c₃ in single precision, the low byte first.
+type Row = [u8; 16];
 
 /// J and its derivatives at a radius, divided by the lowest power a^k of J; the derivatives in units of a number j p, that
 /// the highest power of a J′ may be free of a coefficient.
@@ -127,8 +134,9 @@ impl Seeds {
     }
 
     #[inline(always)]
-    fn row(&self, digits: u32) -> &[f32; 4] {
-        &self.rows[usize::from((digits >> 21) as u8)]
+    fn row(&self, digits: u32) -> &Row {
+        let (rows, _) = self.rows.0.as_chunks();
+        &rows[usize::from((digits >> 21) as u8)]
     }
 }
 
@@ -141,9 +149,11 @@ fn digits<T: Scalar>(y: T) -> u32 {
 
 /// The cubic at 1 plus the last 23 bits as a fraction.
 #[inline(always)]
-fn cubic(row: &[f32; 4], digits: u32) -> f32 {
+fn cubic(row: &Row, digits: u32) -> f32 {
     let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
-    (row[0] + row[2] * u) + (row[1] + row[3] * u) * (u * u)
+    let (places, _) = row.as_chunks();
+    let at = |place: usize| f32::from_le_bytes(places[place]);
+    (at(0) + at(2) * u) + (at(1) + at(3) * u) * (u * u)
 }
 
 #[inline(always)]

@@ -1,0 +1,631 @@
+///
+/// # Derived from the gap profile
+///
+/// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+///
+/// ```text
+/// gap, mm               Φ(r)   = 0.075 r² + 1.40625e-4 r⁴ + 6.4453125e-7 r⁶ + 3.936767578125e-9 r⁸ + 2.739715576171875e-11 r¹⁰ + 2.0517826080322267e-13 r¹² + 1.6115248203277588e-15 r¹⁴ + 1.309244055300951e-17 r¹⁶ + 1.0910117416642606e-19 r¹⁸ + 9.273546740587335e-22 r²⁰ + 8.00896072814794e-24 r²² + 7.007838130931532e-26 r²⁴
+/// approach, mm          δ₀(a)  = 0.0375 a² + 4.6875e-5 a⁴ + 1.611328125e-7 a⁶ + 7.87353515625e-10 a⁸ + 4.566192626953125e-12 a¹⁰ + 2.931118011474609e-14 a¹² + 2.0144060254096985e-16 a¹⁴ + 1.4547156170010567e-18 a¹⁶ + 1.0910117416642607e-20 a¹⁸ + 8.430497036897578e-23 a²⁰ + 6.674133940123284e-25 a²² + 5.390644716101178e-27 a²⁴    (10)
+/// slope of the approach δ₀′(a) = 0.075 a + 1.875e-4 a³ + 9.66796875e-7 a⁵ + 6.298828125e-9 a⁷ + 4.566192626953125e-11 a⁹ + 3.517341613769531e-13 a¹¹ + 2.8201684355735777e-15 a¹³ + 2.3275449872016907e-17 a¹⁵ + 1.9638211349956691e-19 a¹⁷ + 1.6860994073795155e-21 a¹⁹ + 1.4683094668271224e-23 a²¹ + 1.2937547318642829e-25 a²³
+/// load integral, mm⁵    J(a)   = 0.00625 a⁶ + 1.171875e-5 a⁸ + 4.833984375e-8 a¹⁰ + 2.62451171875e-10 a¹² + 1.6307830810546874e-12 a¹⁴ + 1.0991692543029785e-14 a¹⁶ + 7.833801209926605e-17 a¹⁸ + 5.818862468004227e-19 a²⁰ + 4.4632298522628844e-21 a²² + 3.512707098707324e-23 a²⁴ + 2.82367205159062e-25 a²⁶ + 2.310276306900505e-27 a²⁸    (14)
+/// log kernel, mm³       L(x)   = 0.0046875 x⁴ + 3.90625e-6 x⁶ + 1.007080078125e-8 x⁸ + 3.936767578125e-11 x¹⁰ + 1.9025802612304688e-13 x¹² + 1.046827861240932e-15 x¹⁴ + 6.295018829405308e-18 x¹⁶ + 4.040876713891824e-20 x¹⁸ + 2.7275293541606515e-22 x²⁰ + 1.9160220538403586e-24 x²² + 1.3904445708590175e-26 x²⁴ + 1.0366624454040728e-28 x²⁶    (28)
+/// pressure kernel, mm³  G(a,r) = 0.00234375 a⁴ K(2, r/a) + 1.953125e-6 a⁶ K(4, r/a) + 5.035400390625e-9 a⁸ K(6, r/a) + 1.9683837890625e-11 a¹⁰ K(8, r/a) + 9.512901306152344e-14 a¹² K(10, r/a) + 5.23413930620466e-16 a¹⁴ K(12, r/a) + 3.147509414702654e-18 a¹⁶ K(14, r/a) + 2.020438356945912e-20 a¹⁸ K(16, r/a) + 1.3637646770803257e-22 a²⁰ K(18, r/a) + 9.580110269201793e-25 a²² K(20, r/a) + 6.952222854295087e-27 a²⁴ K(22, r/a) + 5.183312227020364e-29 a²⁶ K(24, r/a), K(n,q) = n − (n+2) q² + 2 qⁿ⁺²    (28)
+/// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
+/// ```
+///
+/// Admissible for every contact radius (all coefficients are positive); used up to 5 mm.
+///
+/// Surfaces are expanded in powers of r up to r²⁴. Up to r = 5 mm this changes the gap by at most 6.06e-10 of its value.
+///
+/// The contact radius takes one step from a table of 4096 bytes where J is between 5.6e-17 and 1.0e3; elsewhere it is iterated.
+///
+/// Operations of a call:
+///
+/// Double words round a result only once; a × of them takes 24 plain operations, a + 11.
+///
+/// ```text
+/// gap                   13 ×, 11 + of double words
+/// approach              13 ×, 11 + of double words
+/// slope of the approach 13 ×, 11 + of double words
+/// load integral         a routine of the run-time crate
+/// log kernel            a routine of the run-time crate
+/// pressure kernel       a routine of the run-time crate
+/// ```
+struct Spheres;
+const _: () = {
+    use ::cartcontact::generated::root as __cartcontact;
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+        first: -216,
+        count: 256,
+        single: false,
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
+    };
+    #[inline(always)]
+    fn __steepness<T: __cartcontact::Scalar>(
+        __a: T,
+        []: [T; 0usize],
+    ) -> __cartcontact::generated::Steepness<T> {
+        let [__value0, __value1, __value2, __value3, __value4, __value5, __value6,
+        __value7, __value8, __value9, __value10, __value11] = __cartcontact::generated::constants::<
+            T,
+            _,
+        >([
+            0.00625,
+            1.171875e-5,
+            4.833984375e-8,
+            2.62451171875e-10,
+            1.6307830810546874e-12,
+            1.0991692543029785e-14,
+            7.833801209926605e-17,
+            5.818862468004227e-19,
+            4.4632298522628844e-21,
+            3.512707098707324e-23,
+            2.82367205159062e-25,
+            2.310276306900505e-27,
+        ]);
+        let [__first0, __first1, __first2, __first3, __first4, __first5, __first6,
+        __first7, __first8, __first9, __first10, __first11] = __cartcontact::generated::constants::<
+            T,
+            _,
+        >([
+            5.7970802465723953e23,
+            1.4492700616430988e21,
+            7.472798755347229e18,
+            4.8686416133322856e16,
+            352941134396726.4,
+            2718708211950.723,
+            21798323639.82742,
+            179906200.9108736,
+            1517923.8279313033,
+            13032.60475770295,
+            113.49210407998343,
+            1.0,
+        ]);
+        let [__half_second0, __half_second1, __half_second2, __half_second3,
+        __half_second4, __half_second5, __half_second6, __half_second7, __half_second8,
+        __half_second9, __half_second10, __half_second11] = __cartcontact::generated::constants::<
+            T,
+            _,
+        >([
+            2.2404092923466578e49,
+            7.841432523213302e46,
+            5.198449686148104e44,
+            4.1395062315623793e42,
+            3.5464486692511334e40,
+            3.1521139343387386e38,
+            2.8643103112989404e36,
+            2.642091064958652e34,
+            2.463867346836592e32,
+            2.3168990384694658e30,
+            2.1930761156800344e28,
+            2.0869488887660622e26,
+        ]);
+        let __s = __a * __a;
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __value0
+                + (__value1
+                    + (__value2
+                        + (__value3
+                            + (__value4
+                                + (__value5
+                                    + (__value6
+                                        + (__value7
+                                            + (__value8
+                                                + (__value9 + (__value10 + (__value11) * __s) * __s) * __s)
+                                                * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
+            first: __first0
+                + (__first1
+                    + (__first2
+                        + (__first3
+                            + (__first4
+                                + (__first5
+                                    + (__first6
+                                        + (__first7
+                                            + (__first8 + (__first9 + (__first10 + __s) * __s) * __s)
+                                                * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s,
+            half_second: (__half_second0 + (__half_second1) * __s)
+                + ((__half_second2 + (__half_second3) * __s)
+                    + ((__half_second4 + (__half_second5) * __s)
+                        + ((__half_second6 + (__half_second7) * __s)
+                            + ((__half_second8 + (__half_second9) * __s)
+                                + (__half_second10 + (__half_second11) * __s) * (__s * __s))
+                                * (__s * __s)) * (__s * __s)) * (__s * __s)) * (__s * __s),
+            per_unit: <T as __cartcontact::Scalar>::constant(1.545888065752639e25f64),
+        }
+    }
+    #[automatically_derived]
+    impl<T> __cartcontact::GapProfile<T> for Spheres
+    where
+        T: __cartcontact::Scalar,
+    {
+        #[inline]
+        fn gap(&self, __r: T) -> T {
+            __cartcontact::generated::precise_even_sum(
+                __r,
+                2u32,
+                __cartcontact::generated::constants::<
+                    T,
+                    _,
+                >([
+                    0.075,
+                    0.000140625,
+                    6.4453125e-7,
+                    3.936767578125e-9,
+                    2.739715576171875e-11,
+                    2.0517826080322267e-13,
+                    1.6115248203277588e-15,
+                    1.309244055300951e-17,
+                    1.0910117416642606e-19,
+                    9.273546740587335e-22,
+                    8.00896072814794e-24,
+                    7.007838130931532e-26,
+                ]),
+            )
+        }
+        #[inline]
+        fn approach(&self, __a: T) -> T {
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                2u32,
+                __cartcontact::generated::constants::<
+                    T,
+                    _,
+                >([
+                    0.0375,
+                    4.6875e-5,
+                    1.611328125e-7,
+                    7.87353515625e-10,
+                    4.566192626953125e-12,
+                    2.931118011474609e-14,
+                    2.0144060254096985e-16,
+                    1.4547156170010567e-18,
+                    1.0910117416642607e-20,
+                    8.430497036897578e-23,
+                    6.674133940123284e-25,
+                    5.390644716101178e-27,
+                ]),
+            )
+        }
+        #[inline]
+        fn approach_slope(&self, __a: T) -> T {
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                1u32,
+                __cartcontact::generated::constants::<
+                    T,
+                    _,
+                >([
+                    0.075,
+                    0.0001875,
+                    9.66796875e-7,
+                    6.298828125e-9,
+                    4.566192626953125e-11,
+                    3.517341613769531e-13,
+                    2.8201684355735777e-15,
+                    2.3275449872016907e-17,
+                    1.9638211349956691e-19,
+                    1.6860994073795155e-21,
+                    1.4683094668271224e-23,
+                    1.2937547318642829e-25,
+                ]),
+            )
+        }
+        #[inline]
+        fn load_integral(&self, __a: T) -> T {
+            __cartcontact::generated::power_sum(
+                __a,
+                __cartcontact::generated::whole_terms(
+                    &[
+                        (0.00625, 6),
+                        (1.171875e-5, 8),
+                        (4.833984375e-8, 10),
+                        (2.62451171875e-10, 12),
+                        (1.6307830810546874e-12, 14),
+                        (1.0991692543029785e-14, 16),
+                        (7.833801209926605e-17, 18),
+                        (5.818862468004227e-19, 20),
+                        (4.4632298522628844e-21, 22),
+                        (3.512707098707324e-23, 24),
+                        (2.82367205159062e-25, 26),
+                        (2.310276306900505e-27, 28),
+                    ],
+                ),
+            )
+        }
+        #[inline]
+        fn log_kernel(&self, __x: T) -> T {
+            __cartcontact::generated::power_sum(
+                __x,
+                __cartcontact::generated::whole_terms(
+                    &[
+                        (0.0046875, 4),
+                        (3.90625e-6, 6),
+                        (1.007080078125e-8, 8),
+                        (3.936767578125e-11, 10),
+                        (1.9025802612304688e-13, 12),
+                        (1.046827861240932e-15, 14),
+                        (6.295018829405308e-18, 16),
+                        (4.040876713891824e-20, 18),
+                        (2.7275293541606515e-22, 20),
+                        (1.9160220538403586e-24, 22),
+                        (1.3904445708590175e-26, 24),
+                        (1.0366624454040728e-28, 26),
+                    ],
+                ),
+            )
+        }
+        #[inline]
+        fn quick_approach(&self, __a: T) -> T {
+            __cartcontact::generated::even_sum(
+                __a,
+                __cartcontact::generated::constants::<
+                    T,
+                    _,
+                >([
+                    0.0,
+                    0.0375,
+                    4.6875e-5,
+                    1.611328125e-7,
+                    7.87353515625e-10,
+                    4.566192626953125e-12,
+                    2.931118011474609e-14,
+                    2.0144060254096985e-16,
+                    1.4547156170010567e-18,
+                    1.0910117416642607e-20,
+                    8.430497036897578e-23,
+                    6.674133940123284e-25,
+                    5.390644716101178e-27,
+                ]),
+            )
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            __cartcontact::generated::even_sum(
+                __a,
+                __cartcontact::generated::constants::<
+                    T,
+                    _,
+                >([
+                    0.075,
+                    0.0001875,
+                    9.66796875e-7,
+                    6.298828125e-9,
+                    4.566192626953125e-11,
+                    3.517341613769531e-13,
+                    2.8201684355735777e-15,
+                    2.3275449872016907e-17,
+                    1.9638211349956691e-19,
+                    1.6860994073795155e-21,
+                    1.4683094668271224e-23,
+                    1.2937547318642829e-25,
+                ]),
+            ) * __a
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: T) -> T {
+            __cartcontact::generated::quick_power_sum(
+                __a,
+                __cartcontact::generated::whole_terms(
+                    &[
+                        (0.00625, 6),
+                        (1.171875e-5, 8),
+                        (4.833984375e-8, 10),
+                        (2.62451171875e-10, 12),
+                        (1.6307830810546874e-12, 14),
+                        (1.0991692543029785e-14, 16),
+                        (7.833801209926605e-17, 18),
+                        (5.818862468004227e-19, 20),
+                        (4.4632298522628844e-21, 22),
+                        (3.512707098707324e-23, 24),
+                        (2.82367205159062e-25, 26),
+                        (2.310276306900505e-27, 28),
+                    ],
+                ),
+            )
+        }
+        #[inline]
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            __cartcontact::generated::pressure_kernel(
+                __a,
+                __r,
+                __cartcontact::generated::whole_terms(
+                    &[
+                        (0.075, 2),
+                        (0.000140625, 4),
+                        (6.4453125e-7, 6),
+                        (3.936767578125e-9, 8),
+                        (2.739715576171875e-11, 10),
+                        (2.0517826080322267e-13, 12),
+                        (1.6115248203277588e-15, 14),
+                        (1.309244055300951e-17, 16),
+                        (1.0910117416642606e-19, 18),
+                        (9.273546740587335e-22, 20),
+                        (8.00896072814794e-24, 22),
+                        (7.007838130931532e-26, 24),
+                    ],
+                ),
+            )
+        }
+        #[inline(always)]
+        fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
+            __cartcontact::generated::quick_even_pressure_kernel(
+                __a,
+                __r,
+                __cartcontact::generated::constants::<
+                    T,
+                    _,
+                >([
+                    0.0046875,
+                    3.90625e-6,
+                    1.007080078125e-8,
+                    3.936767578125e-11,
+                    1.9025802612304688e-13,
+                    1.046827861240932e-15,
+                    6.295018829405308e-18,
+                    4.040876713891824e-20,
+                    2.7275293541606515e-22,
+                    1.9160220538403586e-24,
+                    1.3904445708590175e-26,
+                    1.0366624454040728e-28,
+                ]),
+            )
+        }
+        #[inline]
+        fn radius_within(
+            &self,
+            __load_integral: T,
+            __limit: T,
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
+            match __SEEDS
+                .radius(
+                    __load_integral,
+                    __limit,
+                    __cartcontact::generated::OwnUnits,
+                    |__a| __steepness(__a, []),
+                )
+            {
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
+                ::core::option::Option::None => {
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert(
+                            __load_integral,
+                            __limit,
+                            ::core::iter::IntoIterator::into_iter([
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.075f64),
+                                    <T as __cartcontact::Scalar>::constant(2.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(0.000140625f64),
+                                    <T as __cartcontact::Scalar>::constant(4.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(6.4453125e-7f64),
+                                    <T as __cartcontact::Scalar>::constant(6.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        3.936767578125e-9f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(8.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        2.739715576171875e-11f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(10.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        2.0517826080322267e-13f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(12.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        1.6115248203277588e-15f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(14.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        1.309244055300951e-17f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(16.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        1.0910117416642606e-19f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(18.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        9.273546740587335e-22f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(20.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        8.00896072814794e-24f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(22.0f64),
+                                ),
+                                __cartcontact::generated::PositiveTerm::of(
+                                    <T as __cartcontact::Scalar>::constant(
+                                        7.007838130931532e-26f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(24.0f64),
+                                ),
+                            ]),
+                            false,
+                            |__a| {
+                                let __x = __a * __a;
+                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                    __x,
+                                    __cartcontact::generated::constants::<
+                                        T,
+                                        _,
+                                    >([
+                                        0.00625,
+                                        1.171875e-5,
+                                        4.833984375e-8,
+                                        2.62451171875e-10,
+                                        1.6307830810546874e-12,
+                                        1.0991692543029785e-14,
+                                        7.833801209926605e-17,
+                                        5.818862468004227e-19,
+                                        4.4632298522628844e-21,
+                                        3.512707098707324e-23,
+                                        2.82367205159062e-25,
+                                        2.310276306900505e-27,
+                                    ]),
+                                );
+                                let __log_slope = <T as __cartcontact::Scalar>::constant(
+                                    6.0f64,
+                                ) * __value
+                                    + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
+                                        * __slope;
+                                (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                            },
+                            |__a| __cartcontact::generated::power_sum(
+                                __a,
+                                __cartcontact::generated::whole_terms(
+                                    &[
+                                        (0.00625, 6),
+                                        (1.171875e-5, 8),
+                                        (4.833984375e-8, 10),
+                                        (2.62451171875e-10, 12),
+                                        (1.6307830810546874e-12, 14),
+                                        (1.0991692543029785e-14, 16),
+                                        (7.833801209926605e-17, 18),
+                                        (5.818862468004227e-19, 20),
+                                        (4.4632298522628844e-21, 22),
+                                        (3.512707098707324e-23, 24),
+                                        (2.82367205159062e-25, 26),
+                                        (2.310276306900505e-27, 28),
+                                    ],
+                                ),
+                            ),
+                        )
+                    })
+                }
+            }
+        }
+        fn radii_within(
+            &self,
+            __load_integrals: &[T],
+            __limit: T,
+            __radii: &mut [T],
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
+            __SEEDS
+                .radii(
+                    (__load_integrals, __radii),
+                    __limit,
+                    __cartcontact::generated::OwnUnits,
+                    #[inline(always)]
+                    move |__a| __steepness(__a, []),
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    ),
+                )
+        }
+        #[inline]
+        fn load_integral_drop(&self, __a: T, __depth: T) -> T {
+            __cartcontact::generated::power_sum_drop(
+                __a,
+                __depth,
+                __cartcontact::generated::whole_terms(
+                    &[
+                        (0.00625, 6),
+                        (1.171875e-5, 8),
+                        (4.833984375e-8, 10),
+                        (2.62451171875e-10, 12),
+                        (1.6307830810546874e-12, 14),
+                        (1.0991692543029785e-14, 16),
+                        (7.833801209926605e-17, 18),
+                        (5.818862468004227e-19, 20),
+                        (4.4632298522628844e-21, 22),
+                        (3.512707098707324e-23, 24),
+                        (2.82367205159062e-25, 26),
+                        (2.310276306900505e-27, 28),
+                    ],
+                ),
+            )
+        }
+        #[inline]
+        fn fill_slopes_and_drops(
+            &self,
+            __a: T,
+            __places: (&[T], &[T]),
+            __values: (&mut [T], &mut [T]),
+        ) {
+            __cartcontact::generated::fill_slopes_and_drops(
+                self,
+                __a,
+                __places,
+                __values,
+                __cartcontact::generated::whole_terms(
+                    &[
+                        (0.00625, 6),
+                        (1.171875e-5, 8),
+                        (4.833984375e-8, 10),
+                        (2.62451171875e-10, 12),
+                        (1.6307830810546874e-12, 14),
+                        (1.0991692543029785e-14, 16),
+                        (7.833801209926605e-17, 18),
+                        (5.818862468004227e-19, 20),
+                        (4.4632298522628844e-21, 22),
+                        (3.512707098707324e-23, 24),
+                        (2.82367205159062e-25, 26),
+                        (2.310276306900505e-27, 28),
+                    ],
+                ),
+            )
+        }
+        #[inline]
+        fn max_radius(&self) -> T {
+            <T as __cartcontact::Scalar>::constant(5.0f64)
+        }
+        #[inline]
+        fn highest_exponent(&self) -> T {
+            <T as __cartcontact::Scalar>::constant(24.0f64)
+        }
+        #[inline]
+        fn is_smooth_at_centre(&self) -> ::core::primitive::bool {
+            true
+        }
+        #[inline]
+        fn has_only_positive_terms(&self) -> ::core::primitive::bool {
+            true
+        }
+    }
+    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    impl Spheres {
+        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
+        pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); 12usize] = [
+            (0.075f64, 2.0f64),
+            (0.000140625f64, 4.0f64),
+            (6.4453125e-7f64, 6.0f64),
+            (3.936767578125e-9f64, 8.0f64),
+            (2.739715576171875e-11f64, 10.0f64),
+            (2.0517826080322267e-13f64, 12.0f64),
+            (1.6115248203277588e-15f64, 14.0f64),
+            (1.309244055300951e-17f64, 16.0f64),
+            (1.0910117416642606e-19f64, 18.0f64),
+            (9.273546740587335e-22f64, 20.0f64),
+            (8.00896072814794e-24f64, 22.0f64),
+            (7.007838130931532e-26f64, 24.0f64),
+        ];
+        /// The largest contact radius that the geometry is proved for, in mm; infinity if there is no limit.
+        pub const MAX_RADIUS: ::core::primitive::f64 = 5.0f64;
+        /// How much of the gap the expansion of its surfaces changes, at most, up to `MAX_RADIUS`.
+        pub const TRUNCATION_ERROR: ::core::primitive::f64 = 6.06e-10f64;
+    }
+};

@@ -1,0 +1,58 @@
+//! Geometries with more terms than are written out one by one: their constants stand in tables.
+
+use cartcontact::load::Constant;
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile};
+
+/// Even powers up to the 24th.
+#[gap_profile(sphere(10) + sphere(20), order = 24, max_radius = 5)]
+struct Spheres;
+
+/// All powers from the second to the 13th.
+#[gap_profile(0.05*r^2 + 1e-3*r^3 + 1e-4*r^4 + 2e-5*r^5 + 1e-6*r^6 + 1e-7*r^7 + 1e-8*r^8 + 3e-9*r^9 + 1e-10*r^10
+    + 2e-12*r^11 + 1e-13*r^12 + 1e-15*r^13)]
+struct Dense;
+
+/// One power far above the others.
+#[gap_profile(0.05*r + 1e-2*r^2 + 1e-3*r^3 + 1e-4*r^4 + 2e-5*r^5 + 1e-6*r^6 + 1e-7*r^7 + 1e-8*r^8 + 3e-9*r^9
+    + 1e-40*r^48, max_radius = 5)]
+struct FarApart;
+
+/// Compares everything with the same geometry as it is evaluated at run time, whose coefficients are not rounded.
+fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
+    let polynomial = Polynomial::with_max_radius(terms, 5.0).unwrap_or_else(|error| unreachable!("{error}"));
+    let close = |found: f64, expected: f64, ulps: f64, what: &str| {
+        let error = (found / expected - 1.0).abs() / f64::EPSILON;
+        assert!(error <= ulps, "{what}: {found:e} is off by {error} ε");
+    };
+    let mut targets = Vec::new();
+    for a in (1..=48).map(|k| 0.1 * f64::from(k)) {
+        close(profile.gap(a), polynomial.gap(a), 2.0, "gap");
+        close(profile.approach(a), polynomial.approach(a), 2.0, "approach");
+        close(profile.approach_slope(a), polynomial.approach_slope(a), 2.0, "slope of the approach");
+        close(profile.load_integral(a), polynomial.load_integral(a), 2.0, "load integral");
+        close(profile.log_kernel(a), polynomial.log_kernel(a), 2.0, "log kernel");
+        let r = 0.6 * a;
+        close(profile.pressure_kernel(a, r), polynomial.pressure_kernel(a, r), 8.0, "pressure kernel");
+        targets.push(polynomial.load_integral(a));
+    }
+    let mut radii = vec![0.0; targets.len()];
+    profile.radii(&targets, &mut radii).unwrap_or_else(|error| unreachable!("{error}"));
+    for (&radius, &target) in radii.iter().zip(&targets) {
+        close(radius, polynomial.radius(target).unwrap_or(0.0), 2.0, "radius");
+    }
+    let medium = Medium::from_constants(2.0, 1e-2).unwrap_or_else(|error| unreachable!("{error}"));
+    let pressure = |profile: &dyn GapProfile<f64>| {
+        let contact = Contact::new(profile, medium, Constant(20.0));
+        let now = contact.and_then(|contact| Ok(contact.at(30.0)?.pressure(1.0)));
+        now.unwrap_or_else(|error| unreachable!("{error}"))
+    };
+    // A memory integral besides.
+    close(pressure(&profile), pressure(&polynomial), 100.0, "pressure");
+}
+
+#[test]
+fn tables_hold_the_terms() {
+    compare(Spheres, &Spheres::TERMS);
+    compare(Dense, &Dense::TERMS);
+    compare(FarApart, &FarApart::TERMS);
+}
