@@ -266,24 +266,26 @@ const _: () = {
             __limit: S,
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            match __SEEDS
-                .radius(
-                    __load_integral,
-                    __limit,
-                    __cartcontact::generated::EqualTerms::of(
-                        (
-                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
-                        (
-                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                            <S as __cartcontact::Scalar>::constant(6.5f64),
-                        ),
-                        <S as __cartcontact::Scalar>::constant(1.828125f64),
+            match {
+                let __units = __cartcontact::generated::EqualTerms::of(
+                    (
+                        __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                        <S as __cartcontact::Scalar>::constant(6.0f64),
                     ),
-                    |__a| __steepness(__a, [__c0, __c1]),
-                )
-            {
+                    (
+                        __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                        <S as __cartcontact::Scalar>::constant(6.5f64),
+                    ),
+                    <S as __cartcontact::Scalar>::constant(1.828125f64),
+                );
+                __SEEDS
+                    .radius(
+                        __load_integral,
+                        __limit,
+                        __units,
+                        |__a| __steepness(__a, [__c0, __c1]),
+                    )
+            } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::elsewhere(move || {
@@ -347,21 +349,22 @@ const _: () = {
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let __units = __cartcontact::generated::EqualTerms::of(
+                (
+                    __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                    <S as __cartcontact::Scalar>::constant(6.0f64),
+                ),
+                (
+                    __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                    <S as __cartcontact::Scalar>::constant(6.5f64),
+                ),
+                <S as __cartcontact::Scalar>::constant(1.828125f64),
+            );
             __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __cartcontact::generated::EqualTerms::of(
-                        (
-                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                            <S as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
-                        (
-                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                            <S as __cartcontact::Scalar>::constant(6.5f64),
-                        ),
-                        <S as __cartcontact::Scalar>::constant(1.828125f64),
-                    ),
+                    __units,
                     #[inline(always)]
                     move |__a| __steepness(__a, [__c0, __c1]),
                     |__load_integral| __cartcontact::GapProfile::radius_within(

@@ -186,14 +186,16 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __SEEDS
-                .radius(
-                    __load_integral,
-                    __limit,
-                    __cartcontact::generated::OwnUnits,
-                    |__a| __steepness(__a, []),
-                )
-            {
+            match {
+                let __units = __cartcontact::generated::OwnUnits;
+                __SEEDS
+                    .radius(
+                        __load_integral,
+                        __limit,
+                        __units,
+                        |__a| __steepness(__a, []),
+                    )
+            } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::elsewhere(move || {
@@ -263,11 +265,12 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
+            let __units = __cartcontact::generated::OwnUnits;
             __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __cartcontact::generated::OwnUnits,
+                    __units,
                     #[inline(always)]
                     move |__a| __steepness(__a, []),
                     |__load_integral| __cartcontact::GapProfile::radius_within(

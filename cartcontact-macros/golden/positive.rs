@@ -204,24 +204,26 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            match __SEEDS
-                .radius(
-                    __load_integral,
-                    __limit,
-                    __cartcontact::generated::EqualTerms::of(
-                        (
-                            __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                            <T as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
-                        (
-                            __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                            <T as __cartcontact::Scalar>::constant(8.0f64),
-                        ),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
+            match {
+                let __units = __cartcontact::generated::EqualTerms::of(
+                    (
+                        __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                        <T as __cartcontact::Scalar>::constant(6.0f64),
                     ),
-                    |__a| __steepness(__a, [__c0, __c1]),
-                )
-            {
+                    (
+                        __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                        <T as __cartcontact::Scalar>::constant(8.0f64),
+                    ),
+                    <T as __cartcontact::Scalar>::constant(1.5f64),
+                );
+                __SEEDS
+                    .radius(
+                        __load_integral,
+                        __limit,
+                        __units,
+                        |__a| __steepness(__a, [__c0, __c1]),
+                    )
+            } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::elsewhere(move || {
@@ -281,21 +283,22 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let __units = __cartcontact::generated::EqualTerms::of(
+                (
+                    __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                    <T as __cartcontact::Scalar>::constant(6.0f64),
+                ),
+                (
+                    __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                    <T as __cartcontact::Scalar>::constant(8.0f64),
+                ),
+                <T as __cartcontact::Scalar>::constant(1.5f64),
+            );
             __SEEDS
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __cartcontact::generated::EqualTerms::of(
-                        (
-                            __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                            <T as __cartcontact::Scalar>::constant(6.0f64),
-                        ),
-                        (
-                            __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                            <T as __cartcontact::Scalar>::constant(8.0f64),
-                        ),
-                        <T as __cartcontact::Scalar>::constant(1.5f64),
-                    ),
+                    __units,
                     #[inline(always)]
                     move |__a| __steepness(__a, [__c0, __c1]),
                     |__load_integral| __cartcontact::GapProfile::radius_within(

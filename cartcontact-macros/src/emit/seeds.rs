@@ -7,7 +7,7 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness};
-use crate::closed_forms::{PowerSum, Scaled, Summand};
+use crate::closed_forms::{Factor, PowerSum, Scaled, Summand};
 use crate::number::{Rational, integer, literal};
 use crate::seeds::Seeds;
 
@@ -43,20 +43,24 @@ pub(super) fn items(
 /// The radius from the table, if it is there.
 pub(super) fn radius(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (variables, _) = coefficients.variables();
-    let units = units(scaled, coefficients, names);
-    let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
+    let binding = units(scaled, coefficients, names);
+    let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let (table, steepness) = (table(), steepness::name());
-    quote!(#table.radius(#load_integral, #limit, #units, |#a| #steepness(#a, #variables)))
+    quote!({
+        #binding
+        #table.radius(#load_integral, #limit, #units, |#a| #steepness(#a, #variables))
+    })
 }
 
 /// The radii of a slice from the table, and elsewhere by `radius_within`.
 pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (krate, (variables, _)) = (names.krate, coefficients.variables());
-    let units = units(scaled, coefficients, names);
-    let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
+    let binding = units(scaled, coefficients, names);
+    let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     let (table, steepness) = (table(), steepness::name());
     quote! {
+        #binding
         #table.radii(
             (#load_integrals, #radii),
             #limit,
@@ -69,27 +73,35 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
     }
 }
 
-/// The units of the table: those of its own geometry, or of the two terms that it stands for.
+/// Binds the units of the table: those of its own geometry, or of the one or two terms that it stands for. A single
+/// coefficient becomes one in these units.
 fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
-    let summands = scaled.load_integral.summands.as_slice();
-    let (constant, per_unit) = (names.constant(), literal(&scaled.per_unit));
-    let term = |summand: &Summand| {
-        let (coefficient, exponent) = (coefficients.factor(summand), literal(&summand.exponent));
-        quote!((#coefficient, #constant(#exponent)))
+    let units = local("units");
+    let constant = |value: &Rational| {
+        let (constant, literal) = (names.constant(), literal(value));
+        quote!(#constant(#literal))
     };
+    let (summands, per_unit) = (scaled.load_integral.summands.as_slice(), constant(&scaled.per_unit));
     match summands {
-        _ if summands.iter().all(|summand| summand.constant().is_some()) => names.generated("OwnUnits"),
-        [only] => {
-            let (single_term, coefficient) = (names.generated("SingleTerm"), coefficients.factor(only));
-            let [k, q] = [only.exponent.numer(), only.exponent.denom()]
-                .map(|part| Literal::u32_unsuffixed(part.to_u32().unwrap_or(1)));
-            quote!(#single_term::<_, #k, #q>::of(#coefficient, #constant(#per_unit)))
+        [Summand { factor: Factor::Weight(weight), exponent, .. }] => {
+            let (single_term, (variables, _)) = (names.generated("SingleTerm"), coefficients.variables());
+            let [k, q] = [exponent.numer(), exponent.denom()]
+                .map(|part| Literal::i32_unsuffixed(part.to_i32().unwrap_or(1)));
+            let weight = constant(weight);
+            quote!(let (#units, #variables) = #single_term::<_, #k, #q>::of(#variables, #weight, #per_unit);)
         }
-        [low, high, ..] => {
-            let (equal_terms, low, high) = (names.generated("EqualTerms"), term(low), term(high));
-            quote!(#equal_terms::of(#low, #high, #constant(#per_unit)))
+        [low, high] if low.constant().and(high.constant()).is_none() => {
+            let equal_terms = names.generated("EqualTerms");
+            let [low, high] = [low, high].map(|summand| {
+                let (coefficient, exponent) = (coefficients.factor(summand), constant(&summand.exponent));
+                quote!((#coefficient, #exponent))
+            });
+            quote!(let #units = #equal_terms::of(#low, #high, #per_unit);)
         }
-        [] => TokenStream::new(),
+        _ => {
+            let own_units = names.generated("OwnUnits");
+            quote!(let #units = #own_units;)
+        }
     }
 }
 

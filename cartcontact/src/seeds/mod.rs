@@ -105,8 +105,9 @@ impl Seeds {
             return None;
         }
         let digits = digits(y);
-        let seed = units.of_geometry(single(cubic(self.row(digits), digits)), load_integral);
+        let seed = units.seed(single(cubic(self.row(digits), digits)));
         let radius = evaluate(seed).halley(seed, units.target(load_integral));
+        let radius = units.of_geometry(radius, load_integral);
         // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
         let is_within = radius <= limit || limit == T::infinity();
         is_within.then_some(radius)
@@ -171,6 +172,11 @@ impl<T: Scalar> Target<T> {
     fn in_units(load_integral: T, per_unit: T) -> Self {
         let (value, rest) = product_with_few_digits(load_integral, per_unit);
         Self { value, rest }
+    }
+
+    #[inline(always)]
+    fn times(self, power: T) -> Self {
+        Self { value: self.value * power, rest: self.rest * power }
     }
 
     /// Divided by the power of two at or below it, which is 2^`exponent`.

@@ -6,18 +6,24 @@ use crate::evaluate::bits::with_half_its_digits;
 use crate::evaluate::power::equal_terms;
 use crate::scalar::{greater, is, lesser};
 
-/// The units of a table's load integrals and radii.
+/// The units of a table's load integrals and radii, and of the step from them.
 ///
 /// A type for each kind, so that those of the geometry itself leave nothing to do.
 pub trait Units<T>: Copy {
     /// A load integral of the geometry in units of the table.
     fn in_table(self, load_integral: T) -> T;
 
-    /// The table's radius for a load integral in units of the geometry, with a square that is exact.
-    fn of_geometry(self, radius: T, load_integral: T) -> T;
+    /// A radius from the table in the units of the step, with a square that is exact.
+    fn seed(self, radius: T) -> T;
 
-    /// The same load integral as J has to be.
+    /// The same load integral as J has to be in the step.
     fn target(self, load_integral: T) -> Target<T>;
+
+    /// The radius after the step, for a load integral, in units of the geometry.
+    #[inline(always)]
+    fn of_geometry(self, radius: T, _load_integral: T) -> T {
+        radius
+    }
 }
 
 /// Those of the geometry that the table was made for.
@@ -31,7 +37,7 @@ impl<T: Scalar> Units<T> for OwnUnits {
     }
 
     #[inline(always)]
-    fn of_geometry(self, radius: T, _: T) -> T {
+    fn seed(self, radius: T) -> T {
         // The table's numbers have half the digits of double precision.
         if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
     }
@@ -81,7 +87,7 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     }
 
     #[inline(always)]
-    fn of_geometry(self, radius: T, _: T) -> T {
+    fn seed(self, radius: T) -> T {
         with_half_its_digits(radius * self.radius)
     }
 

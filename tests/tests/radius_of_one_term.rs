@@ -1,0 +1,134 @@
+//! Contact radii of a single term whose coefficient is a field of the struct, of any size.
+
+use cartcontact::{GapProfile, RadiusError, gap_profile};
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::random::Stream;
+
+macro_rules! terms {
+    ($($name:ident: $exponent:literal, $gap:expr;)*) => {
+        $(
+            #[gap_profile($gap)]
+            struct $name<T> {
+                c: T,
+            }
+        )*
+
+        const KINDS: &[Kind] = &[$(Kind {
+            exponent: $exponent,
+            double: |c| Box::new($name { c }),
+            single: |c| Box::new($name { c }),
+        }),*];
+    };
+}
+
+// A root, a table by whole periods of 5 to 64 octaves, and in the end none.
+terms! {
+    Root: 0.5, c * r^0.5;
+    Cone: 1.0, c * r;
+    Third: 1.5, c * r^1.5;
+    Paraboloid: 2.0, c * r^2;
+    Eighth: 2.375, c * r^2.375;
+    Quarter: 2.75, c * r^2.75;
+    Cubic: 3.0, c * r^3;
+    Longest: 60.0, c * r^60;
+    TooLong: 61.0, c * r^61;
+}
+
+struct Kind {
+    exponent: f64,
+    double: fn(f64) -> Box<dyn GapProfile<f64>>,
+    single: fn(f32) -> Box<dyn GapProfile<f32>>,
+}
+
+impl Kind {
+    fn exact(&self, c: f64, load_integral: f64) -> Exact {
+        Exact::from(&Profile::of(&[(c, self.exponent)]).radius(&double(load_integral)))
+    }
+
+    /// A coefficient and a load integral of any size that leaves the radius within 10^±`decades`.
+    fn scene(&self, stream: &mut Stream, decades: f64, largest: f64) -> (f64, f64) {
+        let radius = stream.magnitude(-decades, decades).log10();
+        let most = largest - (self.exponent + 4.0) * decades;
+        let c = stream.magnitude(-most, most);
+        (c, c * 10f64.powf((self.exponent + 4.0) * radius))
+    }
+}
+
+#[test]
+fn radii_are_exact_for_a_coefficient_of_any_size() {
+    let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(1, index);
+        for _ in 0..100 {
+            let (c, load_integral) = kind.scene(&mut stream, 4.0, 290.0);
+            let found = (kind.double)(c).radius(load_integral).unwrap_or(f64::NAN);
+            let place = (kind.exponent, c, load_integral);
+            errors.add(found, kind.exact(c, load_integral), 1.0, &place);
+
+            let (c, load_integral) = kind.scene(&mut stream, 0.4, 32.0);
+            let (c, load_integral) = (c as f32, load_integral as f32);
+            let found = (kind.single)(c).radius(load_integral).unwrap_or(f32::NAN);
+            let place = (kind.exponent, c, load_integral);
+            errors_of_single.add(found.into(), kind.exact(c.into(), load_integral.into()), 1.0, &place);
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+#[test]
+fn other_units_change_no_digit() {
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(2, index);
+        for _ in 0..1000 {
+            let (c, load_integral) = kind.scene(&mut stream, 1.0, 100.0);
+            let radius = (kind.double)(c).radius(load_integral).unwrap_or(f64::NAN);
+            let size = 2f64.powi(stream.below(1000) as i32 - 500);
+            let found = (kind.double)(c * size).radius(load_integral * size).unwrap_or(f64::NAN);
+            assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.exponent);
+            // A power of 16, so that those with quarters in their exponents are whole, too; eighths are not.
+            let length = 16f64.powi(stream.below(3) as i32 - 1);
+            if (4.0 * kind.exponent).fract() == 0.0 {
+                let longer = c * length.powf(-kind.exponent);
+                let found = (kind.double)(longer).radius(load_integral * length.powi(4)).unwrap_or(f64::NAN);
+                assert_eq!(found, radius * length, "{}, {c:e}, {load_integral:e}, {length}", kind.exponent);
+            }
+        }
+    }
+}
+
+#[test]
+fn slices_have_the_same_radii() {
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(3, index);
+        let profile = (kind.double)(stream.magnitude(-3.0, 3.0));
+        let mut load_integrals: Vec<f64> = (0..600).map(|_| stream.magnitude(-90.0, 90.0)).collect();
+        load_integrals[70] = 0.0;
+        load_integrals[71] = f64::MIN_POSITIVE / 4.0;
+        load_integrals[72] = f64::MAX;
+        let mut radii = vec![f64::NAN; load_integrals.len()];
+        assert_eq!(profile.radii(&load_integrals, &mut radii), Ok(()), "{}", kind.exponent);
+        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
+        assert!(load_integrals.iter().map(single).eq(radii.iter().copied()), "{}", kind.exponent);
+
+        for bad in [-1.0, f64::INFINITY] {
+            load_integrals[300] = bad;
+            let refused = profile.radii(&load_integrals, &mut radii);
+            assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: bad }));
+        }
+    }
+}
+
+#[test]
+fn the_end_of_the_range_is_inside() {
+    for kind in KINDS {
+        let profile = (kind.double)(0.03);
+        let end = profile.load_integral(5.0);
+        let found = profile.radius_within(end, 5.0).unwrap_or(f64::NAN);
+        assert!((found - 5.0).abs() <= 2.0 * f64::EPSILON * 4.0, "{}: {found:e}", kind.exponent);
+        let beyond = profile.radius_within(end * 1.000_001, 5.0);
+        assert!(matches!(beyond, Err(RadiusError::BeyondRange { max_radius: 5.0, .. })), "{beyond:?}");
+    }
+}
