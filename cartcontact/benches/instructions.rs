@@ -12,8 +12,8 @@ use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, Blunt, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS, ThreeTerm, by_hand,
-    contact, load_integrals, run_time, times,
+    Ball, Blunt, FlatBall, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS, ThreeTerm,
+    by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -46,6 +46,7 @@ fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(
 #[bench::two_terms(Patellofemoral)]
 #[bench::three_terms(ThreeTerm)]
 #[bench::four_terms(FourTerm)]
+#[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
 #[bench::with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::polynomial(run_time())]
@@ -69,6 +70,8 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::one_term(Paraboloid)]
 #[bench::two_terms(Patellofemoral)]
 #[bench::four_terms(FourTerm)]
+#[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
+#[bench::two_terms_with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, f64>) -> Given<P, f64> {
     // The lengths are equal and the loads are in range.

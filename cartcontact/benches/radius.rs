@@ -14,7 +14,7 @@ use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeTerm, by_hand, contact,
+    Ball, FlatBall, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeTerm, by_hand, contact,
     load_integrals, radius_by_roots, times,
 };
 
@@ -68,6 +68,7 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "two terms", targets, &Patellofemoral);
     profile(group, "three terms", targets, &ThreeTerm);
     profile(group, "four terms", targets, &FourTerm);
+    profile(group, "one term with a field", targets, &FlatBall { radius: black_box(T::constant(20.0)) });
     profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
     let round_ball = RoundBall { radius: black_box(T::constant(20.0)) };
     profile(group, "three terms with a field", targets, &round_ball);

@@ -206,13 +206,14 @@ fn truncation(geometry: &Geometry) -> String {
 /// How the contact radius is found.
 fn table(seeds: Option<&Seeds>, gap: &Gap) -> String {
     let Some(seeds) = seeds else { return String::new() };
+    let step =
+        format!("\n\nThe contact radius takes one step from a table of {} bytes", Seeds::size_in_bytes());
+    if !gap.is_constant() && gap.terms.len() == 1 {
+        return format!("{step}.");
+    }
     let [from, to] = seeds.range();
     let unit = if gap.is_constant() { "" } else { " in units of the geometry's own" };
-    format!(
-        "\n\nThe contact radius takes one step from a table of {} bytes where J{unit} is between {from:.1e} and \
-         {to:.1e}; elsewhere it is iterated.",
-        Seeds::size_in_bytes()
-    )
+    format!("{step} where J{unit} is between {from:.1e} and {to:.1e}; elsewhere it is iterated.")
 }
 
 /// The operations of one call of each evaluator, unless all are left to the run-time crate.

@@ -8,11 +8,13 @@ use std::{env, fs};
 use crate::expand;
 
 /// Name, attribute and item.
-const CASES: [[&str; 3]; 11] = [
+const CASES: [[&str; 3]; 13] = [
     ["one_term", "0.025 * r^2", "/// A paraboloid.\npub struct Paraboloid;"],
     ["even_powers", "0.025 * r^2 + 1.09375e-4 * r^4", "struct Patellofemoral;"],
     ["many_terms", "sphere(10) + sphere(20), order = 24, max_radius = 5", "struct Spheres;"],
     ["negative_term", "0.05*r^2 - 0.004*r^3 + 2e-4*r^4, max_radius = 20.0", "struct MixedSign;"],
+    ["halves", "0.01*r^1.5 + 0.003*r^2.5", "struct Halves;"],
+    ["one_field", "r^2 / (2 * radius)", "struct Ball { radius: f64 }"],
     ["real_powers", "0.01*r^1.5 + 0.002*r^3.25", "struct RealPowers;"],
     [
         "fields",

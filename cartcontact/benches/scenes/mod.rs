@@ -22,6 +22,12 @@ pub(crate) struct ThreeTerm;
 #[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6 + 3e-8 * r^8)]
 pub(crate) struct FourTerm;
 
+/// A ball on a plane, to second order.
+#[gap_profile(r^2 / (2 * radius))]
+pub(crate) struct FlatBall<T> {
+    pub(crate) radius: T,
+}
+
 /// A ball on a plane, in powers of r up to the fourth.
 #[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3))]
 pub(crate) struct Ball<T> {

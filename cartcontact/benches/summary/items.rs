@@ -39,6 +39,8 @@ const NANOSECOND: &str = "";
 const LINES: &[Line] = &[
     ("radius, one term", Some(AtMost(1.0)), "radius f64/throughput/one term", POWF),
     ("radius, one term, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term", POWF),
+    ("radius, one term with a field", Some(AtMost(1.0)), "radius f64/throughput/one term with a field", POWF),
+    ("radius, one term with a field, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term with a field", POWF),
     ("radius, two terms", Some(AtMost(0.25)), "radius f64/throughput/two terms", POWF),
     ("radius, two terms, latency over that of `powf`", Some(AtMost(0.7)), "radius f64/latency/two terms", "radius f64/latency/powf"),
     ("radius, two terms, of a slice", Some(AtMost(0.12)), "radius f64/slice/two terms", POWF),
@@ -51,6 +53,7 @@ const LINES: &[Line] = &[
     ("radius, four terms", None, "radius f64/throughput/four terms", POWF),
     ("radius, four terms, of a slice", None, "radius f64/slice/four terms", POWF),
     ("radius, two terms with a field, the end of its range included", None, "radius f64/throughput/two terms with a field", POWF),
+    ("radius, two terms with a field, of a slice", None, "radius f64/slice/two terms with a field", POWF),
     ("radius, three terms with a field, the end of its range included", None, "radius f64/throughput/three terms with a field", POWF),
     ("radius, three terms with a field, of a slice", None, "radius f64/slice/three terms with a field", POWF),
     ("radius, two terms, `Polynomial`", None, "radius f64/throughput/two terms, Polynomial", POWF),

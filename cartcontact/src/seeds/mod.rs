@@ -11,7 +11,8 @@
 //! has checked what the step leaves at every row: less than ε/8. J itself, whose error is divided by p = a J′/J > 4, and the
 //! last subtraction round. Symbols have few digits for weights, see [`Target`], so that they round no more than constants.
 //! Of five million random radii each of eleven geometries with whole powers, fewer than one in a million was off by more than
-//! 1 ulp, and 5 in single precision; 15 where the gap begins with r, whose p is the least, by 1.16 at the most.
+//! 1 ulp, and 5 in single precision; 15 where the gap begins with r, whose p is the least, by 1.16 at the most. Of two million
+//! of r^1.5 and r^2.5, whose root rounds, too, 18 and 68 in a million were, by 1.21 at the most.
 //!
 //! What lies outside the table, be it zero, not a number, or beyond the range, is left to the general solution:
 //! one comparison finds all of it.

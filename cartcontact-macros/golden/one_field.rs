@@ -1,0 +1,335 @@
+///
+/// # Derived from the gap profile
+///
+/// Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+///
+/// ```text
+/// gap, mm               Φ(r)   = (1/(2·radius)) r²
+/// approach, mm          δ₀(a)  = (1/(4·radius)) a²    (10)
+/// slope of the approach δ₀′(a) = (1/(2·radius)) a
+/// load integral, mm⁵    J(a)   = (1/(24·radius)) a⁶    (14)
+/// log kernel, mm³       L(x)   = (1/(32·radius)) x⁴    (28)
+/// pressure kernel, mm³  G(a,r) = (a² − r²)² [1/(32·radius)]    (28)
+/// contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
+/// ```
+///
+/// Admissibility depends on the fields and is checked when a `Contact` is made.
+///
+/// The contact radius takes one step from a table of 4096 bytes.
+///
+/// Operations of a call:
+///
+/// Double words round a result only once; a × of them takes 24 plain operations, a + 11.
+///
+/// ```text
+/// gap                   2 ×, 0 + of double words
+/// approach              2 ×, 0 + of double words
+/// slope of the approach 2 ×, 0 + of double words
+/// load integral         4 ×, 0 + of double words
+/// log kernel            3 ×, 0 + of double words
+/// pressure kernel       5 ×, 2 + of double words
+/// coefficients          1 × or ÷, 0 + or −, in addition
+/// ```
+struct Ball {
+    radius: f64,
+}
+const _: () = {
+    use ::cartcontact::generated::root as __cartcontact;
+    #[allow(
+        clippy::multiple_bound_locations,
+        reason = "the struct may bound its parameter in place"
+    )]
+    #[allow(
+        clippy::possible_missing_comma,
+        reason = "generated operators seem to span an attribute's lines"
+    )]
+    #[inline]
+    fn __coefficients<T>(__profile: &Ball) -> [T; 1usize]
+    where
+        T: __cartcontact::Scalar,
+    {
+        let __field_radius = <T as __cartcontact::Scalar>::constant(__profile.radius);
+        [<T as __cartcontact::Scalar>::constant(0.5f64) / __field_radius]
+    }
+    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+        first: -232,
+        count: 256,
+        single: true,
+        rows: __cartcontact::generated::Rows(
+            *b"...",
+        ),
+    };
+    #[inline(always)]
+    fn __steepness<T: __cartcontact::Scalar>(
+        __a: T,
+        [__c0,
+        ]: [T; 1usize],
+    ) -> __cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
+            first: __c0 * <T as __cartcontact::Scalar>::constant(0.75f64),
+            half_second: __c0 * <T as __cartcontact::Scalar>::constant(1.875f64),
+            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
+    #[automatically_derived]
+    impl<T> __cartcontact::GapProfile<T> for Ball
+    where
+        T: __cartcontact::Scalar,
+    {
+        #[inline]
+        fn gap(&self, __r: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::precise_even_sum(__r, 2u32, [__c0])
+        }
+        #[inline]
+        fn approach(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                2u32,
+                [__c0 * <T as __cartcontact::Scalar>::constant(0.5f64)],
+            )
+        }
+        #[inline]
+        fn approach_slope(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::precise_even_sum(__a, 1u32, [__c0])
+        }
+        #[inline]
+        fn load_integral(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::precise_even_sum(
+                __a,
+                6u32,
+                [__c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)],
+            )
+        }
+        #[inline]
+        fn log_kernel(&self, __x: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::precise_even_sum(
+                __x,
+                4u32,
+                [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
+            )
+        }
+        #[inline]
+        fn quick_approach(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as __cartcontact::Scalar>::constant(0.5f64)) * __s
+        }
+        #[inline]
+        fn quick_approach_slope(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            (__c0) * __a
+        }
+        #[inline]
+        fn quick_load_integral(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)) * __s
+                * __s * __s
+        }
+        #[inline]
+        fn pressure_kernel(&self, __a: T, __r: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::even_pressure_kernel(
+                __a,
+                __r,
+                [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
+            )
+        }
+        #[inline(always)]
+        fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::quick_even_pressure_kernel(
+                __a,
+                __r,
+                [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
+            )
+        }
+        #[inline]
+        fn radius_within(
+            &self,
+            __load_integral: T,
+            __limit: T,
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            match {
+                let (__units, [__c0]) = __cartcontact::generated::SingleTerm::<
+                    _,
+                    6,
+                    1,
+                >::of(
+                    [__c0],
+                    <T as __cartcontact::Scalar>::constant(0.125f64),
+                    <T as __cartcontact::Scalar>::constant(1.5f64),
+                );
+                __SEEDS
+                    .radius(
+                        __load_integral,
+                        __limit,
+                        __units,
+                        |__a| __steepness(__a, [__c0]),
+                    )
+            } {
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
+                ::core::option::Option::None => {
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::generated::invert_one_term(
+                            __load_integral,
+                            (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                            __limit,
+                        )
+                    })
+                }
+            }
+        }
+        fn radii_within(
+            &self,
+            __load_integrals: &[T],
+            __limit: T,
+            __radii: &mut [T],
+        ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let (__units, [__c0]) = __cartcontact::generated::SingleTerm::<
+                _,
+                6,
+                1,
+            >::of(
+                [__c0],
+                <T as __cartcontact::Scalar>::constant(0.125f64),
+                <T as __cartcontact::Scalar>::constant(1.5f64),
+            );
+            __SEEDS
+                .radii(
+                    (__load_integrals, __radii),
+                    __limit,
+                    __units,
+                    #[inline(always)]
+                    move |__a| __steepness(__a, [__c0]),
+                    |__load_integral| __cartcontact::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    ),
+                )
+        }
+        #[inline]
+        fn load_integral_drop(&self, __a: T, __depth: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let __s = __a - __depth;
+            __depth
+                * ((__a + __s)
+                    * __cartcontact::generated::divided_difference(
+                        __a * __a,
+                        __s * __s,
+                        [
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            __c0
+                                * <T as __cartcontact::Scalar>::constant(
+                                    0.08333333333333333f64,
+                                ),
+                        ],
+                    ))
+        }
+        #[inline]
+        fn fill_slopes_and_drops(
+            &self,
+            __a: T,
+            __places: (&[T], &[T]),
+            __values: (&mut [T], &mut [T]),
+        ) {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __cartcontact::generated::fill_by_functions(
+                __places,
+                __values,
+                |__r| { (__c0) * __r },
+                |__depth| {
+                    let __s = __a - __depth;
+                    __depth
+                        * ((__a + __s)
+                            * __cartcontact::generated::divided_difference(
+                                __a * __a,
+                                __s * __s,
+                                [
+                                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                                    __c0
+                                        * <T as __cartcontact::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                ],
+                            ))
+                },
+            )
+        }
+        #[inline]
+        fn max_radius(&self) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            match __cartcontact::generated::checked_range(
+                ::core::iter::IntoIterator::into_iter([
+                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                ]),
+                ::core::option::Option::None,
+            ) {
+                ::core::result::Result::Ok(__end) => __end,
+                ::core::result::Result::Err(_) => {
+                    <T as __cartcontact::Scalar>::constant(0.0f64)
+                }
+            }
+        }
+        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            match __cartcontact::generated::checked_range(
+                ::core::iter::IntoIterator::into_iter([
+                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                ]),
+                ::core::option::Option::None,
+            ) {
+                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
+                ::core::result::Result::Err(__error) => {
+                    ::core::result::Result::Err({
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        __cartcontact::generated::with_parameters(
+                            __error,
+                            &["radius"],
+                            [__field_radius],
+                        )
+                    })
+                }
+            }
+        }
+        #[inline]
+        fn highest_exponent(&self) -> T {
+            <T as __cartcontact::Scalar>::constant(2.0f64)
+        }
+        #[inline]
+        fn is_smooth_at_centre(&self) -> ::core::primitive::bool {
+            true
+        }
+        #[inline]
+        fn has_only_positive_terms(&self) -> ::core::primitive::bool {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            __c0 >= <T as __cartcontact::Scalar>::constant(0.0f64)
+        }
+    }
+    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    impl Ball {
+        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
+        pub fn terms<T: __cartcontact::Scalar>(&self) -> [(T, T); 1usize] {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))]
+        }
+    }
+};
