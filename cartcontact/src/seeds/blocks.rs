@@ -113,7 +113,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
         radii: &mut [T; N],
     ) -> bool {
         // Copies, so that nothing that is read can be what is written: else it were read anew for every radius.
-        let Self { seeds: table, limit, units, evaluate } = *self;
+        let (Self { seeds: table, limit, .. }, units, evaluate) = (self, self.units, self.evaluate);
         let [from, to] = table.ends::<T>();
         let mut found = true;
         let mut all_digits = [0; N];
@@ -135,6 +135,6 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
             *radius = units.of_geometry(found, load_integral);
         }
         // Mostly there is no limit; a limit that is not a number holds nothing.
-        found && (limit == T::infinity() || radii.iter().fold(true, |all, &radius| all & (radius <= limit)))
+        found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
     }
 }
