@@ -131,8 +131,8 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
         }
         for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
             let seed = units.seed(single(seed));
-            let found = evaluate(seed).halley(seed, units.target(load_integral));
-            *radius = units.of_geometry(found, load_integral);
+            let stepped = evaluate(seed).halley(seed, units.target(load_integral));
+            *radius = units.of_geometry(stepped, load_integral);
         }
         // Mostly there is no limit; a limit that is not a number holds nothing.
         found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))

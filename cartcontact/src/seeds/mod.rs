@@ -54,6 +54,14 @@ pub struct Seeds {
     pub rows: Rows,
 }
 
+/// 256 rows, as bytes: one literal for the compiler to read, instead of a thousand. None lies in two lines of a cache.
+#[derive(Debug)]
+#[repr(align(16))]
+pub struct Rows(pub [u8; 4096]);
+
+/// c₀, c₂, c₁ and c₃ in single precision, the low byte first.
+type Row = [u8; 16];
+
 /// What J has to be: a number, and what it lacks of a product that it was rounded from.
 ///
 /// Of symbols, J is multiplied by the common denominator of its weights C n/((n+2)(n+4)), divided by a power of two so that
@@ -64,13 +72,6 @@ pub struct Target<T> {
     value: T,
     rest: T,
 }
-/// 256 rows, as bytes: one literal for the compiler to read, instead of a thousand. None lies in two lines of a cache.
-#[derive(Debug)]
-#[repr(align(16))]
-pub struct Rows(pub [u8; 4096]);
-
-/// c₀, c₂, c₁ and c₃ in single precision, the low byte first.
-type Row = [u8; 16];
 
 /// J and its derivatives at a radius, divided by the lowest power a^k of J; the derivatives in units of a number j p, that
 /// the highest power of a J′ may be free of a coefficient.
@@ -107,8 +108,8 @@ impl Seeds {
         }
         let digits = digits(y);
         let seed = units.seed(single(cubic(self.row(digits), digits)));
-        let radius = evaluate(seed).halley(seed, units.target(load_integral));
-        let radius = units.of_geometry(radius, load_integral);
+        let stepped = evaluate(seed).halley(seed, units.target(load_integral));
+        let radius = units.of_geometry(stepped, load_integral);
         // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
         let is_within = radius <= limit || limit == T::infinity();
         is_within.then_some(radius)
