@@ -23,7 +23,7 @@ pub struct SingleTerm<T, const K: u32, const Q: i32> {
 }
 
 impl<T: Scalar, const K: u32, const Q: i32> SingleTerm<T, K, Q> {
-    /// With C in these units; `per_unit` is what load integrals are multiplied by, see [`Target`].
+    /// With C in these units; `per_unit` is what load integrals are multiplied by, see `Target`.
     #[inline(always)]
     pub fn of([c]: [T; 1], weight: T, per_unit: T) -> (Self, [T; 1]) {
         let reduced = fraction(c);

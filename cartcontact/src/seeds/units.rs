@@ -58,7 +58,7 @@ pub struct EqualTerms<T> {
 }
 
 impl<T: Scalar> EqualTerms<T> {
-    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, and what load integrals are multiplied by, see [`Target`].
+    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, and what load integrals are multiplied by, see `Target`.
     ///
     /// If j, j′ and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±51 b, J′/a^(p−1) within as much,
     /// and aᵖ within 2^±44 b²: none of their products in a step leaves the format. Other terms have no table.

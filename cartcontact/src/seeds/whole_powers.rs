@@ -27,7 +27,7 @@ pub struct WholePowers<T, F, const N: usize> {
     pub powers: [u32; N],
     /// J and its derivatives at a radius with these powers and other coefficients, in units of 1.
     pub steepness: F,
-    /// What load integrals are multiplied by, see [`Target`].
+    /// What load integrals are multiplied by, so that coefficients are rounded less: see `Target`.
     pub per_unit: T,
 }
 
