@@ -7,8 +7,7 @@
 use super::Target;
 use super::units::Units;
 use crate::Scalar;
-use crate::evaluate::bits::{exponent, fraction, is_normal, power_of_two, with_half_its_digits};
-use crate::scalar::is;
+use crate::evaluate::bits::{exponent, fraction, is_normal, power_of_two};
 
 /// What is added to whole periods so that there is no number below them: no quotient is below 2⁻⁴⁰⁹⁶.
 const PERIODS_BELOW: u32 = 4096;
@@ -30,55 +29,53 @@ impl<T: Scalar, const K: u32, const Q: i32> SingleTerm<T, K, Q> {
         (Self { inverse: (weight * reduced).recip(), exponent: exponent(c), per_unit }, [reduced])
     }
 
-    /// Y/(w C) as a fraction, how many whole periods it is above 1, and how many octaves above these, where
-    /// Y = f · 2^`exponent` with 1 ≤ f < 2.
+    /// A load integral in these units, and where its radius lies in the table.
     #[inline(always)]
-    fn quotient(self, (f, exponent_of_load): (T, i32)) -> (T, i32, i32) {
-        let quotient = f * self.inverse;
+    fn place(self, load_integral: T) -> Place<T> {
+        let target = Target::in_units(load_integral, self.per_unit);
+        let exponent_of_load = exponent(target.value);
+        let target = target.fraction(exponent_of_load);
+        let quotient = target.value * self.inverse;
         let octaves = exponent(quotient) + exponent_of_load - self.exponent;
         let above = (octaves as u32).wrapping_add(PERIODS_BELOW * K);
         let periods = above / K;
-        (
-            fraction(quotient),
-            periods.wrapping_sub(PERIODS_BELOW) as i32,
-            above.wrapping_sub(periods * K) as i32,
-        )
+        Place {
+            target,
+            exponent: exponent_of_load,
+            quotient: fraction(quotient),
+            periods: periods.wrapping_sub(PERIODS_BELOW) as i32,
+            octaves: above.wrapping_sub(periods * K) as i32,
+        }
     }
+}
 
-    #[inline(always)]
-    fn in_units(self, load_integral: T) -> (Target<T>, i32) {
-        let target = Target::in_units(load_integral, self.per_unit);
-        let exponent = exponent(target.value);
-        (target.fraction(exponent), exponent)
-    }
+/// Y = `target` · 2^`exponent` and Y/(w C) = `quotient` · 2^(`octaves` + K `periods`), with fractions from 1 to 2 and fewer
+/// octaves than K.
+struct Place<T> {
+    target: Target<T>,
+    exponent: i32,
+    quotient: T,
+    periods: i32,
+    octaves: i32,
 }
 
 impl<T: Scalar, const K: u32, const Q: i32> Units<T> for SingleTerm<T, K, Q> {
     #[inline(always)]
     fn in_table(self, load_integral: T) -> T {
-        let (target, exponent) = self.in_units(load_integral);
-        let (quotient, _, octaves) = self.quotient((target.value, exponent));
+        let Place { exponent, quotient, octaves, .. } = self.place(load_integral);
         // With their signs set, exponents are none of normal numbers; zero lies in no table.
         let has_place = is_normal::<T>(exponent) & is_normal::<T>(self.exponent);
         if has_place { quotient * power_of_two(octaves) } else { T::zero() }
     }
 
     #[inline(always)]
-    fn seed(self, radius: T) -> T {
-        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
-    }
-
-    #[inline(always)]
     fn target(self, load_integral: T) -> Target<T> {
-        let (target, exponent) = self.in_units(load_integral);
-        let (_, periods, _) = self.quotient((target.value, exponent));
+        let Place { target, exponent, periods, .. } = self.place(load_integral);
         target.times(power_of_two(exponent - self.exponent - periods * K as i32))
     }
 
     #[inline(always)]
     fn of_geometry(self, radius: T, load_integral: T) -> T {
-        let (target, exponent) = self.in_units(load_integral);
-        let (_, periods, _) = self.quotient((target.value, exponent));
-        radius * power_of_two(periods * Q)
+        radius * power_of_two(self.place(load_integral).periods * Q)
     }
 }

@@ -9,12 +9,16 @@ use crate::scalar::{greater, is, lesser};
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
 /// A type for each kind, so that those of the geometry itself leave nothing to do.
-pub trait Units<T>: Copy {
+pub trait Units<T: Scalar>: Copy {
     /// A load integral of the geometry in units of the table.
     fn in_table(self, load_integral: T) -> T;
 
     /// A radius from the table in the units of the step, with a square that is exact.
-    fn seed(self, radius: T) -> T;
+    #[inline(always)]
+    fn seed(self, radius: T) -> T {
+        // The table's numbers have half the digits of double precision.
+        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
+    }
 
     /// The same load integral as J has to be in the step.
     fn target(self, load_integral: T) -> Target<T>;
@@ -34,12 +38,6 @@ impl<T: Scalar> Units<T> for OwnUnits {
     #[inline(always)]
     fn in_table(self, load_integral: T) -> T {
         load_integral
-    }
-
-    #[inline(always)]
-    fn seed(self, radius: T) -> T {
-        // The table's numbers have half the digits of double precision.
-        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
     }
 
     #[inline(always)]
