@@ -28,17 +28,15 @@ pub(super) struct Whole {
 impl Whole {
     /// None if an exponent is fractional or negative.
     pub(super) fn of(sum: &PowerSum) -> Option<Self> {
-        let exponent =
-            |summand: &Summand| summand.exponent.is_integer().then(|| summand.exponent.to_u32()).flatten();
-        Some(Self { exponents: sum.summands.iter().map(exponent).collect::<Option<_>>()? })
+        let exponents = sum.summands.iter().map(|summand| whole_number(&summand.exponent));
+        Some(Self { exponents: exponents.collect::<Option<_>>()? })
     }
 
     /// The whole parts of exponents which all are whole, or all have a half beside, and whether they have.
     pub(super) fn and_half(sum: &PowerSum) -> Option<(Self, bool)> {
         let has_half = !sum.summands.first()?.exponent.is_integer();
         let beside = if has_half { fraction(1, 2) } else { Rational::zero() };
-        let whole = |exponent: Rational| exponent.is_integer().then(|| exponent.to_u32()).flatten();
-        let exponents = sum.summands.iter().map(|summand| whole(&summand.exponent - &beside));
+        let exponents = sum.summands.iter().map(|summand| whole_number(&(&summand.exponent - &beside)));
         Some((Self { exponents: exponents.collect::<Option<_>>()? }, has_half))
     }
 
@@ -214,6 +212,11 @@ fn exponent(exponent: &Rational, names: &Names<'_>) -> TokenStream {
         let parts = code(in_parts(exponent));
         quote!(#of::in_parts #parts)
     }
+}
+
+/// The number, if it is whole and not negative.
+pub(super) fn whole_number(value: &Rational) -> Option<u32> {
+    value.is_integer().then(|| value.to_u32()).flatten()
 }
 
 fn whole_part(exponent: &Rational) -> i32 {

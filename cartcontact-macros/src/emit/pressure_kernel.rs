@@ -5,13 +5,12 @@
 //! run-time crate: those that are asked for themselves carry every operation's rounding error along, which is too long
 //! to be written out.
 
-use num_traits::ToPrimitive;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::operations::Operations;
-use super::power_sum::{self, Whole};
+use super::power_sum::{self, Whole, whole_number};
 use super::{Names, local};
 use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::{Gap, Term};
@@ -76,10 +75,8 @@ pub(super) fn operations(gap: &Gap) -> Operations {
 
 /// The largest n/`step`, if all are whole and no n is above `highest`.
 fn highest_multiple(gap: &Gap, step: u32, highest: u32) -> Option<u32> {
-    let multiple = |term: &Term| {
-        let index = &term.exponent / integer(step);
-        index.is_integer().then(|| index.to_u32()).flatten().filter(|index| step * index <= highest)
-    };
+    let multiple =
+        |term: &Term| whole_number(&(&term.exponent / integer(step))).filter(|index| step * index <= highest);
     gap.terms.iter().map(multiple).try_fold(1, |largest, index| Some(largest.max(index?)))
 }
 
