@@ -29,6 +29,8 @@ struct FourthOrder;
 
 /// Either of the two layers, which are alike.
 const LAYER: Layer<f64> = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+/// That of a matrix that does not widen when it is compressed.
+const POISSON_RATIO: f64 = 0.0;
 /// Held from t = 0 on, in N.
 const FORCE: f64 = 100.0;
 /// In s.
@@ -107,8 +109,14 @@ fn write_states(out: &mut impl Write, media: [Medium<f64>; 2]) -> Result<(), Box
         }
     }
     let ratio = state(FourthOrder, media[0], FORCE, 0.0)?.radius / LAYER.thickness;
-    writeln!(out, "\nThe model is the limit of a contact that is wide against the layers; here the")?;
-    writeln!(out, "radius is {ratio:.1} thicknesses and more.")?;
+    let diffusion = LAYER.diffusion_time(POISSON_RATIO)?;
+    writeln!(out, "\nThe model is the limit of a contact that is wide against the layers, and of")?;
+    writeln!(out, "times short against the diffusion of fluid through them. Here the radius is")?;
+    writeln!(
+        out,
+        "{ratio:.1} thicknesses and more, and the time of diffusion {diffusion:.0} s for a Poisson's"
+    )?;
+    writeln!(out, "ratio of {POISSON_RATIO}.")?;
     Ok(())
 }
 

@@ -46,8 +46,7 @@
 //! against the diffusion of fluid through a layer's thickness, and loads that do not fall faster than e^(−χ t), so
 //! that the contact never shrinks. For a/h = 8 linear finite elements (one layer, sealed surface, t = 0⁺) give a radius 21 %,
 //! an approach 9 % and a peak pressure 10 % away from the model; for a/h = 32 it is 5 %, 0.7 % and 0.7 %. To see where a
-//! result lies, compare [`Snapshot::radius`] with the thickness h, and the time with that of diffusion, h²/(k H) with
-//! H = 2 μ (1 − ν)/(1 − 2 ν).
+//! result lies, compare [`Snapshot::radius`] with the thickness h, and the time with [`Layer::diffusion_time`].
 //!
 //! # Features
 //!
@@ -73,6 +72,7 @@ mod field;
 #[doc(hidden)]
 pub mod generated;
 mod inversion;
+mod layer;
 pub mod load;
 #[cfg(feature = "nalgebra")]
 mod matrix;
@@ -92,7 +92,8 @@ mod snapshot;
 #[doc = include_str!("profile_language.md")]
 pub use cartcontact_macros::gap_profile;
 pub use contact::{Contact, ContactError};
-pub use medium::{Layer, Medium, MediumError};
+pub use layer::Layer;
+pub use medium::{Medium, MediumError};
 pub use parameters::Parameters;
 pub use polynomial::Polynomial;
 pub use profile::{GapProfile, ProfileError, RadiusError};

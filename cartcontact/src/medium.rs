@@ -1,23 +1,11 @@
-//! The two cartilage layers and the two constants of the model that they make.
+//! The two constants of the model that cartilage layers make.
 
 use core::fmt;
 
 use crate::Scalar;
 use crate::error::Shown;
+use crate::layer::Layer;
 use crate::scalar::smallest_normal;
-
-/// One biphasic layer on its bone.
-///
-/// Any consistent units do; the field's own are mm, N, MPa = N/mm² and s.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Layer<T> {
-    /// Thickness h, in mm.
-    pub thickness: T,
-    /// Shear modulus μ of the solid matrix, in MPa.
-    pub shear_modulus: T,
-    /// Permeability k, in mm⁴/(N s).
-    pub permeability: T,
-}
 
 /// What the layers contribute to the solution: the stiffness m and the rate χ of the memory.
 ///
@@ -148,44 +136,7 @@ impl<T: Scalar> Medium<T> {
     }
 }
 
-impl<T: Scalar> Layer<T> {
-    /// h³/(3 μ), after a check of the three constants.
-    fn compliance(&self) -> Result<T, MediumError> {
-        let positive = |x: T| x > T::zero() && x.is_finite();
-        if !positive(self.thickness) {
-            return Err(MediumError::Thickness { thickness: self.thickness.value() });
-        }
-        if !positive(self.shear_modulus) {
-            return Err(MediumError::ShearModulus { shear_modulus: self.shear_modulus.value() });
-        }
-        if !(self.permeability >= T::zero() && self.permeability.is_finite()) {
-            return Err(MediumError::Permeability { permeability: self.permeability.value() });
-        }
-        let h = self.thickness;
-        // Neither h³ nor 3 μ need be in range.
-        Ok(h / T::constant(3.0) / self.shear_modulus * h * h)
-    }
-
-    /// m h k, what the layer adds to the rate of a medium.
-    fn rate_within(&self, m: T) -> T {
-        product_of_three(m, self.thickness, self.permeability)
-    }
-
-    /// 3 μ k/h², the rate of the layer on its own.
-    fn own_rate(&self) -> T {
-        let square = self.thickness * self.thickness;
-        T::constant(3.0) * product_of_three(self.shear_modulus, self.permeability, square.recip())
-    }
-}
-
-/// x y z of numbers from 0, the largest times the smallest first: that product is out of range only if x y z is.
-fn product_of_three<T: Scalar>(x: T, y: T, z: T) -> T {
-    let (low, high) = (x.min(y), x.max(y));
-    let middle = low.max(high.min(z));
-    (low.min(z) * high.max(z)) * middle
-}
-
-/// Why layers do not make a medium.
+/// Why layers do not make a medium, or have no time of diffusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MediumError {
@@ -203,6 +154,11 @@ pub enum MediumError {
     Permeability {
         /// What was given, in mm⁴/(N s).
         permeability: f64,
+    },
+    /// A Poisson's ratio is not between −1 and 1/2.
+    PoissonRatio {
+        /// What was given.
+        poisson_ratio: f64,
     },
     /// The stiffness m is not positive and finite, or so small that it loses digits.
     Stiffness {
@@ -236,6 +192,12 @@ impl fmt::Display for MediumError {
                 "the layer's permeability is {}, but it must be 0 (an elastic layer) or a positive number; \
                  check its unit, mm⁴/(N s)",
                 Shown(permeability)
+            ),
+            Self::PoissonRatio { poisson_ratio } => write!(
+                f,
+                "the Poisson's ratio of the layer's matrix is {}, but it must be above -1 and below 0.5; give that of the \
+                 drained matrix, not that of the tissue with its fluid",
+                Shown(poisson_ratio)
             ),
             Self::Stiffness { m } => write!(
                 f,

@@ -82,6 +82,27 @@ fn media_too_stiff_or_too_quick_for_the_format_are_refused() {
 }
 
 #[test]
+fn times_of_diffusion_are_those_of_a_solid_and_a_layer() {
+    // H = λ + 2 μ with λ = 2 μ ν/(1 − 2 ν) is 3 μ for ν = 1/4, and 6 μ for ν = 0.4.
+    for (poisson_ratio, moduli) in [(0.25, 3.0), (0.4, 6.0)] {
+        let time = layer().diffusion_time(poisson_ratio).unwrap_or(f64::NAN);
+        let Layer { thickness, shear_modulus, permeability } = layer();
+        let expected = thickness * thickness / (permeability * moduli * shear_modulus);
+        assert!(
+            (time / expected - 1.0).abs() < 4.0 * f64::EPSILON,
+            "{poisson_ratio}: {time}, not {expected}"
+        );
+    }
+    assert_eq!(Layer { permeability: 0.0, ..layer() }.diffusion_time(0.3), Ok(f64::INFINITY));
+    for value in [f64::NAN, f64::INFINITY, -f64::INFINITY, 0.5, 0.6, -1.0, -1.5] {
+        let result = layer().diffusion_time(value);
+        refused(result, |e| matches!(e, MediumError::PoissonRatio { .. }), &value.to_string());
+    }
+    let thin = Layer { thickness: 0.0, ..layer() };
+    refused(thin.diffusion_time(0.3), |e| matches!(e, MediumError::Thickness { .. }), "0");
+}
+
+#[test]
 fn constants_of_a_medium_are_checked() {
     for value in NOT_A_SIZE {
         refused(
