@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{Moment, faded_folds, march, not_negative};
+use crate::memory::{Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
@@ -56,8 +56,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
     pub fn approach(&self) -> T {
-        let moment = self.contact.precise_moment(self.time, self.radius);
-        self.contact.profile().approach(self.radius) + moment.strip(self.contact.integral_per_load())
+        let stage = self.contact.precise_stage(self.time, self.radius);
+        self.contact.profile().approach(self.radius) + stage.strip(self.contact.integral_per_load())
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.
@@ -92,7 +92,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             return T::zero();
         }
         if (self.contact.medium().chi() * self.time).is_zero() {
-            return self.undrained_pressure(self.moment(), r);
+            return self.undrained_pressure(self.stage(), r);
         }
         let start = self.start_of_memory();
         let (change, _) = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
@@ -105,8 +105,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     }
 
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
-    /// covered from the start; and the moment that they belong to.
-    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) -> Moment<T> {
+    /// covered from the start; and the stage that they belong to.
+    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) -> Stage<T> {
         let start = self.start_of_memory();
         let (from_start, now) = march(self.contact, start, (self.time, self.radius), start.radius);
         // A loop without branches; what it gives beyond the start means nothing and is replaced by the next.
@@ -134,25 +134,25 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     }
 
     /// The pressure at the start of the memory that still counts.
-    fn initial_pressure(&self, start: Moment<T>, r: T) -> T {
+    fn initial_pressure(&self, start: Stage<T>, r: T) -> T {
         if start.time.is_zero() && r < start.radius { self.undrained_pressure(start, r) } else { T::zero() }
     }
 
     /// m G(a, r), the pressure before anything has drained.
-    fn undrained_pressure(&self, moment: Moment<T>, r: T) -> T {
-        let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), moment.radius);
-        let strip = moment.strip(self.contact.integral_per_load()) * T::constant(0.25) * ((a - r) * (a + r));
+    fn undrained_pressure(&self, stage: Stage<T>, r: T) -> T {
+        let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), stage.radius);
+        let strip = stage.strip(self.contact.integral_per_load()) * T::constant(0.25) * ((a - r) * (a + r));
         not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
     }
 
-    pub(crate) fn moment(&self) -> Moment<T> {
-        self.contact.moment(self.time, self.radius)
+    pub(crate) fn stage(&self) -> Stage<T> {
+        self.contact.stage(self.time, self.radius)
     }
 
-    /// The moment before which the history no longer counts: 0, or where it has faded below rounding.
+    /// The stage before which the history no longer counts: 0, or where it has faded below rounding.
     ///
     /// F e^(χ τ) never falls, so what was there at τ carries at most the share F(τ) e^(−χ (t−τ)) of F(t) now.
-    fn start_of_memory(&self) -> Moment<T> {
+    fn start_of_memory(&self) -> Stage<T> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let folds = faded_folds::<T>();
         let present = self.force();
@@ -167,18 +167,18 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             let share = load.force(time) * (folds - past).exp();
             // Also where the share is not a number, lest the search goes on.
             if share.partial_cmp(&present) != Some(core::cmp::Ordering::Greater) {
-                return self.past_moment(time);
+                return self.past_stage(time);
             }
             past += folds;
         }
-        self.past_moment(T::zero())
+        self.past_stage(T::zero())
     }
 
-    /// An earlier moment; its radius is admissible because that of the snapshot is.
-    fn past_moment(&self, time: T) -> Moment<T> {
+    /// An earlier stage; its radius is admissible because that of the snapshot is.
+    fn past_stage(&self, time: T) -> Stage<T> {
         let loading = self.contact.loading(time);
         let radius = self.contact.radius_under(loading.hereditary).unwrap_or(T::zero());
-        self.contact.moment_under(loading, time, radius)
+        self.contact.stage_under(loading, time, radius)
     }
 }
 

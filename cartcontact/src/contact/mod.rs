@@ -13,7 +13,7 @@ pub(crate) use loading::Loading;
 
 use crate::load::Load;
 use crate::medium::Medium;
-use crate::memory::{Moment, surplus_that_counts};
+use crate::memory::{Stage, surplus_that_counts};
 use crate::profile::{GapProfile, RadiusError};
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
@@ -229,24 +229,24 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     /// A time with its contact radius, for integrals that begin or end there.
-    pub(crate) fn moment(&self, time: T, radius: T) -> Moment<T> {
-        self.moment_under(self.loading(time), time, radius)
+    pub(crate) fn stage(&self, time: T, radius: T) -> Stage<T> {
+        self.stage_under(self.loading(time), time, radius)
     }
 
-    /// [`moment`](Self::moment) under a loading that the caller knows.
-    pub(crate) fn moment_under(&self, loading: Loading<T>, time: T, radius: T) -> Moment<T> {
-        self.moment_of(loading, time, radius, self.profile.quick_load_integral(radius))
+    /// [`stage`](Self::stage) under a loading that the caller knows.
+    pub(crate) fn stage_under(&self, loading: Loading<T>, time: T, radius: T) -> Stage<T> {
+        self.stage_of(loading, time, radius, self.profile.quick_load_integral(radius))
     }
 
-    /// [`moment`](Self::moment) with a load integral that is rounded once.
-    pub(crate) fn precise_moment(&self, time: T, radius: T) -> Moment<T> {
-        self.moment_of(self.loading(time), time, radius, self.profile.load_integral(radius))
+    /// [`stage`](Self::stage) with a load integral that is rounded once.
+    pub(crate) fn precise_stage(&self, time: T, radius: T) -> Stage<T> {
+        self.stage_of(self.loading(time), time, radius, self.profile.load_integral(radius))
     }
 
-    fn moment_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Moment<T> {
+    fn stage_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Stage<T> {
         let surplus = loading.hereditary - self.load_per_integral() * load_integral;
         let surplus = surplus_that_counts(surplus, loading.force);
-        Moment { time, radius, surplus, impulse: loading.impulse.into() }
+        Stage { time, radius, surplus, impulse: loading.impulse.into() }
     }
 }
 

@@ -89,7 +89,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         for &time in &times[..most] {
             let radius = contact.covered_radius_at(time)?;
             let before = self.edge_before(self.count);
-            let start = contact.moment(before.time, before.radius);
+            let start = contact.stage(before.time, before.radius);
             let (transition, _) = march(contact, start, (time, radius), before.radius);
             let change = Change::of(transition, chi * (time - before.time));
             let since_base = match self.count.checked_sub(1) {
@@ -156,7 +156,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         match &self.panel {
             Some(panel) => panel.first_pressure(before, now, r),
             None => {
-                let start = contact.moment(before.time, before.radius);
+                let start = contact.stage(before.time, before.radius);
                 march(contact, start, (now.time, now.radius), r).0.offset
             }
         }

@@ -31,13 +31,13 @@ pub(crate) use force_series::ForceSeries;
 pub(crate) use march::march;
 pub(crate) use stretch::age_along_line;
 
-/// A time with the contact radius at it.
+/// A stage of the contact: a time with the radius at it.
 ///
 /// The radius is rounded, which moves pressures by up to (n+2) ε/2. `surplus` is what the hereditary load exceeds
 /// that of the rounded radius; to first order the two together are the radius to twice the precision.
-/// Moments along one history share the error of the first surplus, which is that of a slightly other time.
+/// Stages along one history share the error of the first surplus, which is that of a slightly other time.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment<T> {
+pub(crate) struct Stage<T> {
     pub(crate) time: T,
     pub(crate) radius: T,
     pub(crate) surplus: T,
@@ -45,7 +45,7 @@ pub(crate) struct Moment<T> {
     pub(crate) impulse: Sum<T>,
 }
 
-/// How pressures at radii r up to `reach` change from one moment to another:
+/// How pressures at radii r up to `reach` change from one stage to another:
 /// P ← decay · P + offset + slope (reach² − r²).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transition<T> {
@@ -62,7 +62,7 @@ pub(crate) struct Increment<T> {
     slope: T,
 }
 
-impl<T: Scalar> Moment<T> {
+impl<T: Scalar> Stage<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
     #[inline(always)]
     pub(crate) fn strip(&self, integral_per_load: T) -> T {
@@ -75,7 +75,7 @@ impl<T: Scalar> Moment<T> {
     }
 }
 
-/// The surplus of a moment, unless it is too large for its radius to be taken as exact to first order.
+/// The surplus of a stage, unless it is too large for its radius to be taken as exact to first order.
 ///
 /// A surplus of x times the force is a pressure of x times the force, and makes all ages later by x e-foldings; to
 /// first order the two cancel, since a held load has little more to drain. When the hereditary load is 1/√ε times

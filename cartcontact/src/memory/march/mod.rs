@@ -1,7 +1,7 @@
-//! From one moment to another, knot by knot.
+//! From one stage to another, knot by knot.
 //!
 //! **Rounding.** The hereditary load Y grows like χ t, and an error ε Y is an error ε Y/F in χ t: after a long history
-//! two moments computed on their own would not agree on what lies between them. So only differences are used: a
+//! two stages computed on their own would not agree on what lies between them. So only differences are used: a
 //! surplus follows from the one before it by what Y and J gained since, both without cancellation.
 //!
 //! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
@@ -14,19 +14,19 @@ mod steps;
 use super::fading::faded_folds;
 use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
-use super::{Increment, Moment, Transition, not_negative, surplus_that_counts};
+use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
 use crate::{GapProfile, Scalar};
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
-/// moment at its end.
+/// stage at its end.
 pub(crate) fn march<T, P, L>(
     contact: &Contact<T, P, L>,
-    from: Moment<T>,
+    from: Stage<T>,
     (time, radius): (T, T),
     reach: T,
-) -> (Transition<T>, Moment<T>)
+) -> (Transition<T>, Stage<T>)
 where
     T: Scalar,
     P: GapProfile<T>,
@@ -67,7 +67,7 @@ struct March<'a, T, P, L> {
     radius: T,
     /// The force there.
     force: T,
-    now: Moment<T>,
+    now: Stage<T>,
     /// Whether the transition has what lies between the rounded radius and the exact one.
     has_strip: bool,
     transition: Transition<T>,
@@ -159,7 +159,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             self.now.impulse = run.impulse;
             let radius = self.radius_under(end, force);
             let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
-            self.now = Moment { time: end, radius, surplus, ..self.now };
+            self.now = Stage { time: end, radius, surplus, ..self.now };
         }
         run.len()
     }
@@ -197,7 +197,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let force = skipped.end.1;
         let radius = self.radius_under(time, force).max(self.now.radius);
         self.transition.advance(chi * skipped.duration(), self.quarter_m(), Increment::zero(), radius);
-        self.now = self.contact.moment_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
+        self.now = self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
     }
 
@@ -237,7 +237,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             increment.carry(kept / contact.load_per_integral(), (low, high));
         }
         self.transition.advance(folds, self.quarter_m(), increment, low);
-        self.now = Moment { radius: high, surplus, ..self.now };
+        self.now = Stage { radius: high, surplus, ..self.now };
     }
 
     /// The surplus at a later radius, up to which the hereditary load gains `gain`.
@@ -265,7 +265,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
     /// the course; with one radius for all of it the pressure is off by the share by which the radius grew.
     fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T)) {
-        let kept = Moment { radius: high, surplus: kept_of(forces, folds), ..self.now };
+        let kept = Stage { radius: high, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
         let increment = Increment::at(high, kept.strip(self.contact.integral_per_load()), low);
         self.transition.advance(folds, self.quarter_m(), increment, low);
