@@ -49,7 +49,7 @@ const _: () = {
             ),
         ]
     }
-    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         first: -176,
         count: 256,
         single: true,
@@ -278,7 +278,7 @@ const _: () = {
                     ),
                     <S as __cartcontact::Scalar>::constant(1.828125f64),
                 );
-                __SEEDS
+                __TABLE
                     .radius(
                         __load_integral,
                         __limit,
@@ -360,7 +360,7 @@ const _: () = {
                 ),
                 <S as __cartcontact::Scalar>::constant(1.828125f64),
             );
-            __SEEDS
+            __TABLE
                 .radii(
                     (__load_integrals, __radii),
                     __limit,

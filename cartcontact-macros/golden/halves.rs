@@ -20,7 +20,7 @@
 struct Halves;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         first: -144,
         count: 256,
         single: true,
@@ -223,7 +223,7 @@ const _: () = {
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match {
                 let __units = __cartcontact::generated::OwnUnits;
-                __SEEDS
+                __TABLE
                     .radius(
                         __load_integral,
                         __limit,
@@ -296,7 +296,7 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let __units = __cartcontact::generated::OwnUnits;
-            __SEEDS
+            __TABLE
                 .radii(
                     (__load_integrals, __radii),
                     __limit,

@@ -51,30 +51,30 @@ const _: () = {
         let __field_radius = <T as __cartcontact::Scalar>::constant(__profile.radius);
         [<T as __cartcontact::Scalar>::constant(0.5f64) / __field_radius]
     }
-    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
-        first: -232,
-        count: 256,
-        single: true,
-        rows: __cartcontact::generated::Rows(
-            *b"...",
-        ),
+    static __TABLE: __cartcontact::generated::Roots = __cartcontact::generated::Roots {
+        table: __cartcontact::generated::Table {
+            first: 0,
+            count: 24,
+            single: true,
+            rows: __cartcontact::generated::Rows(
+                *b"...",
+            ),
+        },
+        series: [
+            0.3333333333333333,
+            0.05555555555555555,
+            0.11728395061728396,
+            0.0375514403292181,
+            0.07287379972565158,
+            0.02908283798201493,
+            0.05343761113651374,
+            0.024038695617199273,
+            0.04245290849940696,
+            0.02064605344373965,
+            0.03535983584629477,
+            0.018187262198846785,
+        ],
     };
-    #[inline(always)]
-    fn __steepness<T: __cartcontact::Scalar>(
-        __a: T,
-        [__c0,
-        ]: [T; 1usize],
-    ) -> __cartcontact::generated::Steepness<T> {
-        let __s = __a * __a;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
-            value: __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
-            first: __c0 * <T as __cartcontact::Scalar>::constant(0.75f64),
-            half_second: __c0 * <T as __cartcontact::Scalar>::constant(1.875f64),
-            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
-        }
-    }
     #[automatically_derived]
     impl<T> __cartcontact::GapProfile<T> for Ball
     where
@@ -153,31 +153,27 @@ const _: () = {
                 [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn radius_within(
             &self,
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            match {
-                let (__units, [__c0]) = __cartcontact::generated::SingleTerm::<
-                    _,
-                    6,
-                    1,
-                >::of(
-                    [__c0],
-                    <T as __cartcontact::Scalar>::constant(0.125f64),
-                    <T as __cartcontact::Scalar>::constant(1.5f64),
-                );
-                __SEEDS
-                    .radius(
-                        __load_integral,
-                        __limit,
-                        __units,
-                        |__a| __steepness(__a, [__c0]),
-                    )
-            } {
+            match __TABLE
+                .radius(
+                    __load_integral,
+                    __limit,
+                    __cartcontact::generated::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                    >::of(
+                        __c0,
+                        <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    ),
+                )
+            {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::elsewhere(move || {
@@ -197,22 +193,18 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            let (__units, [__c0]) = __cartcontact::generated::SingleTerm::<
-                _,
-                6,
-                1,
-            >::of(
-                [__c0],
-                <T as __cartcontact::Scalar>::constant(0.125f64),
-                <T as __cartcontact::Scalar>::constant(1.5f64),
-            );
-            __SEEDS
+            __TABLE
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __units,
-                    #[inline(always)]
-                    move |__a| __steepness(__a, [__c0]),
+                    __cartcontact::generated::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                    >::of(
+                        __c0,
+                        <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    ),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -33,7 +33,7 @@
 pub struct Paraboloid;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         first: -148,
         count: 256,
         single: true,
@@ -140,7 +140,7 @@ const _: () = {
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match {
                 let __units = __cartcontact::generated::OwnUnits;
-                __SEEDS
+                __TABLE
                     .radius(
                         __load_integral,
                         __limit,
@@ -170,7 +170,7 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let __units = __cartcontact::generated::OwnUnits;
-            __SEEDS
+            __TABLE
                 .radii(
                     (__load_integrals, __radii),
                     __limit,

@@ -60,7 +60,7 @@ const _: () = {
                 }),
         ]
     }
-    static __SEEDS: __cartcontact::generated::Seeds = __cartcontact::generated::Seeds {
+    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         first: -176,
         count: 256,
         single: true,
@@ -216,7 +216,7 @@ const _: () = {
                     ),
                     <T as __cartcontact::Scalar>::constant(1.5f64),
                 );
-                __SEEDS
+                __TABLE
                     .radius(
                         __load_integral,
                         __limit,
@@ -294,7 +294,7 @@ const _: () = {
                 ),
                 <T as __cartcontact::Scalar>::constant(1.5f64),
             );
-            __SEEDS
+            __TABLE
                 .radii(
                     (__load_integrals, __radii),
                     __limit,

@@ -1,15 +1,8 @@
-//! [`Geometry`] -> [`Seeds`]: the contact radius to six digits as a table of cubics.
+//! [`Geometry`] -> [`Table`]: the contact radius to six digits as a table of cubics.
 //!
 //! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4,
 //! a(y) is so smooth within a quarter of an octave of y that a cubic meets it to 5 · 10⁻⁷. Rows of single precision
-//! hold such a cubic in the fraction u of y = u · 2^e, 1 ≤ u < 2; 256 of them, 4 KiB, span 64 octaves of y.
-//!
-//! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more; y from
-//! 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ) are contacts from ℓ/200 upward for a sphere. Outside it, the radius is iterated.
-//! Where coefficients are symbols, a single term j a^p = y has a table of y/j from 1 to 2^k, p = k/q: there the radius has
-//! become 2^q times as long. And two terms have one table in units of their own: with j a^p + j′ a^p′ = y and
-//! j ℓ^p = j′ ℓ^p′, a/ℓ depends on y/(j ℓ^p) alone. Its window lies 20 octaves above y = 1 and 44 below, because
-//! the higher term is mostly the correction.
+//! hold such a cubic in the fraction u of y = u · 2^e, 1 ≤ u < 2.
 //!
 //! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
 //! radii: no equation is solved but for the ends of the rows.
@@ -21,24 +14,14 @@
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::{PowerSum, Summand};
-use crate::gap::Gap;
-use crate::geometry::{Geometry, Range};
+use crate::closed_forms::PowerSum;
+use crate::geometry::Geometry;
+use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, lower_end, top};
 
-/// Rows per octave of the load integral.
-const ROWS_PER_OCTAVE: i32 = 4;
-const OCTAVES: i32 = 64;
-const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
-/// How much of the window lies above J(ℓ).
-const OCTAVES_ABOVE: i32 = 4;
-/// How much of it lies above the load integral at which two terms are equal.
+/// How much of its window lies above the load integral at which two terms are equal.
 const OCTAVES_ABOVE_EQUALITY: i32 = 20;
 /// A shorter table is not worth its code.
 const FEWEST_ROWS: usize = 32;
-/// The products of a step have up to three of the numbers that it begins with for factors. While the logarithms of
-/// these are below the bound, none of the products overflows.
-const LARGEST_DOUBLE: f64 = 300.0;
-const LARGEST_SINGLE: f64 = 100.0;
 /// ε/8.
 const ALLOWED_ERROR: f64 = f64::EPSILON / 8.0;
 const ALLOWED_ERROR_OF_SINGLE: f64 = f32::EPSILON as f64 / 8.0;
@@ -47,38 +30,8 @@ const CUT_OFF: f64 = 1.0 / 4096.0;
 /// Beyond the measured error, for what lies between the points of the check.
 const MARGIN: f64 = 1.25;
 
-/// The contact radius a(y) ≈ Σ rows\[k\]\[i\] uⁱ with y = u · 2^e, 1 ≤ u < 2, and k = 4 e + ⌊4 (u − 1)⌋ − first.
-pub(crate) struct Seeds {
-    pub(crate) first: i32,
-    /// Whether single precision holds everything that the step computes.
-    pub(crate) single: bool,
-    pub(crate) rows: Vec<[f32; 4]>,
-}
-
-impl Seeds {
-    /// The load integrals at both ends of the table.
-    pub(crate) fn range(&self) -> [f64; 2] {
-        [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
-    }
-
-    /// The bytes of the rows where the solver looks for them, with their coefficients in its order: that of index k is at
-    /// k − 4 modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
-    pub(crate) fn in_places(&self) -> Vec<u8> {
-        let mut places = [[0_f32; 4]; ROWS];
-        for (&[c0, c1, c2, c3], index) in self.rows.iter().zip(self.first..) {
-            places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = [c0, c2, c1, c3];
-        }
-        let bytes = places.as_flattened().iter().map(|coefficient| coefficient.to_le_bytes());
-        bytes.collect::<Vec<_>>().into_flattened()
-    }
-
-    pub(crate) const fn size_in_bytes() -> usize {
-        size_of::<[[f32; 4]; ROWS]>()
-    }
-}
-
 /// The table of a geometry, if its rows are near enough to the radius.
-pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Seeds> {
+pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Table> {
     let gap = &geometry.gap;
     let is_constant = gap.is_constant();
     let mut terms = Vec::new();
@@ -89,43 +42,11 @@ pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<See
     }
     let sum = LoadIntegral::new(terms);
     let top = match load_integral.summands.as_slice() {
-        _ if is_constant => top(geometry, &sum)?,
-        [only] => period(only)?,
+        _ if is_constant => top(geometry, |a| sum.at(a).value)?,
         [_, _] => OCTAVES_ABOVE_EQUALITY,
         _ => return None,
     };
     sum.seeds(top)
-}
-
-/// After how many octaves of a^p the radius has whole octaves, too, if the table holds as many.
-fn period(only: &Summand) -> Option<i32> {
-    only.exponent.numer().to_i32().filter(|&octaves| octaves <= OCTAVES)
-}
-
-/// The octave at which the table ends, for constant coefficients.
-fn top(geometry: &Geometry, load_integral: &LoadIntegral) -> Option<i32> {
-    let end = match &geometry.range {
-        Range::Limited(end) => end.to_f64()?,
-        Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
-    };
-    let steepest = load_integral.at(length(&geometry.gap)?.min(end)).value.log2().floor();
-    let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
-    Some(steepest as i32 + OCTAVES_ABOVE)
-}
-
-/// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
-fn length(gap: &Gap) -> Option<f64> {
-    let alone = gap.terms.iter().filter_map(|term| {
-        let (c, n) = (term.coefficient.as_constant()?.to_f64()?, term.exponent.to_f64()?);
-        (c > 0.0 && n > 1.0).then(|| c.powf(-1.0 / (n - 1.0)))
-    });
-    alone.reduce(f64::min)
-}
-
-/// The load integral at which a row begins.
-fn lower_end(index: i32) -> f64 {
-    let (octave, quarter) = (index.div_euclid(ROWS_PER_OCTAVE), index.rem_euclid(ROWS_PER_OCTAVE));
-    2f64.powi(octave) * (1.0 + f64::from(quarter) / f64::from(ROWS_PER_OCTAVE))
 }
 
 /// The longest run of rows without a gap, and the index of its first.
@@ -173,7 +94,7 @@ impl LoadIntegral {
     }
 
     /// The table of the octaves up to y = 2^`top`.
-    fn seeds(&self, top: i32) -> Option<Seeds> {
+    fn seeds(&self, top: i32) -> Option<Table> {
         let top = top * ROWS_PER_OCTAVE;
         let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
         let mut low = self.radius(lower_end(bottom));
@@ -183,10 +104,12 @@ impl LoadIntegral {
             self.row(index, ends)
         });
         let (first, rows) = longest_run(bottom, rows)?;
-        let seeds = Seeds { first, single: false, rows };
+        // In the order that the solver has them in.
+        let rows = rows.into_iter().map(|[c0, c1, c2, c3]| [c0, c2, c1, c3]).collect();
+        let seeds = Table { first, single: false, rows };
         let holds = |y| self.radius(y).is_some_and(|a| self.largest_logarithm(y, a) < LARGEST_SINGLE);
         let single = seeds.range().into_iter().all(holds);
-        (seeds.rows.len() >= FEWEST_ROWS).then_some(Seeds { single, ..seeds })
+        (seeds.rows.len() >= FEWEST_ROWS).then_some(Table { single, ..seeds })
     }
 
     fn at(&self, a: f64) -> Derivatives {

@@ -55,6 +55,14 @@ impl<'a> Coefficients<'a> {
         }
     }
 
+    /// Two numbers of which the factor is the product: the coefficient of the gap and a weight, or all of it and 1.
+    pub(super) fn parts(&self, summand: &Summand) -> [TokenStream; 2] {
+        match &summand.factor {
+            Factor::Constant(value) => [self.literal(value), self.literal(&Rational::one())],
+            Factor::Weight(weight) => [variable(summand.term).into_token_stream(), self.literal(weight)],
+        }
+    }
+
     /// An array of such factors, zero where there is no summand.
     pub(super) fn factors(&self, summands: &[Option<&Summand>]) -> TokenStream {
         self.table(summands).unwrap_or_else(|| {

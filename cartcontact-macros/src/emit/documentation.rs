@@ -11,14 +11,14 @@ use crate::geometry::{Geometry, Range};
 use crate::number::{Rational, decimal, integer};
 use crate::proof::Proof;
 use crate::reading::item::Item;
-use crate::seeds::Seeds;
+use crate::table::{Start, Table};
 
 /// The lines of the documentation, to stand behind the item's own.
 pub(super) fn lines(
     item: &Item,
     geometry: &Geometry,
     forms: &ClosedForms,
-    seeds: Option<&Seeds>,
+    start: Option<&Start>,
     (operations, shared): (&[Operations], Operations),
 ) -> Vec<String> {
     let gap = &geometry.gap;
@@ -50,7 +50,7 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
         kernel(gap),
         admissibility(item, geometry),
         truncation(geometry),
-        table(seeds, gap),
+        table(start, gap),
         effort(operations, shared),
     );
     // A space, as in a comment written by hand.
@@ -204,14 +204,16 @@ fn truncation(geometry: &Geometry) -> String {
 }
 
 /// How the contact radius is found.
-fn table(seeds: Option<&Seeds>, gap: &Gap) -> String {
-    let Some(seeds) = seeds else { return String::new() };
+fn table(start: Option<&Start>, gap: &Gap) -> String {
+    let Some(start) = start else { return String::new() };
     let step =
-        format!("\n\nThe contact radius takes one step from a table of {} bytes", Seeds::size_in_bytes());
-    if !gap.is_constant() && gap.terms.len() == 1 {
-        return format!("{step}.");
-    }
-    let [from, to] = seeds.range();
+        format!("\n\nThe contact radius takes one step from a table of {} bytes", Table::size_in_bytes());
+    let table = match start {
+        Start::Roots(roots) if !roots.has_coefficient => return format!("{step}."),
+        Start::Roots(roots) => &roots.table,
+        Start::Seeds(table) => table,
+    };
+    let [from, to] = table.range();
     let unit = if gap.is_constant() { "" } else { " in units of the geometry's own" };
     format!("{step} where J{unit} is between {from:.1e} and {to:.1e}; elsewhere it is iterated.")
 }

@@ -5,10 +5,11 @@ use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::power_sum::{self, Whole, terms};
-use super::{Names, leading_term, local, seeds};
+use super::{Names, leading_term, local, roots, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::{Gap, Term};
 use crate::number::{integer, literal};
+use crate::table::Start;
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -16,12 +17,12 @@ const HIGHEST_DENSE_POWER: u32 = 80;
 /// The same for the drop of J, on which what lies between two times rests; its error is half the power times ε.
 const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
-/// With a table of seeds, which stands beside the implementation, the radius is taken from it where it can be; with
+/// With a table, which stands beside the implementation, the radius is taken from it where it can be; with
 /// symbolic coefficients and no table, from the leading term.
 pub(super) fn methods(
     gap: &Gap,
     forms: &ClosedForms,
-    has_seeds: bool,
+    start: Option<&Start>,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
@@ -35,16 +36,32 @@ pub(super) fn methods(
         }
         _ => newton(gap, forms, coefficients, names),
     };
-    let (found, radii) = if has_seeds {
-        let scaled = &forms.stepped;
-        (Some(seeds::radius(scaled, coefficients, names)), Some(seeds::radii(scaled, coefficients, names)))
-    } else if leading_term::is_for(gap) {
-        (
+    let (found, radii) = match start {
+        Some(Start::Roots(table)) => {
+            let sum = &forms.load_integral;
+            (
+                Some(roots::radius(table, sum, coefficients, names)),
+                Some(roots::radii(table, sum, coefficients, names)),
+            )
+        }
+        Some(Start::Seeds(_)) => {
+            let scaled = &forms.stepped;
+            (
+                Some(seeds::radius(scaled, coefficients, names)),
+                Some(seeds::radii(scaled, coefficients, names)),
+            )
+        }
+        None if leading_term::is_for(gap) => (
             Some(leading_term::radius(forms, coefficients, names)),
             leading_term::radii(forms, coefficients, names),
-        )
-    } else {
-        (None, None)
+        ),
+        None => (None, None),
+    };
+    // As long as what compilers take for too long: left to them, a root is now a call, whose result goes through memory,
+    // and now not, which spares a quarter of its time.
+    let inline = match start {
+        Some(Start::Roots(_)) => quote!(#[inline(always)]),
+        _ => quote!(#[inline]),
     };
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
@@ -55,7 +72,7 @@ pub(super) fn methods(
     let drops = slopes_and_drops(forms, dense.as_ref(), coefficients, names);
     let drop = dense.unwrap_or_else(|| drop_by_powers(forms, coefficients, names));
     quote! {
-        #[inline]
+        #inline
         fn radius_within(
             &self,
             #load_integral: #scalar,

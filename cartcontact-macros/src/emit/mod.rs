@@ -9,8 +9,10 @@ mod operations;
 mod power_sum;
 mod pressure_kernel;
 mod range;
+mod roots;
 mod seeds;
 mod steepness;
+mod table;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
@@ -20,7 +22,7 @@ use syn::ext::IdentExt;
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
 use crate::reading::item::{FieldKind, Item};
-use crate::seeds::Seeds;
+use crate::table::Start;
 use coefficients::Coefficients;
 use operations::Operations;
 
@@ -67,16 +69,16 @@ pub(crate) fn solver(
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
     let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
-    let seeds = crate::seeds::seeds(geometry, &forms.load_integral);
-    let inversion = inversion::methods(&geometry.gap, &forms, seeds.is_some(), &coefficients, &names);
-    let beside_inversion = beside_inversion(geometry, &forms, seeds.as_ref(), &coefficients, &names);
+    let start = Start::of(geometry, &forms.load_integral);
+    let inversion = inversion::methods(&geometry.gap, &forms, start.as_ref(), &coefficients, &names);
+    let beside_inversion = beside_inversion(geometry, &forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let shape = shape(geometry, &coefficients, &names);
     let shared = coefficients.function();
     let header = implementation(item, &names);
     let beside = Operations::of_function(&shared);
-    let lines = documentation::lines(item, geometry, &forms, seeds.as_ref(), (&operations, beside));
+    let lines = documentation::lines(item, geometry, &forms, start.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
     quote! {
         #documented
@@ -143,12 +145,15 @@ fn evaluators(
 fn beside_inversion(
     geometry: &Geometry,
     forms: &ClosedForms,
-    seeds: Option<&Seeds>,
+    start: Option<&Start>,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> Option<TokenStream> {
-    match seeds {
-        Some(seeds) => Some(seeds::items(seeds, &forms.stepped.load_integral, coefficients, names)),
+    match start {
+        Some(Start::Roots(roots)) => Some(roots::item(roots, names)),
+        Some(Start::Seeds(table)) => {
+            Some(seeds::items(table, &forms.stepped.load_integral, coefficients, names))
+        }
         None if leading_term::is_for(&geometry.gap) => {
             leading_term::items(&forms.stepped.load_integral, names)
         }

@@ -1,43 +1,30 @@
 //! The step from the table of seeds to the contact radius.
 
-use num_traits::{One, ToPrimitive};
-use proc_macro2::{Ident, Literal, TokenStream};
+use num_traits::One;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, terms};
-use super::{Names, local, steepness};
-use crate::closed_forms::{Factor, PowerSum, Scaled, Summand};
+use super::{Names, local, steepness, table};
+use crate::closed_forms::{PowerSum, Scaled};
 use crate::number::{Rational, integer, literal};
-use crate::seeds::Seeds;
+use crate::table::Table;
 
 /// The widest gap between powers that is written out as a product.
 const WIDEST_GAP: u32 = 8;
 
-fn table() -> Ident {
-    local("SEEDS")
-}
-
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(
-    seeds: &Seeds,
+    table: &Table,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let table = table();
-    let [kind, rows] = ["Seeds", "Rows"].map(|name| names.generated(name));
-    let (first, single) = (Literal::i32_unsuffixed(seeds.first), seeds.single);
-    let count = Literal::usize_unsuffixed(seeds.rows.len());
-    let bytes = Literal::byte_string(&seeds.in_places());
-    let a = local("a");
+    let (table, a) = (table::item(table, names), local("a"));
     let body = body(load_integral, &a, coefficients, names);
     let function = steepness::function(&a, coefficients.variables(), &body, names);
-    quote! {
-        static #table: #kind = #kind { first: #first, count: #count, single: #single, rows: #rows(*#bytes) };
-
-        #function
-    }
+    quote!(#table #function)
 }
 
 /// The radius from the table, if it is there.
@@ -45,7 +32,7 @@ pub(super) fn radius(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &N
     let (variables, _) = coefficients.variables();
     let binding = units(scaled, coefficients, names);
     let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
-    let (table, steepness) = (table(), steepness::name());
+    let (table, steepness) = (table::name(), steepness::name());
     quote!({
         #binding
         #table.radius(#load_integral, #limit, #units, |#a| #steepness(#a, #variables))
@@ -58,7 +45,7 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
     let binding = units(scaled, coefficients, names);
     let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
-    let (table, steepness) = (table(), steepness::name());
+    let (table, steepness) = (table::name(), steepness::name());
     quote! {
         #binding
         #table.radii(
@@ -73,8 +60,7 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
     }
 }
 
-/// Binds the units of the table: those of its own geometry, or of the one or two terms that it stands for. A single
-/// coefficient becomes one in these units.
+/// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.
 fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let units = local("units");
     let constant = |value: &Rational| {
@@ -83,13 +69,6 @@ fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
     };
     let (summands, per_unit) = (scaled.load_integral.summands.as_slice(), constant(&scaled.per_unit));
     match summands {
-        [Summand { factor: Factor::Weight(weight), exponent, .. }] => {
-            let (single_term, (variables, _)) = (names.generated("SingleTerm"), coefficients.variables());
-            let [k, q] = [exponent.numer(), exponent.denom()]
-                .map(|part| Literal::i32_unsuffixed(part.to_i32().unwrap_or(1)));
-            let weight = constant(weight);
-            quote!(let (#units, #variables) = #single_term::<_, #k, #q>::of(#variables, #weight, #per_unit);)
-        }
         [low, high] if low.constant().and(high.constant()).is_none() => {
             let equal_terms = names.generated("EqualTerms");
             let [low, high] = [low, high].map(|summand| {

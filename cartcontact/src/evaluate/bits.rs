@@ -101,6 +101,19 @@ pub(crate) fn fraction<T: Scalar>(x: T) -> T {
     }
 }
 
+/// The middle of the quarter of an octave that a positive number is in, of four digits.
+#[inline(always)]
+pub(crate) fn middle_of_quarter<T: Scalar>(x: T) -> T {
+    let any: &dyn Any = &x;
+    match any.downcast_ref::<f32>() {
+        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() & !0x001f_ffff | 0x0010_0000)),
+        None => {
+            let quarter = x.value().to_bits() & !0x0003_ffff_ffff_ffff;
+            T::constant(f64::from_bits(quarter | 0x0002_0000_0000_0000))
+        }
+    }
+}
+
 /// With half its digits, so that its square is exact; f32, which has none to waste, rounded, f64 cut off.
 #[inline(always)]
 pub(crate) fn with_half_its_digits<T: Scalar>(x: T) -> T {
@@ -152,6 +165,13 @@ mod tests {
         }
         for x in [0.0, f32::MIN_POSITIVE / 2.0, f32::INFINITY, f32::NAN, -1.0, -f32::INFINITY] {
             assert!(!is_normal::<f32>(exponent(x)), "{x:e}");
+        }
+    }
+
+    #[test]
+    fn quarters_of_octaves_have_their_middle() {
+        for (x, middle) in [(1.0, 1.125), (1.24, 1.125), (1.5, 1.625), (7.99, 7.5)] {
+            assert_eq!((middle_of_quarter(x), middle_of_quarter(x as f32)), (middle, middle as f32));
         }
     }
 

@@ -1,7 +1,6 @@
 //! The radii of many load integrals, in blocks that become vector code.
 
-use super::units::Units;
-use super::{Row, Seeds, Steepness, cubic, digits, single};
+use super::table::{Row, Step, Table, digits};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_lengths};
@@ -12,25 +11,24 @@ const BLOCK: usize = 128;
 /// The same at the end of a slice. Fewer still are quicker one by one.
 const SMALL_BLOCK: usize = 16;
 
-impl Seeds {
-    /// The radii of many load integrals; blocks that are not all in the table, and few, by `general`.
+impl Table {
+    /// The radii of many load integrals by a step; blocks that are not all in the table, and few, by `general`.
     ///
     /// # Errors
     ///
     /// The first of those of `general`, and if the slices differ in length.
-    #[inline]
-    pub fn radii<T: Scalar>(
+    #[inline(always)]
+    pub(super) fn find_all<T: Scalar>(
         &self,
-        (load_integrals, radii): (&[T], &mut [T]),
+        values: (&[T], &mut [T]),
         limit: T,
-        units: impl Units<T>,
-        evaluate: impl Fn(T) -> Steepness<T> + Copy,
+        step: impl Step<T>,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        let blocks = Blocks { seeds: self, limit, units, evaluate };
+        let blocks = Blocks { table: self, limit, step };
         let least = if self.holds::<T>() { SMALL_BLOCK } else { usize::MAX };
         fill(
-            (load_integrals, radii),
+            values,
             (least, BLOCK),
             #[inline(always)]
             |load_integrals, radii| blocks.solve(load_integrals, radii),
@@ -70,14 +68,13 @@ pub(super) fn fill<T: Scalar>(
 }
 
 /// What the radii of many load integrals are found with.
-struct Blocks<'a, T, U, F> {
-    seeds: &'a Seeds,
+struct Blocks<'a, T, S> {
+    table: &'a Table,
     limit: T,
-    units: U,
-    evaluate: F,
+    step: S,
 }
 
-impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F> {
+impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
     /// The radii before the first block that is not all in the table, or before the last few; how many they are.
     #[inline(always)]
     fn solve(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
@@ -92,7 +89,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
     #[inline(always)]
     fn leading<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
         let (load_integrals, radii) = (load_integrals.as_chunks::<N>().0, radii.as_chunks_mut::<N>().0);
-        let (mut found, mut rows) = (0, [[0; 16]; N]);
+        let (mut found, mut rows) = (0, [Row([0; 16]); N]);
         for (load_integrals, radii) in load_integrals.iter().zip(radii) {
             if !self.block(load_integrals, &mut rows, radii) {
                 break;
@@ -113,26 +110,21 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Blocks<'_, T, U, F
         radii: &mut [T; N],
     ) -> bool {
         // Copies, so that nothing that is read can be what is written: else it were read anew for every radius.
-        let (Self { seeds: table, limit, .. }, units, evaluate) = (self, self.units, self.evaluate);
+        let (Self { table, limit, .. }, step) = (self, self.step);
         let [from, to] = table.ends::<T>();
         let mut found = true;
         let mut all_digits = [0; N];
         for (all_digits, &load_integral) in all_digits.iter_mut().zip(load_integrals) {
-            let y = units.in_table(load_integral);
+            let y = step.in_table(load_integral);
             *all_digits = digits(y);
             found &= (from <= y) & (y < to);
         }
         for (row, &digits) in rows.iter_mut().zip(&all_digits) {
-            *row = *table.row(digits);
+            *row = table.row(digits);
         }
-        let mut seeds = [0.0; N];
-        for ((seed, row), &digits) in seeds.iter_mut().zip(&*rows).zip(&all_digits) {
-            *seed = cubic(row, digits);
-        }
-        for ((radius, &load_integral), &seed) in radii.iter_mut().zip(load_integrals).zip(&seeds) {
-            let seed = units.seed(single(seed));
-            let stepped = evaluate(seed).halley(seed, units.target(load_integral));
-            *radius = units.of_geometry(stepped, load_integral);
+        let places = rows.iter().zip(&all_digits).zip(load_integrals);
+        for (radius, ((row, &digits), &load_integral)) in radii.iter_mut().zip(places) {
+            *radius = step.radius(row, digits, load_integral);
         }
         // Mostly there is no limit; a limit that is not a number holds nothing.
         found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))

@@ -22,12 +22,6 @@ pub trait Units<T: Scalar>: Copy {
 
     /// The same load integral as J has to be in the step.
     fn target(self, load_integral: T) -> Target<T>;
-
-    /// The radius after the step, for a load integral, in units of the geometry.
-    #[inline(always)]
-    fn of_geometry(self, radius: T, _load_integral: T) -> T {
-        radius
-    }
 }
 
 /// Those of the geometry that the table was made for.

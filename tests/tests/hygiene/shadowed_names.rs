@@ -60,7 +60,7 @@ where
 
 /// Parameters that are called like the items of generated code, around a table.
 #[::cartcontact::gap_profile(r^2 / 40 + r^4 / 1e30)]
-struct Counted<const SEEDS: usize, const steepness: usize>;
+struct Counted<const TABLE: usize, const steepness: usize>;
 
 /// The same around coefficients that are computed.
 #[::cartcontact::gap_profile(r^2 / (2 * radius) + r^4 / 1e30)]

@@ -1,0 +1,65 @@
+//! The contact radius of a single term from its table of roots.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::coefficients::Coefficients;
+use super::{Names, local, table};
+use crate::closed_forms::PowerSum;
+use crate::number::code;
+use crate::roots::{Power, Roots};
+
+/// The table and its series.
+pub(super) fn item(roots: &Roots, names: &Names<'_>) -> TokenStream {
+    let (name, kind) = (table::name(), names.generated("Roots"));
+    let (table, series) = (table::value(&roots.table, names), code(roots.series));
+    quote!(static #name: #kind = #kind { table: #table, series: #series };)
+}
+
+/// The radius from the table, if it is there.
+pub(super) fn radius(
+    roots: &Roots,
+    load_integral: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
+    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    quote!(#table.radius(#load_integral, #limit, #term))
+}
+
+/// The radii of a slice from the table, and elsewhere by `radius_within`.
+pub(super) fn radii(
+    roots: &Roots,
+    load_integral: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let krate = names.krate;
+    let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
+    let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
+    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    quote! {
+        #table.radii(
+            (#load_integrals, #radii),
+            #limit,
+            #term,
+            |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
+        )
+    }
+}
+
+/// The term of J: what the table has, or its coefficient and weight for a table of any.
+fn term(
+    roots: &Roots,
+    load_integral: &PowerSum,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let only = load_integral.summands.first().filter(|_| !roots.has_coefficient);
+    let Some(only) = only else { return names.generated("OwnTerm") };
+    let (single_term, Power { k, q }) = (names.generated("SingleTerm"), roots.power);
+    let [k, q] = [k, q].map(Literal::u32_unsuffixed);
+    let [c, weight] = coefficients.parts(only);
+    quote!(#single_term::<_, #k, #q>::of(#c, #weight))
+}

@@ -1,0 +1,156 @@
+//! Positive numbers of 128 binary digits: for constants with more digits than f64 has.
+
+use num_traits::{Signed, ToPrimitive};
+
+use super::Rational;
+
+/// `mantissa` · 2^`exponent`, where the mantissa has its highest bit set.
+#[derive(Clone, Copy)]
+pub(crate) struct Float {
+    mantissa: u128,
+    exponent: i64,
+}
+
+/// Unity in fixed point.
+const ONE: i128 = 1 << 126;
+/// Half of the last of 48 digits of a number of 80.
+const HALF_UNIT: i128 = 1 << 31;
+
+impl Float {
+    /// A positive number, within 2⁻¹²⁷ of it.
+    pub(crate) fn of(value: &Rational) -> Option<Self> {
+        let (numerator, denominator) = (value.numer(), value.denom());
+        // Of 128 or 129 digits.
+        let shift = 129 + denominator.bits() as i64 - numerator.bits() as i64;
+        let quotient = match shift {
+            0.. => (numerator << shift) / denominator,
+            _ => numerator / (denominator << -shift),
+        };
+        let excess = quotient.bits().checked_sub(128).filter(|_| value.is_positive())?;
+        Some(Self { mantissa: (quotient.abs() >> excess).to_u128()?, exponent: excess as i64 - shift })
+    }
+
+    /// 2 to a power, with the digits of f64.
+    fn power_of_two(power: f64) -> Self {
+        let octave = power.floor();
+        // From 2^52 up, so that nothing is behind the point.
+        let mantissa = ((power - octave).exp2() * 2f64.powi(52)) as u128;
+        Self { mantissa, exponent: octave as i64 - 52 }.normal()
+    }
+
+    fn normal(self) -> Self {
+        let shift = self.mantissa.leading_zeros();
+        Self { mantissa: self.mantissa << shift, exponent: self.exponent - i64::from(shift) }
+    }
+
+    /// The product, within 2⁻¹²⁵ of it.
+    pub(crate) fn times(self, other: Self) -> Self {
+        let mantissa = upper_half(self.mantissa, other.mantissa);
+        Self { mantissa, exponent: self.exponent + other.exponent + 128 }.normal()
+    }
+
+    /// A power of at least 1.
+    fn power(self, exponent: u32) -> Self {
+        let bits = exponent.checked_ilog2().unwrap_or(0);
+        (0..bits).rev().fold(self, |power, bit| {
+            let square = power.times(power);
+            if exponent >> bit & 1 == 1 { square.times(self) } else { square }
+        })
+    }
+
+    pub(crate) fn log2(self) -> f64 {
+        (self.mantissa as f64).log2() + self.exponent as f64
+    }
+
+    /// value^(`q`/`k`) within 2⁻¹¹⁰, for k up to 2¹².
+    ///
+    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It begins with ten digits at least;
+    /// of an error e it leaves k e²/2.
+    pub(crate) fn root(value: &Rational, (q, k): (u32, u32)) -> Option<Self> {
+        let inverse = Self::of(&value.recip())?.power(q);
+        let mut root = Self::power_of_two(-inverse.log2() / f64::from(k));
+        for _ in 0..3 {
+            let surplus = inverse.times(root.power(k)).fixed() - ONE;
+            root = root.less(surplus / i128::from(k));
+        }
+        Some(root)
+    }
+
+    /// A number below 2 in fixed point.
+    fn fixed(self) -> i128 {
+        let shift = u32::try_from(-126 - self.exponent).unwrap_or(u32::MAX);
+        self.mantissa.checked_shr(shift).unwrap_or(0) as i128
+    }
+
+    /// Without a small share of itself, in fixed point.
+    fn less(self, share: i128) -> Self {
+        let part = upper_half(self.mantissa, share.unsigned_abs() << 2);
+        // Room for a sum.
+        let (whole, part) = (self.mantissa >> 1, part >> 1);
+        let mantissa = if share > 0 { whole - part } else { whole + part };
+        Self { mantissa, exponent: self.exponent + 1 }.normal()
+    }
+
+    /// The number as a sum of three of single precision, in descending order, of which the first two make one of 48 digits,
+    /// so that f64 adds them without rounding; none if not all of them are in range.
+    pub(crate) fn in_parts(self) -> Option<[f32; 3]> {
+        let all = (self.mantissa >> 48) as i128;
+        let whole = (all + HALF_UNIT) & !(2 * HALF_UNIT - 1);
+        let first = whole as f32;
+        let parts = [first, (whole - first as i128) as f32, (all - whole) as f32];
+        let unit = 2f64.powi(i32::try_from(self.exponent + 48).ok()?);
+        let is_in_range = |octave: f64| (-60.0..120.0).contains(&octave);
+        is_in_range(self.log2()).then(|| parts.map(|part| (f64::from(part) * unit) as f32))
+    }
+}
+
+/// The product over 2¹²⁸.
+fn upper_half(x: u128, y: u128) -> u128 {
+    let halves = |x: u128| (x >> 64, x & u128::from(u64::MAX));
+    let ((x1, x0), (y1, y0)) = (halves(x), halves(y));
+    let (middle, low) = (x1 * y0, halves(x0 * y0).0);
+    let middle = halves(middle);
+    let other = x0 * y1 + middle.1 + low;
+    x1 * y1 + middle.0 + (other >> 64)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+    use crate::number::{fraction, integer};
+
+    /// value^q and root^k in exact arithmetic, for the three parts of the root.
+    #[test]
+    fn roots_have_the_digits_of_three_parts() {
+        for (q, k) in [(1, 6), (2, 9), (4, 25), (10, 63), (3, 13), (100, 637)] {
+            for value in [fraction(9, 8), fraction(1, 3), integer(7), fraction(1, 1_000_000_007)] {
+                let parts = Float::root(&value, (q, k)).unwrap().in_parts().unwrap();
+                let exact = |part: f32| Rational::from_float(part.into()).unwrap();
+                let root = exact(parts[0]) + exact(parts[1]) + exact(parts[2]);
+                let error = root.pow(k as i32) / value.pow(q as i32) - integer(1);
+                let bound = integer(2).pow(-70) * integer(k);
+                assert!(error.abs() < bound, "{value}^({q}/{k})");
+                let sum = f64::from(parts[0]) + f64::from(parts[1]);
+                assert_eq!(exact(parts[0]) + exact(parts[1]), Rational::from_float(sum).unwrap());
+            }
+        }
+    }
+
+    #[test]
+    fn roots_of_periods_have_the_same_digits() {
+        for (q, k) in [(1, 5), (2, 13), (10, 63)] {
+            let root = |value: Rational| Float::root(&value, (q, k)).unwrap().in_parts().unwrap();
+            let (one, next) = (root(fraction(13, 8)), root(fraction(13, 8) * integer(2).pow(k as i32)));
+            assert_eq!(one.map(|part| part * 2f32.powi(q as i32)), next);
+        }
+    }
+
+    #[test]
+    fn what_is_no_positive_number_of_single_precision_is_none() {
+        assert!(Float::of(&integer(0)).is_none() && Float::of(&integer(-2)).is_none());
+        let large = Float::of(&integer(2).pow(200)).unwrap();
+        assert!(large.in_parts().is_none() && large.log2() == 200.0);
+        assert_eq!(Float::of(&integer(3)).unwrap().in_parts(), Some([3.0, 0.0, 0.0]));
+    }
+}

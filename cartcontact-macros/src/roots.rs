@@ -1,0 +1,132 @@
+//! [`Geometry`] -> [`Roots`]: where the gap is one term, the contact radius in the middle of every row of a table.
+//!
+//! J = j a^p = y has the root a = (y/j)^(1/p); with the root A of the middle u of a row,
+//!
+//! ```text
+//! a = A ((1 + s)/(1 − s))^(1/p) = A (1 + c₁ s + c₂ s² + …),     s = (y − u j)/(y + u j)
+//! ```
+//!
+//! and (1 − s²) d/ds ((1 + s)/(1 − s))^α = 2α ((1 + s)/(1 − s))^α gives (k + 1) c₍ₖ₊₁₎ = 2α cₖ + (k − 1) c₍ₖ₋₁₎.
+//!
+//! A constant term has its window of y. Where C is a symbol, where no length belongs to C r^n, as n ≤ 1, and where a window would
+//! hold few radii, the table is one of y/j from 1 to 2^k, p = k/q: there the radius has become 2^q times as long.
+
+use num_traits::ToPrimitive;
+
+use crate::closed_forms::Summand;
+use crate::geometry::Geometry;
+use crate::number::float::Float;
+use crate::number::{Rational, fraction, integer, rounded};
+use crate::table::{LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, top};
+
+pub(crate) struct Roots {
+    pub(crate) table: Table,
+    pub(crate) series: [f64; 12],
+    /// p.
+    pub(crate) power: Power,
+    /// Whether it has the coefficient in it, not those of whole periods for any.
+    pub(crate) has_coefficient: bool,
+}
+
+/// k/q.
+#[derive(Clone, Copy)]
+pub(crate) struct Power {
+    pub(crate) k: u32,
+    pub(crate) q: u32,
+}
+
+/// The largest k for which a root is known to have all its digits.
+const LARGEST_K: u32 = 1 << 12;
+
+/// The highest power with a window: it holds four octaves of radii.
+const HIGHEST_POWER: i32 = 16;
+
+/// Whether the table of a single term has its coefficient in it.
+pub(crate) fn has_window(only: &Summand) -> bool {
+    let is_short = only.exponent > integer(5) && only.exponent <= integer(HIGHEST_POWER);
+    only.constant().is_some() && is_short
+}
+
+/// The table of a single term, if there is one.
+pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
+    let power = Power { k: only.exponent.numer().to_u32()?, q: only.exponent.denom().to_u32()? };
+    let p = only.exponent.to_f64().filter(|_| power.k <= LARGEST_K)?;
+    let window = only.constant().filter(|_| has_window(only)).and_then(|j| {
+        let size = j.to_f64()?;
+        Some((j, top(geometry, |a| size * a.powf(p))? - OCTAVES))
+    });
+    let table = match window {
+        Some((j, bottom)) => table(power, (bottom, OCTAVES), j),
+        None => table(power, (0, i32::try_from(power.k).ok().filter(|&k| k <= OCTAVES)?), &integer(1)),
+    };
+    Some(Roots {
+        table: table?,
+        series: series(rounded(&only.exponent.recip())),
+        power,
+        has_coefficient: window.is_some(),
+    })
+}
+
+/// The rows of so many octaves from 2^`bottom` on.
+fn table(Power { k, q }: Power, (bottom, octaves): (i32, i32), j: &Rational) -> Option<Table> {
+    let lowest = |quarter: i32| {
+        let middle = fraction(9 + 2 * quarter, 8) * integer(2).pow(bottom);
+        Float::root(&(middle / j), (q, k))
+    };
+    let octave = Float::root(&integer(2), (q, k))?;
+    let mut roots = [lowest(0)?, lowest(1)?, lowest(2)?, lowest(3)?];
+    let (mut rows, mut single) = (Vec::new(), true);
+    for _ in 0..octaves {
+        for root in &mut roots {
+            let [first, second, third] = root.in_parts()?;
+            rows.push([first, third, 0.0, second]);
+            single &= root.log2().abs() < LARGEST_SINGLE;
+            *root = root.times(octave);
+        }
+    }
+    let single =
+        single && [bottom, bottom + octaves].iter().all(|octave| f64::from(octave.abs()) < LARGEST_SINGLE);
+    Some(Table { first: bottom * ROWS_PER_OCTAVE, single, rows })
+}
+
+/// c₁ and those that follow, for α = 1/p.
+fn series(alpha: f64) -> [f64; 12] {
+    let (mut before, mut c) = (1.0, 2.0 * alpha);
+    [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|k| {
+        let k = f64::from(k);
+        let next = (2.0 * alpha * c + (k - 1.0) * before) / (k + 1.0);
+        (before, c) = (c, next);
+        before
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use super::*;
+
+    #[test]
+    fn series_are_those_of_powers() {
+        for alpha in [0.25, 1.0 / 6.0, 10.0 / 63.0, 1.0 / 68.0] {
+            for s in [-1.0 / 17.0, -0.01, 0.02, 1.0 / 17.0] {
+                let sum = series(alpha).iter().rev().fold(0.0, |sum, c| (sum + c) * s);
+                let power = (alpha * ((1.0 + s) / (1.0 - s)).ln()).exp_m1();
+                let bound = 8.0 * f64::EPSILON * power.abs();
+                assert!((sum - power).abs() < bound, "{alpha}, {s}: {sum}, not {power}");
+            }
+        }
+    }
+
+    #[test]
+    fn rows_are_roots_of_their_middles() {
+        for (k, q) in [(5, 1), (9, 2), (25, 4), (63, 10)] {
+            let table = table(Power { k, q }, (-7, 64), &fraction(1, 30)).unwrap();
+            for (row, &[first, third, rest, second]) in (0..).zip(&table.rows) {
+                let middle = integer(2).pow(row / 4 - 7) * fraction(9 + 2 * (row % 4), 8);
+                let root = Float::root(&(middle * integer(30)), (q, k)).unwrap().in_parts().unwrap();
+                assert_eq!(([first, second], rest), ([root[0], root[1]], 0.0), "{row} of {k}/{q}");
+                assert!((third - root[2]).abs() <= 2f32.powi(-72) * first, "{row} of {k}/{q}: {third:e}");
+            }
+        }
+    }
+}

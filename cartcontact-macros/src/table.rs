@@ -1,0 +1,101 @@
+//! [`Geometry`] -> [`Start`]: a table by octaves of the load integral, from which one step leads to the contact radius.
+//!
+//! Rows of four numbers in single precision stand for quarters of octaves; 256 of them, 4 KiB, span 64 octaves.
+//!
+//! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more; y from
+//! 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ) are contacts from ℓ/200 upward for a sphere. Outside it, the radius is iterated.
+//! Two terms with symbols have one table in units of their own: with j a^p + j′ a^p′ = y and j ℓ^p = j′ ℓ^p′, a/ℓ depends on
+//! y/(j ℓ^p) alone. Its window lies 20 octaves above y = 1 and 44 below, because the higher term is mostly the correction.
+
+use num_traits::ToPrimitive;
+
+use crate::closed_forms::PowerSum;
+use crate::gap::Gap;
+use crate::geometry::{Geometry, Range};
+use crate::{roots, seeds};
+
+/// Rows per octave of the load integral.
+pub(crate) const ROWS_PER_OCTAVE: i32 = 4;
+pub(crate) const OCTAVES: i32 = 64;
+const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
+/// How much of the window lies above J(ℓ).
+const OCTAVES_ABOVE: i32 = 4;
+/// Beyond, the products of a step might leave the format.
+pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
+pub(crate) const LARGEST_SINGLE: f64 = 100.0;
+
+/// What the step begins with.
+pub(crate) enum Start {
+    /// The radius to six digits.
+    Seeds(Table),
+    /// The radius in the middle of a row, where the gap is one term.
+    Roots(roots::Roots),
+}
+
+impl Start {
+    /// None where there is no table.
+    pub(crate) fn of(geometry: &Geometry, load_integral: &PowerSum) -> Option<Self> {
+        match load_integral.summands.as_slice() {
+            // A step with whole powers is the quickest.
+            [only] if !(roots::has_window(only) && only.exponent.is_integer()) => {
+                roots::roots(geometry, only).map(Start::Roots)
+            }
+            _ => seeds::seeds(geometry, load_integral).map(Start::Seeds),
+        }
+    }
+}
+
+/// Rows for y = u · 2^e, 1 ≤ u < 2, by k = 4 e + ⌊4 (u − 1)⌋ − first.
+pub(crate) struct Table {
+    pub(crate) first: i32,
+    /// Whether single precision holds everything that the step computes.
+    pub(crate) single: bool,
+    pub(crate) rows: Vec<[f32; 4]>,
+}
+
+impl Table {
+    /// The load integrals at both ends of the table.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
+    }
+
+    /// The bytes of the rows where the solver looks for them: that of index k is at k − 4 modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
+    pub(crate) fn in_places(&self) -> Vec<u8> {
+        let mut places = [[0_f32; 4]; ROWS];
+        for (&row, index) in self.rows.iter().zip(self.first..) {
+            places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = row;
+        }
+        let bytes = places.as_flattened().iter().map(|number| number.to_le_bytes());
+        bytes.collect::<Vec<_>>().into_flattened()
+    }
+
+    pub(crate) const fn size_in_bytes() -> usize {
+        size_of::<[[f32; 4]; ROWS]>()
+    }
+}
+
+/// The octave at which the table ends, for constant coefficients.
+pub(crate) fn top(geometry: &Geometry, load_integral: impl Fn(f64) -> f64) -> Option<i32> {
+    let end = match &geometry.range {
+        Range::Limited(end) => end.to_f64()?,
+        Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
+    };
+    let steepest = load_integral(length(&geometry.gap)?.min(end)).log2().floor();
+    let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
+    Some(steepest as i32 + OCTAVES_ABOVE)
+}
+
+/// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
+fn length(gap: &Gap) -> Option<f64> {
+    let alone = gap.terms.iter().filter_map(|term| {
+        let (c, n) = (term.coefficient.as_constant()?.to_f64()?, term.exponent.to_f64()?);
+        (c > 0.0 && n > 1.0).then(|| c.powf(-1.0 / (n - 1.0)))
+    });
+    alone.reduce(f64::min)
+}
+
+/// The load integral at which a row begins.
+pub(crate) fn lower_end(index: i32) -> f64 {
+    let (octave, quarter) = (index.div_euclid(ROWS_PER_OCTAVE), index.rem_euclid(ROWS_PER_OCTAVE));
+    2f64.powi(octave) * (1.0 + f64::from(quarter) / f64::from(ROWS_PER_OCTAVE))
+}

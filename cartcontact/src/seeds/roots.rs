@@ -1,0 +1,189 @@
+//! The contact radius where the gap is one term: a root from a table, and a short series.
+//!
+//! J = j aᵖ = y has the root a = (y/j)^(1/p), Eq. (18). Let u be the middle of the quarter of an octave in which y/j lies, and
+//! A = u^(1/p). Then
+//!
+//! ```text
+//! a = A ((1 + s)/(1 − s))^(1/p) = A + A (c₁ s + c₂ s² + …),     s = (y − u j)/(y + u j),  |s| ≤ 1/17
+//! ```
+//!
+//! of which twelve terms leave 4 · 10⁻¹⁸, and eight 10⁻¹¹ in single precision. No power of a is formed, so that it matters
+//! not whether p is whole.
+//!
+//! **Accuracy.** A row has A in three parts of single precision, of which the first two make an exact sum; u has four
+//! digits, and half of those of j come first, so that y less that product is exact. What rounds in the series is
+//! less than 1/34 of the sum, whose last addition leaves 1/2 ulp: together less than 0.6.
+//!
+//! **Any j.** With p = k/q in lowest terms, y/j = a^p multiplied by 2^k multiplies a by 2^q: one table of k octaves holds
+//! the roots of all y/j. Powers of two are taken out of y, j and a, so that nothing leaves the format, and other units by
+//! powers of two change no digit.
+
+use super::table::{Row, Step, Table, single};
+use crate::Scalar;
+use crate::evaluate::bits::{exponent, fraction, is_normal, middle_of_quarter, power_of_two};
+use crate::evaluate::halved::Halved;
+use crate::profile::RadiusError;
+use crate::scalar::is;
+
+/// A table of roots, and the series.
+#[derive(Debug)]
+pub struct Roots {
+    /// A in three parts, in the places 0, 3 and 1.
+    pub table: Table,
+    /// c₁ and those that follow.
+    pub series: [f64; 12],
+}
+
+/// No quotient is below 2 to minus this, nor above 2 to this.
+const MOST_OCTAVES: u32 = 2100;
+/// Digits of 1/K in fixed point: numbers of octaves times their error are less than 1, and times it than 2³².
+const DIGITS_OF_INVERSE: u32 = 20;
+
+impl Roots {
+    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars than
+    /// f32 and f64.
+    #[inline(always)]
+    pub fn radius<T: Scalar>(&self, load_integral: T, limit: T, term: impl Term<T>) -> Option<T> {
+        self.table.find(load_integral, limit, Root { term, series: self.series })
+    }
+
+    /// The radii of many load integrals; blocks that are not all in the table, and few, by `general`.
+    ///
+    /// # Errors
+    ///
+    /// The first of those of `general`, and if the slices differ in length.
+    #[inline]
+    pub fn radii<T: Scalar>(
+        &self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        term: impl Term<T>,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.table.find_all(values, limit, Root { term, series: self.series }, general)
+    }
+}
+
+/// The step from a root in the table.
+#[derive(Clone, Copy)]
+struct Root<D> {
+    term: D,
+    series: [f64; 12],
+}
+
+/// y/j in the table, and how it differs from u there.
+#[derive(Debug)]
+pub struct Ratio<T> {
+    in_table: T,
+    /// y − u j and y + u j, divided by a power of two.
+    difference: T,
+    sum: T,
+    /// What a root in the table is multiplied by.
+    unit: T,
+}
+
+/// The term of J, or what the table has of it.
+pub trait Term<T>: Copy {
+    fn ratio(self, load_integral: T) -> Ratio<T>;
+}
+
+impl<T: Scalar, D: Term<T>> Step<T> for Root<D> {
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> T {
+        self.term.ratio(load_integral).in_table
+    }
+
+    #[inline(always)]
+    fn radius(self, row: &Row, _digits: u32, load_integral: T) -> T {
+        let Ratio { difference, sum, unit, .. } = self.term.ratio(load_integral);
+        let part = |place: usize| single::<T>(row.at(place));
+        // The second has the last place: where that is not read, compilers leave the last rows to code without vectors.
+        let (root, rest) = if is::<T, f32>() { (part(0), part(3)) } else { (part(0) + part(3), part(1)) };
+        let s = difference / sum;
+        // What need not wait for s is multiplied by the unit before.
+        let (root, rest) = (root * unit, rest * unit);
+        root + ((root + rest) * s * growth_per_s(s, &self.series) + rest)
+    }
+}
+
+/// c₁ + c₂ s + …
+///
+/// By fours side by side, so that a processor waits for few of them.
+#[inline(always)]
+fn growth_per_s<T: Scalar>(s: T, series: &[f64; 12]) -> T {
+    let square = s * s;
+    let four_terms = |k: usize| {
+        let [c0, c1, c2, c3] = [0, 1, 2, 3].map(|place| T::constant(series[k + place]));
+        (c0 + c1 * s) + (c2 + c3 * s) * square
+    };
+    let fourth = square * square;
+    let eight_terms = four_terms(0) + four_terms(4) * fourth;
+    if is::<T, f32>() { eight_terms } else { eight_terms + four_terms(8) * (fourth * fourth) }
+}
+
+/// One whose j is in the table.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnTerm;
+
+impl<T: Scalar> Term<T> for OwnTerm {
+    #[inline(always)]
+    fn ratio(self, load_integral: T) -> Ratio<T> {
+        let middle = middle_of_quarter(load_integral);
+        Ratio {
+            in_table: load_integral,
+            difference: load_integral - middle,
+            sum: load_integral + middle,
+            unit: T::one(),
+        }
+    }
+}
+
+/// w C aᵖ with a weight w and p = `K`/`Q`, with a table for all j = w C.
+#[derive(Clone, Copy, Debug)]
+pub struct SingleTerm<T, const K: u32, const Q: i32> {
+    /// w C with the fraction of C, and its inverse.
+    factor: Halved<T>,
+    inverse: T,
+    /// That of C.
+    exponent: i32,
+}
+
+impl<T: Scalar, const K: u32, const Q: i32> SingleTerm<T, K, Q> {
+    /// From C and w.
+    #[inline(always)]
+    pub fn of(c: T, weight: T) -> Self {
+        let reduced = fraction(c);
+        let factor = Halved::of(reduced).times(Halved::of(weight));
+        // Not of the factor, so that it need not wait for that; it is rounded a second time, and tells the row only.
+        Self { factor, inverse: (reduced * weight).recip(), exponent: exponent(c) }
+    }
+}
+
+impl<T: Scalar, const K: u32, const Q: i32> Term<T> for SingleTerm<T, K, Q> {
+    #[inline(always)]
+    fn ratio(self, load_integral: T) -> Ratio<T> {
+        let (reduced, exponent_of_load) = (fraction(load_integral), exponent(load_integral));
+        let quotient = reduced * self.inverse;
+        let middle = middle_of_quarter(quotient);
+        let difference = (reduced - middle * self.factor.head()) - middle * self.factor.rest();
+        let sum = reduced + middle * self.factor.word();
+        let exponents = exponent(quotient) + exponent_of_load - self.exponent;
+        // Whole periods are added so that there is no number below zero.
+        let periods_below = const { MOST_OCTAVES.div_ceil(K) };
+        let octaves = (exponents as u32).wrapping_add(periods_below * K);
+        let periods = octaves.wrapping_mul(const { (1 << DIGITS_OF_INVERSE) / K + 1 }) >> DIGITS_OF_INVERSE;
+        // With their signs set, exponents are none of normal numbers; zero lies in no table.
+        let has_place = is_normal::<T>(exponent_of_load) & is_normal::<T>(self.exponent);
+        let in_table = if has_place {
+            fraction(quotient) * power_of_two(octaves.wrapping_sub(periods * K) as i32)
+        } else {
+            T::zero()
+        };
+        Ratio {
+            in_table,
+            difference,
+            sum,
+            unit: power_of_two(periods.wrapping_sub(periods_below) as i32 * Q),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! A table of what leads to the contact radius, by octaves of the load integral.
+
+use core::any::Any;
+
+use simba::scalar::SupersetOf;
+
+use crate::Scalar;
+use crate::scalar::is;
+
+/// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
+#[derive(Debug)]
+pub struct Table {
+    /// The first k of the table.
+    pub first: i32,
+    /// How many there are, at most 256.
+    pub count: u32,
+    /// Whether single precision holds all y, and all powers of a, up to 2^±100.
+    pub single: bool,
+    /// The row of k at k − 4 modulo 256.
+    ///
+    /// That is the number in eight bits of y, six of its exponent and two of its fraction: the row that they name needs
+    /// no check of bounds.
+    pub rows: Rows,
+}
+
+/// 256 rows, as bytes: one literal for the compiler to read, instead of a thousand. None lies in two lines of a cache.
+#[derive(Debug)]
+#[repr(align(16))]
+pub struct Rows(pub [u8; 4096]);
+
+/// Four numbers in single precision, the low byte first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row(pub(super) [u8; 16]);
+
+/// What a radius is found by from its row of the table.
+pub(super) trait Step<T>: Copy {
+    /// The load integral as the table has it.
+    fn in_table(self, load_integral: T) -> T;
+
+    /// The radius from the row and the [`digits`] of a load integral.
+    fn radius(self, row: &Row, digits: u32, load_integral: T) -> T;
+}
+
+impl Table {
+    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
+    /// than f32 and f64.
+    #[inline(always)]
+    pub(super) fn find<T: Scalar>(&self, load_integral: T, limit: T, step: impl Step<T>) -> Option<T> {
+        let y = step.in_table(load_integral);
+        if !(self.holds::<T>() && self.contains(y)) {
+            return None;
+        }
+        let digits = digits(y);
+        let radius = step.radius(&self.row(digits), digits, load_integral);
+        // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
+        let is_within = radius <= limit || limit == T::infinity();
+        is_within.then_some(radius)
+    }
+
+    pub(super) fn holds<T: Scalar>(&self) -> bool {
+        is::<T, f64>() || (is::<T, f32>() && self.single)
+    }
+
+    /// Too small for the table, or with the sign set, y becomes an index that is too large.
+    #[inline(always)]
+    fn contains<T: Scalar>(&self, y: T) -> bool {
+        let any: &dyn Any = &y;
+        let (quarter, bias) = match any.downcast_ref::<f32>() {
+            Some(single) => (single.to_bits() >> 21, 127),
+            None => ((y.value().to_bits() >> 50) as u32, 1023),
+        };
+        quarter.wrapping_sub((4 * bias + self.first) as u32) < self.count
+    }
+
+    /// The load integrals at both ends.
+    pub(super) fn ends<T: Scalar>(&self) -> [T; 2] {
+        let quarter = |k: i32| T::constant(f64::from_bits(((4 * 1023 + k) as u64) << 50));
+        [self.first, self.first + self.count as i32].map(quarter)
+    }
+
+    #[inline(always)]
+    pub(super) fn row(&self, digits: u32) -> Row {
+        let (rows, _) = self.rows.0.as_chunks();
+        Row(rows[usize::from((digits >> 21) as u8)])
+    }
+}
+
+impl Row {
+    /// The number at a place from 0 to 3.
+    #[inline(always)]
+    pub(super) fn at(&self, place: usize) -> f32 {
+        let (places, _) = self.0.as_chunks();
+        f32::from_le_bytes(places[place])
+    }
+}
+
+/// 23 bits of the fraction of y, and above them the last of its exponent.
+#[inline(always)]
+pub(super) fn digits<T: Scalar>(y: T) -> u32 {
+    let any: &dyn Any = &y;
+    any.downcast_ref::<f32>().map_or_else(|| (y.value().to_bits() >> 29) as u32, |single| single.to_bits())
+}
+
+#[inline(always)]
+pub(super) fn single<T: Scalar>(value: f32) -> T {
+    <T as SupersetOf<f32>>::from_subset(&value)
+}
