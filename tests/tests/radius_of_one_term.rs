@@ -100,6 +100,27 @@ fn other_units_change_no_digit() {
 }
 
 #[test]
+fn no_digit_is_lost_next_to_the_ends_of_a_format() {
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(4, index);
+        for _ in 0..1000 {
+            let [c, load_integral] = [(); 2].map(|()| stream.between(1.0, 2.0));
+            let radius = (kind.double)(c).radius_within(load_integral, f64::INFINITY);
+            for size in [2f64.powi(-1021), 2f64.powi(1022)] {
+                let found = (kind.double)(c * size).radius_within(load_integral * size, f64::INFINITY);
+                assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.exponent);
+            }
+            let [c, load_integral] = [c, load_integral].map(|number| number as f32);
+            let radius = (kind.single)(c).radius_within(load_integral, f32::INFINITY);
+            for size in [2f32.powi(-125), 2f32.powi(126)] {
+                let found = (kind.single)(c * size).radius_within(load_integral * size, f32::INFINITY);
+                assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.exponent);
+            }
+        }
+    }
+}
+
+#[test]
 fn slices_have_the_same_radii() {
     for (index, kind) in (0..).zip(KINDS) {
         let mut stream = Stream::of_case(3, index);

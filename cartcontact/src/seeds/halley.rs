@@ -3,7 +3,6 @@
 use super::table::{Row, Step, Table, single};
 use super::units::Units;
 use crate::Scalar;
-use crate::evaluate::bits::{fraction, power_of_two};
 use crate::evaluate::halved::product_with_few_digits;
 use crate::profile::RadiusError;
 
@@ -105,12 +104,6 @@ impl<T: Scalar> Target<T> {
     pub(super) fn in_units(load_integral: T, per_unit: T) -> Self {
         let (value, rest) = product_with_few_digits(load_integral, per_unit);
         Self { value, rest }
-    }
-
-    /// Divided by the power of two at or below it, which is 2^`exponent`.
-    #[inline(always)]
-    pub(super) fn fraction(self, exponent: i32) -> Self {
-        Self { value: fraction(self.value), rest: self.rest * power_of_two(-exponent) }
     }
 }
 

@@ -85,7 +85,7 @@ impl<T: Scalar> Spread<T> {
         }
     }
 
-    /// The root of J(a) = y, 1 ≤ y < 2, near `start`, and whether it is one; `evaluate` is what all steps but the
+    /// The root of J(a) = y, 1 ≤ y < 4, near `start`, and whether it is one; `evaluate` is what all steps but the
     /// last are taken with.
     #[inline(always)]
     pub(super) fn root(

@@ -1,13 +1,13 @@
 //! The contact radius from the leading term where powers are whole, and many of them in vector code.
 //!
-//! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 2, the terms are j 2^(k p − e) x^p: no step leaves the format, and other
+//! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 4, the terms are j 2^(k p − e) x^p: no step leaves the format, and other
 //! units by powers of two change nothing but k and e.
 
 use super::blocks::fill;
 use super::leading_term::{Spread, Start, logarithm_alone};
 use super::{Steepness, Target};
 use crate::Scalar;
-use crate::evaluate::bits::{exponent, is_normal, logarithm, power_of_two};
+use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::profile::RadiusError;
 use crate::scalar::{is_plain, lesser};
 
@@ -47,15 +47,14 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
     #[inline(always)]
     pub fn solve(&self, load_integral: T) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
-        let target = Target::in_units(load_integral, self.per_unit);
-        let logarithm_of_y = logarithm(target.value);
+        let logarithm_of_y = logarithm(load_integral * self.per_unit);
         let alone = self.coefficients.iter().zip(&self.powers).map(
             #[inline(always)]
             |(&j, &p)| logarithm_alone(logarithm_of_y, (j, T::constant(f64::from(p)))),
         );
         let Some(least) = alone.reduce(lesser) else { return (load_integral, false) };
         let start = Start::of(T::constant(f64::from(lowest)), least);
-        let exponent = exponent(target.value);
+        let exponent = exponent(load_integral);
         let shift = |p: u32| start.octave * p as i32 - exponent;
         let mut scaled = self.coefficients;
         for (j, &p) in scaled.iter_mut().zip(&self.powers) {
@@ -65,7 +64,9 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
         let spread =
             Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
         let evaluate = |a| (self.steepness)(a, scaled);
-        let (radius, is_near) = spread.root(target.fraction(exponent), start.fraction, evaluate, evaluate);
+        // Of the fraction alone, so that next to the ends of the format nothing is lost, either.
+        let target = Target::in_units(fraction(load_integral), self.per_unit);
+        let (radius, is_near) = spread.root(target, start.fraction, evaluate, evaluate);
         (radius * power_of_two(start.octave), fits & is_near)
     }
 }
