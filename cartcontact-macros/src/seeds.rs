@@ -67,9 +67,9 @@ fn longest_run(first: i32, rows: impl Iterator<Item = Option<[f32; 4]>>) -> Opti
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
 struct LoadIntegral {
     terms: Vec<(f64, f64)>,
-    /// The largest |log₂ j|.
+    /// The largest |log₂| of the coefficients of J, J′ and J″, of which a unit is taken out once and twice.
     largest_coefficient: f64,
-    /// log₂ |j| of the highest power.
+    /// log₂ |j| of the highest power: the unit of J′.
     unit: f64,
     lowest: f64,
     highest: f64,
@@ -86,9 +86,9 @@ struct Derivatives {
 impl LoadIntegral {
     fn new(terms: Vec<(f64, f64)>) -> Self {
         let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
-        let largest_coefficient =
-            terms.iter().fold(0.0_f64, |largest, term| largest.max(logarithm(term).abs()));
         let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
+        let in_units = |term| [0.0, 1.0, 2.0].map(|times| logarithm(term) - times * unit);
+        let largest_coefficient = terms.iter().flat_map(in_units).fold(0.0, largest_size);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
         Self { terms, largest_coefficient, unit, lowest, highest }
     }
@@ -107,7 +107,8 @@ impl LoadIntegral {
         // In the order that the solver has them in.
         let rows = rows.into_iter().map(|[c0, c1, c2, c3]| [c0, c2, c1, c3]).collect();
         let seeds = Table { first, single: false, rows };
-        let holds = |y| self.radius(y).is_some_and(|a| self.largest_logarithm(y, a) < LARGEST_SINGLE);
+        let holds =
+            |y| self.radius(y).is_some_and(|a| self.largest_logarithm(a, &self.at(a)) < LARGEST_SINGLE);
         let single = seeds.range().into_iter().all(holds);
         (seeds.rows.len() >= FEWEST_ROWS).then_some(Table { single, ..seeds })
     }
@@ -147,12 +148,19 @@ impl LoadIntegral {
         None
     }
 
-    /// The largest logarithm of y, its radius's powers, their coefficients, and J and J′ in units of the highest term.
-    fn largest_logarithm(&self, y: f64, a: f64) -> f64 {
-        let (y, a) = (y.log2(), a.log2());
-        let value = y - self.unit;
-        let sizes = [self.largest_coefficient, self.highest * a, y, value, value - self.lowest * a];
-        sizes.into_iter().fold(0.0, |largest, size| largest.max(size.abs()))
+    /// The largest logarithm of what a step from `a` computes: coefficients, powers, J and its derivatives divided by the
+    /// lowest power and by the unit, and products of these.
+    fn largest_logarithm(&self, a: f64, at: &Derivatives) -> f64 {
+        let [y, a, first, second] = [at.value, a, at.first, at.second].map(|size| size.abs().log2());
+        let power = self.lowest * a;
+        let log_slope = first - self.unit;
+        let slope = log_slope - power;
+        let step = a - self.unit + slope;
+        // A small one does no harm.
+        let curvature = (second - 2.0 * self.unit - power).max(0.0);
+        let powers = [self.largest_coefficient, self.highest * a, y, y - power];
+        let products = [slope, log_slope, log_slope + slope, step, step + y, curvature, curvature + y];
+        powers.into_iter().chain(products).fold(0.0, largest_size)
     }
 
     /// The cubic for the row between two radii, if it passes the check.
@@ -169,10 +177,14 @@ impl LoadIntegral {
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
             let left = |error: f64| (half_second * half_second - third).abs() * error * error * error;
             let is_near = left(error) <= ALLOWED_ERROR && left(error + CUT_OFF) <= ALLOWED_ERROR_OF_SINGLE;
-            is_near && self.largest_logarithm(at.value, a) < LARGEST_DOUBLE
+            is_near && self.largest_logarithm(a, &at) < LARGEST_DOUBLE
         };
         [1e-3, 0.15, 0.5, 0.85].into_iter().all(passes).then_some(row)
     }
+}
+
+fn largest_size(largest: f64, size: f64) -> f64 {
+    largest.max(size.abs())
 }
 
 /// The cubic as the solver evaluates it at y, whose fraction it cuts off after 23 bits.

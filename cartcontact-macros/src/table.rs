@@ -20,7 +20,8 @@ pub(crate) const OCTAVES: i32 = 64;
 const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
 /// How much of the window lies above J(ℓ).
 const OCTAVES_ABOVE: i32 = 4;
-/// Beyond, the products of a step might leave the format.
+/// While the logarithms of all that a step computes are below the bound, none of it leaves the format, also where factors of
+/// exponents are beside it; and products with what J is off by at the seed keep as many digits as that has.
 pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
 pub(crate) const LARGEST_SINGLE: f64 = 100.0;
 

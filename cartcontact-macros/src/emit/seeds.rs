@@ -7,7 +7,7 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness, table};
-use crate::closed_forms::{PowerSum, Scaled};
+use crate::closed_forms::{PowerSum, Scaled, Summand};
 use crate::number::{Rational, integer, literal};
 use crate::table::Table;
 
@@ -87,7 +87,7 @@ fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
 /// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.
 ///
 /// Its coefficient is then 1 in a J′, which spares a multiplication; in J it would be one that rounds, as the load
-/// integral were to be divided by it, too. Where it is a symbol, the unit is 1.
+/// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no bound.
 fn body(
     load_integral: &PowerSum,
     a: &Ident,
@@ -95,15 +95,12 @@ fn body(
     names: &Names<'_>,
 ) -> TokenStream {
     let whole = Whole::and_half(load_integral).filter(|(whole, _)| whole.largest_gap() <= WIDEST_GAP);
-    let (Some((whole, has_half)), Some(last)) = (whole, load_integral.summands.last()) else {
+    let Some((whole, has_half)) = whole else {
         let (function, terms) =
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
         return quote!(#function(#a, #terms));
     };
-    let unit = match last.constant() {
-        Some(leading) => leading * &last.exponent,
-        None => Rational::one(),
-    };
+    let unit = unit(load_integral).unwrap_or_else(Rational::one);
     let first = load_integral.weighted(|p| p / &unit);
     let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * &unit));
     let (values, of_value) = coefficients.bound("value", load_integral);
@@ -118,6 +115,13 @@ fn body(
     };
     let steepness = steepness::value((&whole, has_half), a, sums, &unit, names);
     quote!(#values #firsts #half_seconds #steepness)
+}
+
+/// The coefficient of the highest power in a J′, if all are constants.
+fn unit(load_integral: &PowerSum) -> Option<Rational> {
+    let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
+    let exponent = &load_integral.summands.last()?.exponent;
+    Some(*constants?.last()? * exponent)
 }
 
 /// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor

@@ -23,13 +23,13 @@ use super::power::{fractional_power, quarters, quick_whole_term, real_fractional
 use crate::Scalar;
 use crate::seeds::Steepness;
 
-/// Σ c x^p with its derivatives, and how much it is too large.
+/// Σ c x^p with its derivatives, and how much it is too large; of any size that has a square in double precision.
 #[inline]
 pub fn power_sum_steepness<T: Scalar>(
     x: T,
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> Steepness<T> {
-    scaled_power_sum_steepness(x, T::one(), terms)
+    scaled_power_sum_steepness(x, T::one(), terms).in_units_of_its_slope()
 }
 
 /// `scale` Σ c x^p with its derivatives, and how much it is too large; they may leave the format if they are not scaled.

@@ -3,6 +3,7 @@
 use super::table::{Row, Step, Table, single};
 use super::units::Units;
 use crate::Scalar;
+use crate::evaluate::bits::{exponent, power_of_two};
 use crate::evaluate::halved::product_with_few_digits;
 use crate::profile::RadiusError;
 
@@ -121,6 +122,14 @@ impl<T: Scalar> Steepness<T> {
         let (first, half) = (p * term, T::constant(0.5));
         self.first += first;
         self.half_second += half * (p - T::one()) * first;
+    }
+
+    /// With derivatives in units of the power of two at a J′, whose square single precision may not hold.
+    #[inline(always)]
+    pub(crate) fn in_units_of_its_slope(self) -> Self {
+        let per_unit = power_of_two(-exponent(self.first));
+        let (first, half_second) = (self.first * per_unit, self.half_second * per_unit * per_unit);
+        Self { first, half_second, per_unit, ..self }
     }
 
     /// The radius from its seed.

@@ -1,0 +1,87 @@
+//! Contact radii in single precision, where the products of a step may leave the format long before the radius does.
+
+use cartcontact::{GapProfile, gap_profile};
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::random::Stream;
+
+/// Coefficients whose ratio has no square.
+#[gap_profile(r^2 + 1e-20 * r^4)]
+struct Parabolic;
+
+#[gap_profile(0.025 * r^2 + 1e-4 * r^4 + 1e-12 * r^8 + 1e-18 * r^10)]
+struct Deep;
+
+/// Powers that are formed one by one, and load integrals that have no square.
+#[gap_profile(0.025 * r + 1.25e-3 * r^1.5 + 2e-5 * r^2)]
+struct Fractional;
+
+#[gap_profile(c * r^(49/3))]
+struct Third {
+    c: f32,
+}
+
+#[gap_profile(b * r^1.25 + c * r^2.25)]
+struct Quarters {
+    b: f32,
+    c: f32,
+}
+
+#[gap_profile(b * r^0.5 + c * r)]
+struct Mixed {
+    b: f32,
+    c: f32,
+}
+
+/// A constant beside a field, and no bound for their ratio.
+#[gap_profile(b * r + 1e-10 * r^7)]
+struct Steepening {
+    b: f32,
+}
+
+/// A geometry, its terms (C, n), and the powers of ten that its load integrals lie between.
+struct Case {
+    profile: Box<dyn GapProfile<f32>>,
+    terms: Vec<(f64, f64)>,
+    range: [f64; 2],
+}
+
+fn case(profile: impl GapProfile<f32> + 'static, terms: &[(f64, f64)], range: [f64; 2]) -> Case {
+    Case { profile: Box::new(profile), terms: terms.to_vec(), range }
+}
+
+fn cases() -> Vec<Case> {
+    let fractional = [(0.025, 1.0), (1.25e-3, 1.5), (2e-5, 2.0)];
+    let deep = [(0.025, 2.0), (1e-4, 4.0), (1e-12, 8.0), (1e-18, 10.0)];
+    let mut cases = vec![
+        case(Parabolic, &[(1.0, 2.0), (1e-20, 4.0)], [-10.0, 10.0]),
+        case(Deep, &deep, [-10.0, 20.0]),
+        case(Fractional, &fractional, [-12.0, 23.0]),
+    ];
+    for b in [1e-8_f32, 1e-4, 1.0, 10.0, 1e4] {
+        cases.push(case(Third { c: b }, &[(b.into(), 49.0 / 3.0)], [-10.0, 20.0]));
+        cases.push(case(Steepening { b }, &[(b.into(), 1.0), (1e-10, 7.0)], [-10.0, 20.0]));
+        for c in [0.25 * b, b, 3.0 * b] {
+            cases.push(case(Quarters { b, c }, &[(b.into(), 1.25), (c.into(), 2.25)], [-24.0, 20.0]));
+            cases.push(case(Mixed { b, c }, &[(b.into(), 0.5), (c.into(), 1.0)], [-24.0, 20.0]));
+        }
+    }
+    cases
+}
+
+#[test]
+fn radii_are_exact_for_load_integrals_of_any_size() {
+    let mut errors = Errors::of_single(budget::RADIUS);
+    for (index, Case { profile, terms, range: [low, high] }) in (0..).zip(cases()) {
+        let exact = Profile::of(&terms);
+        let mut stream = Stream::of_case(1, index);
+        for _ in 0..100 {
+            let load_integral = stream.magnitude(low, high) as f32;
+            let found = profile.radius(load_integral).unwrap_or(f32::NAN);
+            let expected = Exact::from(&exact.radius(&double(load_integral.into())));
+            errors.add(found.into(), expected, 1.0, &(&terms, load_integral));
+        }
+    }
+    errors.check();
+}
