@@ -78,7 +78,8 @@ pub fn invert<T: Scalar>(
     let seed = Seed::of(target, positive);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
     if limit.is_finite() && (negative || limit <= seed.high) {
-        let largest = evaluate(limit).0;
+        // As a caller has it who asks for the end of the range: in plain arithmetic it may be less.
+        let largest = load_integral(limit);
         if target > largest {
             return Err(beyond(target, largest, limit));
         }

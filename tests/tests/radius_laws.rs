@@ -1,7 +1,7 @@
 //! Laws of the contact radius: it inverts the load integral, for any load.
 
 use cartcontact::load::Constant;
-use cartcontact::{Contact, GapProfile, Medium, Polynomial, RadiusError, gap_profile};
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, RadiusError, Scalar, gap_profile};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::degree;
@@ -132,6 +132,23 @@ fn the_end_of_the_range_is_reached_and_not_passed() {
         let largest = case.double.load_integral(end);
         assert!(case.double.radius(largest * (1.0 - 1e-12)).is_ok_and(|a| a <= end), "{case:?}");
         assert!(case.double.radius(largest * (1.0 + 1e-12)).is_err(), "{case:?}");
+    }
+}
+
+/// The load integral at the end of a range is the largest that has a radius there, to the last bit.
+#[test]
+fn the_load_integral_of_the_end_is_inside() {
+    fn is_inside<T: Scalar>(profile: &dyn GapProfile<T>, end: T) -> bool {
+        let found = profile.radius_within(profile.load_integral(end), end);
+        profile.check().is_err() || found.is_ok_and(|radius| radius <= end)
+    }
+    for case in cases() {
+        for k in 1..1000 {
+            let end = case.max_radius.unwrap_or(20.0) * f64::from(k) / 1000.0;
+            assert!(is_inside(case.double, end), "{case:?}, {end}");
+            assert!(is_inside(&case.polynomial(), end), "{case:?}, {end}");
+            assert!(is_inside(case.single, end as f32), "{case:?}, {end}");
+        }
     }
 }
 
