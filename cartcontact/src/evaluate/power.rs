@@ -133,23 +133,24 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> 
     if x.is_zero() {
         return quick();
     }
-    let term = double_product(c, x, n);
+    let term = double_product(c, x, n, T::one());
     if term.rounded().is_finite() {
         return term;
     }
     // The exact products overflow a little before their results do.
     let (down, up) = (T::constant(1.0 / 4_294_967_296.0), T::constant(4_294_967_296.0));
-    let term = double_product(c.scaled(down), x, n).scaled(up);
+    let term = double_product(c, x, n, down).scaled(up);
     if term.rounded().is_finite() { term } else { quick() }
 }
 
-fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
+/// The term times a power of two, by which the middle value is multiplied: c may have no digits to spare.
+fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_two: T) -> DoubleWord<T> {
     let degree = n.whole.max(0) as u32;
     let even = if degree < 2 {
-        c
+        c.scaled(power_of_two)
     } else {
         let half = DoubleWord::of(x).power(degree / 2);
-        half.times(c).times(half)
+        half.times(c).scaled(power_of_two).times(half)
     };
     let power = if degree & 1 == 1 { even.times_word(x) } else { even };
     let term = power.times(double_fractional_power(x, n));
@@ -265,6 +266,15 @@ mod tests {
             let x = k as f32 * 0.1;
             let sum = weighted_power_sum(x, [(DoubleWord::of(1.5), Exponent::of(12.0).plus(4))].into_iter());
             let exact = 1.5 * f64::from(x).powi(16);
+            let error = (f64::from(sum) / exact - 1.0).abs() / f64::from(f32::EPSILON);
+            assert!(error < 0.51, "{x}: {error} ε");
+        }
+        // The product with the coefficient is small, where that has no digits to spare.
+        for k in 1150..1200 {
+            let x = k as f32 * 0.01;
+            let c = 1e-34_f32;
+            let sum = weighted_power_sum(x, [(DoubleWord::of(c), Exponent::of(60.0).plus(4))].into_iter());
+            let exact = f64::from(c) * f64::from(x).powi(64);
             let error = (f64::from(sum) / exact - 1.0).abs() / f64::from(f32::EPSILON);
             assert!(error < 0.51, "{x}: {error} ε");
         }
