@@ -128,7 +128,7 @@ impl Bernstein {
 }
 
 /// Newton's method is followed to units of 2^-FINEST of the part.
-const FINEST: u64 = 1024;
+const FINEST: u64 = 2048;
 /// By so many bits the piece around a cluster is longer than its roots seem to be apart.
 const MARGIN: u64 = 1;
 /// A piece that is not shorter by so many bits comes about by halving as well.

@@ -1,19 +1,29 @@
 //! A polynomial's smallest positive root: an algebraic number, compared and narrowed exactly.
+//!
+//! Two roots may be so close to each other, and to the number that they are compared with, that halving an interval
+//! would take thousands of steps. So Newton's method says where to look, and a step that finds the root there tries to
+//! gain twice as many bits the next time, one that does not half as many; by one bit it is a halving (J. Abbott,
+//! Quadratic interval refinement for real roots, ACM Commun. Comput. Algebra 48 (2014) 3-12, doi
+//! 10.1145/2644288.2644291).
 
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::{Pow, Zero};
+use num_traits::{One, Pow, Zero};
 
 use crate::number::Rational;
 use crate::proof::common_divisor::common_divisor;
 use crate::proof::integer_polynomial::IntegerPolynomial;
+use crate::proof::part::{Part, Whole};
+use crate::proof::source::Source;
 
 /// A positive root that has no positive root below it.
 pub(crate) struct FirstRoot {
     /// Has this root, and only simple ones.
     polynomial: IntegerPolynomial,
     place: Place,
+    /// The bits that the next step tries to gain.
+    gain: u64,
 }
 
 /// In units of 2^exponent.
@@ -32,15 +42,15 @@ pub(crate) enum Place {
 
 impl FirstRoot {
     pub(crate) fn new(polynomial: IntegerPolynomial, place: Place) -> Self {
-        FirstRoot { polynomial, place }
+        FirstRoot { polynomial, place, gain: 1 }
     }
 
     /// Compares the root to the power `numerator/denominator` of a positive number.
     ///
-    /// Both sides are raised to `denominator`. Halving the interval decides unless they are equal, and equal they are
-    /// if the polynomial shares a root in the interval with x^denominator - number^numerator, which has one positive
-    /// root. Halving takes long if the two are nearly equal; a number that need not be raised is then decided by the
-    /// sign of the polynomial.
+    /// Both sides are raised to `denominator`. Narrowing the interval decides unless they are equal or nearly so. Once
+    /// it is shorter than the digits of the number suggest, a number that need not be raised is decided by the sign of
+    /// the polynomial; otherwise they are equal if the polynomial shares a root in the interval with x^denominator -
+    /// number^numerator, which has one positive root.
     pub(crate) fn compare_to_power(
         &mut self,
         number: &Rational,
@@ -48,12 +58,20 @@ impl FirstRoot {
         denominator: u32,
     ) -> Ordering {
         let power = number.pow(numerator as i32);
-        let compare = |offset: &BigInt, exponent: i64| {
+        let exactly = |offset: &BigInt, exponent: i64| {
             let exponent = exponent * i64::from(denominator);
             let (up, down) = (exponent.max(0) as u64, exponent.min(0).unsigned_abs());
             ((Pow::pow(offset, denominator) * power.denom()) << up).cmp(&(power.numer() << down))
         };
-        let (mut checked, mut halvings) = (false, 0);
+        let compare = |offset: &BigInt, exponent: i64| {
+            let excess = offset.bits().saturating_sub(LEADING_BITS);
+            let leading = offset >> excess;
+            let [below, above] =
+                [leading.clone(), leading + 1].map(|end| exactly(&end, exponent + excess as i64));
+            if below == above { below } else { exactly(offset, exponent) }
+        };
+        let bits = power.numer().bits() + power.denom().bits();
+        let mut checked = false;
         loop {
             let (lower, upper, exponent) = match &self.place {
                 Place::At { offset, exponent } => return compare(offset, *exponent),
@@ -65,16 +83,17 @@ impl FirstRoot {
             if compare(upper, exponent).is_le() {
                 return Ordering::Less;
             }
-            if !checked && self.satisfies(&power, denominator) {
-                return Ordering::Equal;
+            if !checked && self.is_narrow(bits) {
+                if denominator == 1 {
+                    // No root lies below this one, so the polynomial is positive on its left.
+                    return self.polynomial.sign_at_fraction(&power);
+                }
+                if self.satisfies(&power, denominator) {
+                    return Ordering::Equal;
+                }
+                checked = true;
             }
-            checked = true;
-            if denominator == 1 && halvings == PATIENCE {
-                // No root lies below this one, so the polynomial is positive on its left.
-                return self.polynomial.sign_at_fraction(&power);
-            }
-            halvings += 1;
-            self.halve();
+            self.step();
         }
     }
 
@@ -90,34 +109,57 @@ impl FirstRoot {
         shared.degree() > 0 && sign_at(&shared, lower, *exponent) != sign_at(&shared, upper, *exponent)
     }
 
-    /// Halves the interval, or nearly: at a point with no more digits than it takes to lie inside.
-    fn halve(&mut self) {
+    /// Makes the interval shorter, at least by half or nearly; at points with no more digits than it takes.
+    fn step(&mut self) {
         let Place::Between { lower, upper, exponent } = &mut self.place else { return };
-        let mut spare = (&*upper - &*lower).bits();
-        if spare < ROOM {
-            *lower <<= ROOM;
-            *upper <<= ROOM;
-            *exponent -= ROOM as i64;
-            spare += ROOM;
-        }
-        let steps = spare - ROOM;
-        let middle: BigInt = (&*lower + &*upper) >> (steps + 1);
-        // No root lies below this one, so the polynomial is positive on its left.
-        match sign_at(&self.polynomial, &middle, *exponent + steps as i64) {
-            Ordering::Greater => *lower = middle << steps,
-            Ordering::Less => *upper = middle << steps,
-            Ordering::Equal => {
-                self.place = Place::At { offset: middle, exponent: *exponent + steps as i64 };
+        let missing = (self.gain + ROOM).saturating_sub((&*upper - &*lower).bits());
+        *lower <<= missing;
+        *upper <<= missing;
+        *exponent -= missing as i64;
+        let whole = Whole::new(&self.polynomial, *exponent + lower.bits() as i64 - 1);
+        let line = Line { whole: &whole, exponent: *exponent };
+        let reach = (&*upper - &*lower).bits() - 1 - self.gain;
+        let piece = BigInt::one() << reach;
+        let guess = if self.gain > 1 { line.newton(lower, self.gain) } else { None };
+        let guess = guess.unwrap_or_else(|| (&*lower + &*upper) >> 1);
+        let fine = (reach + 1).saturating_sub(ROOM);
+        let mut point = (guess.clamp(&*lower + &piece, &*upper - &piece) >> fine) << fine;
+        for _ in 0..2 {
+            if point <= *lower || *upper <= point {
+                break;
             }
+            // No root lies below this one, so the polynomial is positive on its left.
+            match line.sign(&point) {
+                Ordering::Greater => {
+                    *lower = point;
+                    point = &*lower + &piece;
+                }
+                Ordering::Less => {
+                    *upper = point;
+                    point = &*upper - &piece;
+                }
+                Ordering::Equal => {
+                    self.place = Place::At { offset: point, exponent: *exponent };
+                    return;
+                }
+            }
+        }
+        let found = &*upper - &*lower <= piece << 1;
+        self.gain = if found { 2 * self.gain } else { (self.gain / 2).max(1) };
+    }
+
+    /// Whether the root is known to 2^-bits of its upper end.
+    fn is_narrow(&self, bits: u64) -> bool {
+        match &self.place {
+            Place::At { .. } => true,
+            Place::Between { lower, upper, .. } => (upper - lower) << bits <= *upper,
         }
     }
 
     /// Narrows the root to an interval that is 2^-bits of its upper end.
     pub(crate) fn narrow(&mut self, bits: u64) {
-        while let Place::Between { lower, upper, .. } = &self.place
-            && (upper - lower) << bits > *upper
-        {
-            self.halve();
+        while !self.is_narrow(bits) {
+            self.step();
         }
     }
 
@@ -128,11 +170,59 @@ impl FirstRoot {
     }
 }
 
-/// So many halvings cost about as much as the exact sign at a fraction.
-const PATIENCE: u32 = 100;
-
-/// The bits by which an interval is longer than the unit that its middle is rounded to.
+/// So many bits of a long number nearly always decide how it compares.
+const LEADING_BITS: u64 = 128;
+/// The bits by which a piece of an interval is longer than the unit that its ends are rounded to.
 const ROOM: u64 = 3;
+/// The digits of a value that is looked at first, beyond those of the point.
+const MORE_DIGITS: u64 = 64;
+
+/// The polynomial at points in units of 2^exponent, from one power of two to the next.
+struct Line<'a> {
+    whole: &'a Whole<'a>,
+    exponent: i64,
+}
+
+impl Line<'_> {
+    fn point(&self, offset: &BigInt) -> Part {
+        let bits = (self.whole.exponent - self.exponent) as u64;
+        let offset = offset - (BigInt::one() << bits);
+        let zeros = offset.trailing_zeros().unwrap_or(bits).min(bits);
+        Part { offset: offset >> zeros, bits: bits - zeros, width: 0 }
+    }
+
+    /// The value at a point, of which so many bits are right, and its digits; nothing if it is 0, or next to it.
+    fn value(&self, point: &Part, bits: u64) -> Option<(BigInt, u64)> {
+        let source = Source::whole(self.whole);
+        let [error, _] = source.errors();
+        let mut digits = point.bits + MORE_DIGITS;
+        while digits < self.whole.length + self.whole.degree() * point.bits + bits + MORE_DIGITS {
+            let value = source.value(point, digits)?;
+            if value.magnitude() >> bits >= error.into() {
+                return Some((value, digits));
+            }
+            digits *= 2;
+        }
+        None
+    }
+
+    fn sign(&self, offset: &BigInt) -> Ordering {
+        let point = self.point(offset);
+        match self.value(&point, 0) {
+            Some((value, _)) => value.cmp(&BigInt::zero()),
+            None => self.whole.sign_at(&point, 0),
+        }
+    }
+
+    /// Where Newton's method leads from a point at which the polynomial falls.
+    fn newton(&self, offset: &BigInt, bits: u64) -> Option<BigInt> {
+        let point = self.point(offset);
+        let (value, digits) = self.value(&point, bits)?;
+        let slope = Source::whole(self.whole).derivative(1, &point, &Part::whole(), digits as i64);
+        let scale = (self.whole.exponent - self.exponent) as u64;
+        (slope < BigInt::zero()).then(|| offset - (value << scale) / slope)
+    }
+}
 
 /// The sign at offset * 2^exponent.
 fn sign_at(polynomial: &IntegerPolynomial, offset: &BigInt, exponent: i64) -> Ordering {

@@ -23,8 +23,12 @@ use crate::proof::source::Source;
 #[cfg_attr(test, derive(Debug))]
 pub(crate) enum Roots {
     None,
-    /// The first is alone between the beginning and offset/2^bits of the part.
-    Before(BigInt, u64),
+    /// The first is alone between lower/2^bits and upper/2^bits of the part.
+    Between {
+        lower: BigInt,
+        upper: BigInt,
+        bits: u64,
+    },
 }
 
 /// It takes more digits than are allowed.
@@ -109,13 +113,13 @@ impl<'a> Minimum<'a> {
     fn roots_beside(&mut self, point: &Point, digits: i64, enough: &mut u64) -> Option<Roots> {
         let value = self.derivative(0, point, digits);
         let [error, _] = self.source.errors();
-        if value <= -BigInt::from(error) {
-            return Some(Roots::Before(point.offset.clone(), point.bits));
-        }
-        let least = value - error;
         let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(digits));
         let steepest = scaled(&(slope.number.abs() + slope.error), digits - slope.digits);
         let curvature = scaled(&self.curvature, digits - self.digits as i64);
+        if value <= -BigInt::from(error) {
+            return Some(point.first_root(&(error - value), &steepest, &curvature));
+        }
+        let least = value - error;
         let is_positive = least.is_positive() && (&curvature * &least) << 1 > &steepest * &steepest;
         is_positive.then(|| {
             *enough = curvature.bits().saturating_sub(least.bits()) / 2 + 4;
@@ -195,6 +199,22 @@ impl Bracket {
     }
 }
 
+impl Point {
+    /// Where the first root is if this is a point between two.
+    ///
+    /// At a distance of d, p is at least m d²/2 − |p'| d − |p|: positive from the d on where a half of the first term
+    /// is not less than each of the others.
+    fn first_root(&self, depth: &BigInt, steepest: &BigInt, curvature: &BigInt) -> Roots {
+        let [depth, steepest] =
+            [depth, steepest].map(|size| curvature.bits().saturating_sub(size.bits() + 3));
+        let near = steepest.min(depth / 2);
+        let bits = self.bits.max(near);
+        let upper = &self.offset << (bits - self.bits);
+        let lower = (&upper - (BigInt::one() << (bits - near))).max(BigInt::zero());
+        Roots::Between { lower, upper, bits }
+    }
+}
+
 /// The bits by which the bracket is longer than the unit that its middle is rounded to.
 const ROOM: i64 = 4;
 
@@ -231,11 +251,14 @@ mod tests {
             for bits in [4, 40, 400] {
                 assert_eq!(roots(&parabola(1, bits), first, 1 << 10), Ok(Roots::None));
                 let below = parabola(-1, bits);
-                let Ok(Roots::Before(offset, own)) = roots(&below, first, 1 << 10) else {
+                let Ok(Roots::Between { lower, upper, bits: own }) = roots(&below, first, 1 << 10) else {
                     unreachable!("2^-{bits}")
                 };
-                let x = (BigInt::one() << own) + offset;
-                assert_eq!(below.value_at(&x, own).cmp(&BigInt::zero()), Ordering::Less);
+                assert!((&upper - &lower) << (bits / 2) <= BigInt::from(8) << own);
+                for (offset, sign) in [(lower, Ordering::Greater), (upper, Ordering::Less)] {
+                    let x = (BigInt::one() << own) + offset;
+                    assert_eq!(below.value_at(&x, own).cmp(&BigInt::zero()), sign);
+                }
             }
             assert_eq!(roots(&parabola(0, 1), first, 1 << 10), Err(Undecided));
         }
@@ -254,7 +277,7 @@ mod tests {
         };
         for first in [1, 20_000, 65_535] {
             assert_eq!(roots(&steep(2), first, 1 << 10), Ok(Roots::None));
-            assert!(matches!(roots(&steep(1), first, 1 << 10), Ok(Roots::Before(..))));
+            assert!(matches!(roots(&steep(1), first, 1 << 10), Ok(Roots::Between { .. })));
         }
     }
 }

@@ -292,9 +292,9 @@ impl<'a> Search<'a> {
         match minimum.roots(front.local.lowest(), &mut self.enough, MAXIMUM_DIGITS) {
             Err(Undecided) => Err(TooIntricate),
             Ok(Roots::None) => Ok(None),
-            Ok(Roots::Before(offset, bits)) => {
-                let point = front.part.within(&offset, bits, bits);
-                Ok(Some(self.between(&front.part, &point.end(0), point.bits)))
+            Ok(Roots::Between { lower, upper, bits }) => {
+                let [lower, upper] = [lower, upper].map(|offset| front.part.within(&offset, bits, bits));
+                Ok(Some(self.between(&lower, &upper.end(0), upper.bits)))
             }
         }
     }
