@@ -183,7 +183,8 @@ impl<'a> Search<'a> {
         Candidate::new(part, source, (powers, local), digits, missed)
     }
 
-    /// As many more as it takes if every digit goes on making as many signs certain as the last ones did.
+    /// As many more as it takes if every digit goes on making as many signs certain as the last ones did, or as the
+    /// values at the ends tell.
     fn with_more_digits(
         &self,
         candidate: Candidate<'a>,
@@ -193,9 +194,19 @@ impl<'a> Search<'a> {
         let rate = before.saturating_sub(uncertain) as u64;
         let missing = (uncertain as u64 * digits.saturating_sub(last)).checked_div(rate).unwrap_or(0);
         let enough = (digits + missing + 16).min(4 * digits).max(self.more(digits));
-        let mut next = self.with_digits(candidate, enough)?;
+        let at_ends = [0, 1].into_iter().filter(|end| !candidate.local.knows_end(*end));
+        let at_ends = at_ends.filter_map(|end| self.digits_at(&candidate.part, end, 8 * digits)).max();
+        let mut next = self.with_digits(candidate, enough.max(at_ends.unwrap_or(0)))?;
         next.before = (digits, uncertain);
         Ok(next)
+    }
+
+    /// The digits of the unit at which the value at an end of a part begins, and some more; nothing if so many show none.
+    fn digits_at(&self, part: &Part, end: u32, most: u64) -> Option<u64> {
+        let source = Source::whole(self.whole);
+        let [error, _] = source.errors();
+        let value = source.value(&part.within(&end.into(), 0, 0), most)?;
+        (value.magnitude() >= &error.into()).then(|| most - value.bits() + KEPT_DIGITS)
     }
 
     fn with_digits(&self, candidate: Candidate<'a>, digits: u64) -> Result<Candidate<'a>, TooIntricate> {
