@@ -31,44 +31,88 @@ use crate::proof::integer_polynomial::IntegerPolynomial;
 const FIRST_PRIME_ABOVE: u64 = 1 << 31;
 
 /// The polynomial with the same roots, each of them simple, and the same sign at 0.
+///
+/// It, or what is divided out, is joined from images: the one of the lower degree, as it is likely to have the shorter
+/// coefficients. If p is s times d, and d divides the derivative, no root is one of d as often as of p, so that s has all of
+/// them; and it has each once, as its degree is not too high where that of d is not too low.
 pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
-    let repeated = common_divisor(polynomial, &polynomial.derivative());
-    let repeated = if repeated.constant().is_negative() { repeated.negated() } else { repeated };
-    polynomial.exact_quotient(&repeated).unwrap_or_else(|| polynomial.clone())
+    let slope = polynomial.derivative();
+    let image = |prime: u64| {
+        let whole = residues(polynomial, prime)?;
+        let factors = whole.iter().zip(0_u64..).skip(1);
+        let slope = factors.map(|(residue, power)| residue * power % prime).collect();
+        let repeated = divisor_modulo(whole.clone(), slope, prime);
+        let loss = repeated.len() - 1;
+        if 2 * loss <= polynomial.degree() {
+            return Some(Image { loss, residues: repeated });
+        }
+        let (simple, _) = division(whole, &repeated, prime);
+        Some(Image { loss, residues: monic(simple, prime) })
+    };
+    let simple = from_images(&polynomial.leading(), &image, &|candidate, loss| {
+        let other = polynomial.exact_quotient(&candidate)?;
+        let (simple, repeated) =
+            if candidate.degree() == loss { (other, candidate) } else { (candidate, other) };
+        slope.exact_quotient(&repeated).map(|_| simple)
+    });
+    match simple {
+        Some(simple) if simple.constant().sign() == polynomial.constant().sign() => simple,
+        Some(simple) => simple.negated(),
+        None => polynomial.clone(),
+    }
 }
 
 /// The greatest common divisor of two polynomials that are not zero, up to a constant.
 pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial) -> IntegerPolynomial {
+    let image = |prime: u64| {
+        let residues = divisor_modulo(residues(left, prime)?, residues(right, prime)?, prime);
+        Some(Image { loss: residues.len() - 1, residues })
+    };
+    from_images(&common_factor(&left.leading(), &right.leading()), &image, &|candidate, _| {
+        [left, right].iter().all(|whole| whole.exact_quotient(&candidate).is_some()).then_some(candidate)
+    })
+    .unwrap_or_else(|| IntegerPolynomial::new(vec![BigInt::one()]))
+}
+
+/// A polynomial modulo a prime, with the leading coefficient 1.
+struct Image {
+    residues: Vec<u64>,
+    /// The degree of the common divisor, which is never too low.
+    loss: usize,
+}
+
+/// What is made of the primitive polynomial with these images, whose leading coefficient divides a number, once it is
+/// found right; nothing if there is no common divisor.
+fn from_images(
+    leading: &BigInt,
+    image: &dyn Fn(u64) -> Option<Image>,
+    result: &dyn Fn(IntegerPolynomial, usize) -> Option<IntegerPolynomial>,
+) -> Option<IntegerPolynomial> {
     let mut prime = FIRST_PRIME_ABOVE;
-    let leading = common_factor(&left.leading(), &right.leading());
     let mut joined = Joined::nothing();
     loop {
         prime = prime_after(prime);
-        if reduce(&left.leading(), prime) == 0 || reduce(&right.leading(), prime) == 0 {
-            continue;
+        let Some(Image { residues, loss }) = image(prime) else { continue };
+        if loss == 0 {
+            return None;
         }
-        let leading = reduce(&leading, prime);
-        let residues = scaled(divisor_modulo(left, right, prime), leading, prime);
-        if residues.len() <= 1 {
-            return IntegerPolynomial::new(vec![BigInt::one()]);
-        }
-        let candidate = match joined.join(&residues, inverse(leading, prime), prime) {
+        let leading = reduce(leading, prime);
+        let image = Image { residues: scaled(residues, leading, prime), loss };
+        let candidate = match joined.join(&image, inverse(leading, prime), prime) {
             true => Some(joined.coefficients.clone()),
             false if is_worth_a_look(joined.primes) => joined.fractions(),
             false => None,
         };
-        if let Some(candidate) =
-            candidate.map(|coefficients| IntegerPolynomial::new(coefficients).primitive())
-            && [left, right].iter().all(|whole| whole.exact_quotient(&candidate).is_some())
-        {
-            return candidate;
+        let candidate = candidate.map(|coefficients| IntegerPolynomial::new(coefficients).primitive());
+        if let Some(result) = candidate.and_then(|candidate| result(candidate, joined.loss)) {
+            return Some(result);
         }
     }
 }
 
 /// Whether the result is looked at as fractions after so many primes, as that costs as much as some of them.
 fn is_worth_a_look(primes: usize) -> bool {
-    matches!(primes, 2 | 8 | 32 | 128 | 512)
+    primes > 1 && primes.is_power_of_two()
 }
 
 /// What the primes so far agree on, coefficients in (-modulus/2, modulus/2].
@@ -78,24 +122,27 @@ struct Joined {
     inverse: BigInt,
     modulus: BigInt,
     primes: usize,
+    loss: usize,
 }
 
 impl Joined {
     fn nothing() -> Self {
-        Joined { coefficients: Vec::new(), inverse: BigInt::zero(), modulus: BigInt::one(), primes: 0 }
+        let [inverse, modulus] = [BigInt::zero(), BigInt::one()];
+        Joined { coefficients: Vec::new(), inverse, modulus, primes: 0, loss: usize::MAX }
     }
 
     /// Takes in one more prime; whether that left the result as it was.
-    fn join(&mut self, residues: &[u64], inverse_residue: u64, prime: u64) -> bool {
-        if self.modulus.is_one() || residues.len() < self.coefficients.len() {
-            *self = Joined { coefficients: vec![BigInt::zero(); residues.len()], ..Joined::nothing() };
-        } else if residues.len() > self.coefficients.len() {
+    fn join(&mut self, image: &Image, inverse_residue: u64, prime: u64) -> bool {
+        if image.loss < self.loss {
+            let coefficients = vec![BigInt::zero(); image.residues.len()];
+            *self = Joined { coefficients, loss: image.loss, ..Joined::nothing() };
+        } else if image.loss > self.loss {
             return false;
         }
         let step =
             Step { inverse: inverse(reduce(&self.modulus, prime), prime), modulus: &self.modulus, prime };
         let mut unchanged = true;
-        for (coefficient, &residue) in self.coefficients.iter_mut().zip(residues) {
+        for (coefficient, &residue) in self.coefficients.iter_mut().zip(&image.residues) {
             unchanged &= !step.add(coefficient, residue);
         }
         step.add(&mut self.inverse, inverse_residue);
@@ -167,28 +214,37 @@ impl Step<'_> {
     }
 }
 
+/// The coefficients modulo a prime, unless that divides the leading one.
+fn residues(polynomial: &IntegerPolynomial, prime: u64) -> Option<Vec<u64>> {
+    if reduce(&polynomial.leading(), prime) == 0 {
+        return None;
+    }
+    Some(polynomial.coefficients().iter().map(|coefficient| reduce(coefficient, prime)).collect())
+}
+
 /// Euclid's algorithm modulo a prime; the result has the leading coefficient 1.
-fn divisor_modulo(left: &IntegerPolynomial, right: &IntegerPolynomial, prime: u64) -> Vec<u64> {
-    let residues = |polynomial: &IntegerPolynomial| -> Vec<u64> {
-        polynomial.coefficients().iter().map(|coefficient| reduce(coefficient, prime)).collect()
-    };
-    let (mut dividend, mut divisor) = (residues(left), monic(residues(right), prime));
+fn divisor_modulo(mut dividend: Vec<u64>, divisor: Vec<u64>, prime: u64) -> Vec<u64> {
+    let mut divisor = monic(divisor, prime);
     while !divisor.is_empty() {
-        let remainder = monic(remainder(dividend, &divisor, prime), prime);
-        dividend = core::mem::replace(&mut divisor, remainder);
+        let (_, remainder) = division(dividend, &divisor, prime);
+        dividend = core::mem::replace(&mut divisor, monic(remainder, prime));
     }
     dividend
 }
 
-fn remainder(mut dividend: Vec<u64>, divisor: &[u64], prime: u64) -> Vec<u64> {
+/// The quotient and what is left, for a divisor with the leading coefficient 1.
+fn division(mut dividend: Vec<u64>, divisor: &[u64], prime: u64) -> (Vec<u64>, Vec<u64>) {
+    let mut quotient = Vec::new();
     while dividend.len() >= divisor.len() {
         let Some(leading) = dividend.pop() else { break };
         let factor = prime - leading;
         for (target, coefficient) in dividend.iter_mut().rev().zip(divisor.iter().rev().skip(1)) {
             *target = (*target + factor * coefficient) % prime;
         }
+        quotient.push(leading);
     }
-    dividend
+    quotient.reverse();
+    (quotient, dividend)
 }
 
 fn monic(mut polynomial: Vec<u64>, prime: u64) -> Vec<u64> {
