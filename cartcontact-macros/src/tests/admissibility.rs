@@ -180,6 +180,29 @@ fn nearly_touching_from_above() -> Gap {
     with_slope(&q, "1")
 }
 
+/// delta0' = 2 a ((1e20 x - 1)^2 - x^48) with x = a^0.1: a root at 1e-20 (1 - 1e-480), and another one next to it.
+fn nearly_touching_at_a_number() -> Gap {
+    let mut q = product(&vec![vec![exact("1"), exact("-1e20")]; 2]);
+    q.resize(49, Rational::zero());
+    q[48] = exact("-1");
+    with_slope(&q, "0.1")
+}
+
+#[test]
+fn a_root_next_to_a_number_is_told_apart() {
+    let gap = nearly_touching_at_a_number();
+    let below = |power| exact("1e-200") * (integer(1) - integer(10).pow(power));
+    assert!(holds_up_to(&gap, &below(-478)) && !holds_up_to(&gap, &below(-480)) && !up_to(&gap, "1e-200"));
+}
+
+/// delta0' = 2 a ((1 - 1e100 a)^3 - a^64): three roots within 1e-2233.
+fn cluster_of_three() -> Gap {
+    let mut q = product(&vec![vec![exact("1"), exact("-1e100")]; 3]);
+    q.resize(65, Rational::zero());
+    q[64] = exact("-1");
+    with_slope(&q, "1")
+}
+
 /// delta0' = 2 a ((1e9 a - 1)^4 + a^64): two pairs of roots 1e-144 apart, all within 1e-140.
 fn cluster_of_four() -> Gap {
     let mut q = product(&vec![vec![exact("1"), exact("-1e9")]; 4]);
@@ -254,6 +277,8 @@ fn degree_64_is_decided_at_once() {
         ("32 minima of 1e-1000 within 1e-7", squares_from_above(), None),
         ("32 pairs of sizes 1e9 apart", planted(&apart9.collect::<Vec<_>>()), None),
         ("two roots 1e-33 apart", nearly_touching(), Some("0.1")),
+        ("two roots 1e-500 apart", nearly_touching_at_a_number(), Some("1e-200")),
+        ("3 roots within 1e-2233", cluster_of_three(), Some("1e-100")),
         ("coefficients from 1e-300 to 1e300", of_all_magnitudes(), Some(of_these)),
     ];
     for (name, gap, end) in cases {
