@@ -2,12 +2,13 @@
 //!
 //! Between the syntax and the gap: nothing is required of the exponents yet, so `(r^3 + r^5)/r` passes through.
 
-use num_bigint::Sign;
-use num_traits::{ToPrimitive, Zero};
+use num_bigint::{BigInt, Sign};
+use num_traits::{One, ToPrimitive, Zero};
 
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::{LikeTerms, Summable};
+use crate::number::common_factor::common_factor;
 use crate::number::{Rational, integer};
 
 /// Bounds the work of multiplying out, far above what a profile needs.
@@ -142,7 +143,34 @@ impl Polynomial {
             );
         }
         let exponent = exponent.to_u32().filter(|exponent| *exponent <= 4096);
-        self.repeated(exponent.ok_or("a sum may be raised to powers up to 4096; write a lower one")?)
+        let exponent = exponent.ok_or("a sum may be raised to powers up to 4096; write a lower one")?;
+        match self.common_denominator() {
+            Some(denominator) => {
+                for (_, monomial) in self.terms() {
+                    monomial.coefficient.power(&integer(exponent))?;
+                }
+                let power = self.scaled(&denominator).repeated(exponent)?;
+                Ok(power.scaled(&denominator.pow(exponent as i32).recip()))
+            }
+            None => self.repeated(exponent),
+        }
+    }
+
+    /// Of the coefficients, if all of them are numbers: multiplied as integers these have no common factors to look for,
+    /// which takes most of the time of multiplying out.
+    fn common_denominator(&self) -> Option<Rational> {
+        let mut common = BigInt::one();
+        for (_, monomial) in self.terms() {
+            let number = monomial.coefficient.as_constant()?;
+            common *= number.denom() / common_factor(&common, number.denom());
+        }
+        Some(integer(common))
+    }
+
+    fn scaled(&self, factor: &Rational) -> Polynomial {
+        let mut scaled = self.clone();
+        scaled.terms.map(|monomial| monomial.coefficient = monomial.coefficient.scaled(factor));
+        scaled
     }
 
     /// By squaring, from the leading bit of the exponent down, which 0 has not.

@@ -32,6 +32,7 @@ fn effort_is_bounded() {
         ),
         ("two conics of fields, order 64", "conic(a, b) - b * conic(a + c, c), order = 64".to_owned()),
         ("a power of 2 fields", "(a*r + b*r^2)^16".to_owned()),
+        ("a high power of numbers", "(0.123456789*r + 0.987654321*r^2)^127".to_owned()),
         ("a power of 3 fields", "(a*r + b*r^2 + c*r^3)^8".to_owned()),
     ] {
         let output = timed(name, &attribute);
@@ -46,6 +47,7 @@ fn what_would_take_long_is_refused() {
         ("a power of 3 fields", "(a*r + b*r^2 + c*r^3)^64".to_owned(), "too long an expression"),
         ("3 fields, 12 times", ["(a*r + b*r^2 + c*r^3)"; 12].join("*"), "too long an expression"),
         ("a power of 3 numbers", "(r + r^2 + r^3)^4000".to_owned(), "too many terms"),
+        ("a power of long numbers", format!("(1.{}*r + r^2)^127", "1".repeat(40)), "too large"),
     ] {
         let output = timed(name, &attribute);
         assert!(output.matches("compile_error").count() == 1 && output.contains(rule), "{name}: {output}");
