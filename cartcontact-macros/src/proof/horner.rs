@@ -147,11 +147,14 @@ pub(crate) fn integer(words: &[u64]) -> BigInt {
 }
 
 /// Adds a multiple of a row to the first of `sums`; what is to be added to the next is returned.
-pub(crate) fn add_row(sums: &mut [u64], row: &[u64], factor: u64, carry: u64) -> u64 {
-    let factor = u128::from(factor);
-    let (mut row, mut row_end) = row.split_at(row.len() / 4 * 4);
-    let (mut sums, mut sums_end) = sums.split_at_mut(row.len());
-    let mut carry = u128::from(carry);
+pub(crate) fn add_row(mut sums: &mut [u64], mut row: &[u64], factor: u64, carry: u64) -> u64 {
+    let (factor, mut carry) = (u128::from(factor), u128::from(carry));
+    while !row.len().is_multiple_of(4) {
+        let ([s0, sums_left @ ..], [r0, row_left @ ..]) = (sums, row) else { return carry as u64 };
+        let sum = u128::from(*r0).wrapping_mul(factor).wrapping_add(u128::from(*s0)).wrapping_add(carry);
+        (*s0, carry) = (sum as u64, sum >> WORD);
+        (sums, row) = (sums_left, row_left);
+    }
     while let ([s0, s1, s2, s3, sums_left @ ..], [r0, r1, r2, r3, row_left @ ..]) = (sums, row) {
         let sum = u128::from(*r0).wrapping_mul(factor).wrapping_add(u128::from(*s0)).wrapping_add(carry);
         (*s0, carry) = (sum as u64, sum >> WORD);
@@ -162,11 +165,6 @@ pub(crate) fn add_row(sums: &mut [u64], row: &[u64], factor: u64, carry: u64) ->
         let sum = u128::from(*r3).wrapping_mul(factor).wrapping_add(u128::from(*s3)).wrapping_add(carry);
         (*s3, carry) = (sum as u64, sum >> WORD);
         (sums, row) = (sums_left, row_left);
-    }
-    while let ([s0, sums_left @ ..], [r0, row_left @ ..]) = (sums_end, row_end) {
-        let sum = u128::from(*r0).wrapping_mul(factor).wrapping_add(u128::from(*s0)).wrapping_add(carry);
-        (*s0, carry) = (sum as u64, sum >> WORD);
-        (sums_end, row_end) = (sums_left, row_left);
     }
     carry as u64
 }
