@@ -12,8 +12,8 @@ use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, Blunt, FlatBall, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS, ThreeTerm,
-    by_hand, contact, load_integrals, run_time, times,
+    Ball, Blunt, BluntBall, FlatBall, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS,
+    ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -43,6 +43,7 @@ fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(
 
 #[library_benchmark(setup = targets::<f64, _>)]
 #[bench::one_term(Paraboloid)]
+#[bench::one_term_of_any_power(BluntBall)]
 #[bench::two_terms(Patellofemoral)]
 #[bench::three_terms(ThreeTerm)]
 #[bench::four_terms(FourTerm)]
@@ -68,6 +69,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 
 #[library_benchmark(setup = targets::<f64, _>)]
 #[bench::one_term(Paraboloid)]
+#[bench::one_term_of_any_power(BluntBall)]
 #[bench::two_terms(Patellofemoral)]
 #[bench::four_terms(FourTerm)]
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]

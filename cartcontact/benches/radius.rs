@@ -14,8 +14,8 @@ use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, FlatBall, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeTerm, by_hand, contact,
-    load_integrals, radius_by_roots, times,
+    Ball, BluntBall, Cone, FlatBall, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeTerm,
+    by_hand, contact, load_integrals, radius_by_roots, times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -65,6 +65,8 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     let sixth = black_box(T::constant(1.0 / 6.0));
     function(group, "powf", targets, |target| target.powf(sixth));
     profile(group, "one term", targets, &Paraboloid);
+    profile(group, "one term, r^2.3", targets, &BluntBall);
+    profile(group, "one term, a cone", targets, &Cone);
     profile(group, "two terms", targets, &Patellofemoral);
     profile(group, "three terms", targets, &ThreeTerm);
     profile(group, "four terms", targets, &FourTerm);

@@ -79,7 +79,7 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 ///
 /// Generated for whole powers, a few radii are above 1 ulp: up to 15 in a million if the gap begins with r, by 1.16 at the
 /// most of five million random ones each for eleven geometries; otherwise fewer than one in `f64` and up to 5 in `f32`, by
-/// 1.03. If all exponents have a half beside, up to 18 and 68, by 1.21. With a closed form none is; by the `powf` of `libm`, 1
+/// 1.03. If all exponents have a half beside, up to 18 and 68, by 1.21. Of one term none is; by the `powf` of `libm`, 1
 /// in ten thousand of r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",

@@ -13,6 +13,12 @@ use roots::{SimpleConvergency, find_root_newton_raphson};
 #[gap_profile(0.025 * r^2)]
 pub(crate) struct Paraboloid;
 
+#[gap_profile(0.1 * r)]
+pub(crate) struct Cone;
+
+#[gap_profile(0.015 * r^2.3)]
+pub(crate) struct BluntBall;
+
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
 pub(crate) struct Patellofemoral;
 

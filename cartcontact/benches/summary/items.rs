@@ -39,6 +39,10 @@ const NANOSECOND: &str = "";
 const LINES: &[Line] = &[
     ("radius, one term", Some(AtMost(1.0)), "radius f64/throughput/one term", POWF),
     ("radius, one term, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term", POWF),
+    ("radius, one term, r^2.3", Some(AtMost(1.0)), "radius f64/throughput/one term, r^2.3", POWF),
+    ("radius, one term, r^2.3, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term, r^2.3", POWF),
+    ("radius, one term, a cone", Some(AtMost(1.0)), "radius f64/throughput/one term, a cone", POWF),
+    ("radius, one term, a cone, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term, a cone", POWF),
     ("radius, one term with a field", Some(AtMost(1.0)), "radius f64/throughput/one term with a field", POWF),
     ("radius, one term with a field, of a slice", Some(AtMost(0.25)), "radius f64/slice/one term with a field", POWF),
     ("radius, two terms", Some(AtMost(0.25)), "radius f64/throughput/two terms", POWF),

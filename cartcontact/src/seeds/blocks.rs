@@ -122,9 +122,13 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
         for (row, &digits) in rows.iter_mut().zip(&all_digits) {
             *row = table.row(digits);
         }
-        let places = rows.iter().zip(&all_digits).zip(load_integrals);
-        for (radius, ((row, &digits), &load_integral)) in radii.iter_mut().zip(places) {
-            *radius = step.radius(row, digits, load_integral);
+        let mut starts = [S::Start::default(); N];
+        for ((start, row), &digits) in starts.iter_mut().zip(&*rows).zip(&all_digits) {
+            *start = S::start(row, digits);
+        }
+        let places = rows.iter().zip(&starts).zip(load_integrals);
+        for (radius, ((row, &start), &load_integral)) in radii.iter_mut().zip(places) {
+            *radius = step.radius(row, start, load_integral);
         }
         // Mostly there is no limit; a limit that is not a number holds nothing.
         found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))

@@ -76,23 +76,25 @@ struct Halley<U, F> {
 }
 
 impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley<U, F> {
+    type Start = f32;
+
     #[inline(always)]
     fn in_table(self, load_integral: T) -> T {
         self.units.in_table(load_integral)
     }
 
+    /// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ at 1 plus the last 23 bits as a fraction, from a row of c₀, c₂, c₁ and c₃.
     #[inline(always)]
-    fn radius(self, row: &Row, digits: u32, load_integral: T) -> T {
-        let seed = self.units.seed(single(cubic(row, digits)));
+    fn start(row: &Row, digits: u32) -> f32 {
+        let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
+        (row.at(0) + row.at(2) * u) + (row.at(1) + row.at(3) * u) * (u * u)
+    }
+
+    #[inline(always)]
+    fn radius(self, _row: &Row, start: f32, load_integral: T) -> T {
+        let seed = self.units.seed(single(start));
         (self.evaluate)(seed).halley(seed, self.units.target(load_integral))
     }
-}
-
-/// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ at 1 plus the last 23 bits as a fraction, from a row of c₀, c₂, c₁ and c₃.
-#[inline(always)]
-fn cubic(row: &Row, digits: u32) -> f32 {
-    let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
-    (row.at(0) + row.at(2) * u) + (row.at(1) + row.at(3) * u) * (u * u)
 }
 
 impl<T: Scalar> Target<T> {

@@ -34,24 +34,30 @@ pub(super) struct Row(pub(super) [u8; 16]);
 
 /// What a radius is found by from its row of the table.
 pub(super) trait Step<T>: Copy {
+    /// What is read of all rows of a block before anything else, if that becomes quicker vector code.
+    type Start: Copy + Default;
+
     /// The load integral as the table has it.
     fn in_table(self, load_integral: T) -> T;
 
-    /// The radius from the row and the [`digits`] of a load integral.
-    fn radius(self, row: &Row, digits: u32, load_integral: T) -> T;
+    /// What a row gives for the [`digits`] of a load integral.
+    fn start(row: &Row, digits: u32) -> Self::Start;
+
+    fn radius(self, row: &Row, start: Self::Start, load_integral: T) -> T;
 }
 
 impl Table {
     /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
     /// than f32 and f64.
     #[inline(always)]
-    pub(super) fn find<T: Scalar>(&self, load_integral: T, limit: T, step: impl Step<T>) -> Option<T> {
+    pub(super) fn find<T: Scalar, S: Step<T>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
         let y = step.in_table(load_integral);
         if !(self.holds::<T>() && self.contains(y)) {
             return None;
         }
         let digits = digits(y);
-        let radius = step.radius(&self.row(digits), digits, load_integral);
+        let row = self.row(digits);
+        let radius = step.radius(&row, S::start(&row, digits), load_integral);
         // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
         let is_within = radius <= limit || limit == T::infinity();
         is_within.then_some(radius)
