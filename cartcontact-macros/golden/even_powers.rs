@@ -33,9 +33,14 @@ struct Patellofemoral;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        first: -168,
-        count: 256,
-        single: true,
+        quarters: __cartcontact::generated::Quarters {
+            first: -168,
+            count: 256,
+        },
+        single: __cartcontact::generated::Quarters {
+            first: -168,
+            count: 256,
+        },
         rows: __cartcontact::generated::Rows(
             *b"...",
         ),

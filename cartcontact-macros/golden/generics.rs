@@ -50,9 +50,14 @@ const _: () = {
         ]
     }
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        first: -176,
-        count: 256,
-        single: true,
+        quarters: __cartcontact::generated::Quarters {
+            first: -176,
+            count: 256,
+        },
+        single: __cartcontact::generated::Quarters {
+            first: -176,
+            count: 256,
+        },
         rows: __cartcontact::generated::Rows(
             *b"...",
         ),

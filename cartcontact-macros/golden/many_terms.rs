@@ -35,9 +35,14 @@ struct Spheres;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        first: -216,
-        count: 256,
-        single: false,
+        quarters: __cartcontact::generated::Quarters {
+            first: -216,
+            count: 256,
+        },
+        single: __cartcontact::generated::Quarters {
+            first: -216,
+            count: 0,
+        },
         rows: __cartcontact::generated::Rows(
             *b"...",
         ),

@@ -53,9 +53,14 @@ const _: () = {
     }
     static __TABLE: __cartcontact::generated::Roots = __cartcontact::generated::Roots {
         table: __cartcontact::generated::Table {
-            first: 0,
-            count: 24,
-            single: true,
+            quarters: __cartcontact::generated::Quarters {
+                first: 0,
+                count: 24,
+            },
+            single: __cartcontact::generated::Quarters {
+                first: 0,
+                count: 24,
+            },
             rows: __cartcontact::generated::Rows(
                 *b"...",
             ),

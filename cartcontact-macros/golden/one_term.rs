@@ -34,9 +34,14 @@ pub struct Paraboloid;
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        first: -148,
-        count: 256,
-        single: true,
+        quarters: __cartcontact::generated::Quarters {
+            first: -148,
+            count: 256,
+        },
+        single: __cartcontact::generated::Quarters {
+            first: -148,
+            count: 256,
+        },
         rows: __cartcontact::generated::Rows(
             *b"...",
         ),

@@ -75,18 +75,15 @@ fn table(Power { k, q }: Power, (bottom, octaves): (i32, i32), j: &Rational) -> 
     };
     let octave = Float::root(&integer(2), (q, k))?;
     let mut roots = [lowest(0)?, lowest(1)?, lowest(2)?, lowest(3)?];
-    let (mut rows, mut single) = (Vec::new(), true);
-    for _ in 0..octaves {
+    let mut rows = Vec::new();
+    for at in bottom..bottom + octaves {
         for root in &mut roots {
-            let [first, second, third] = root.in_parts()?;
-            rows.push([first, third, 0.0, second]);
-            single &= root.log2().abs() < LARGEST_SINGLE;
+            let is_held = [f64::from(at), root.log2()].iter().all(|octave| octave.abs() < LARGEST_SINGLE);
+            rows.push(root.in_parts().map(|[first, second, third]| ([first, third, 0.0, second], is_held)));
             *root = root.times(octave);
         }
     }
-    let single =
-        single && [bottom, bottom + octaves].iter().all(|octave| f64::from(octave.abs()) < LARGEST_SINGLE);
-    Some(Table { first: bottom * ROWS_PER_OCTAVE, single, rows })
+    Table::of(bottom * ROWS_PER_OCTAVE, rows.into_iter())
 }
 
 /// c₁ and those that follow, for α = 1/p.

@@ -16,7 +16,7 @@ use num_traits::ToPrimitive;
 
 use crate::closed_forms::PowerSum;
 use crate::geometry::Geometry;
-use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, lower_end, top};
+use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top};
 
 /// How much of its window lies above the load integral at which two terms are equal.
 const OCTAVES_ABOVE_EQUALITY: i32 = 20;
@@ -47,21 +47,6 @@ pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Tab
         _ => return None,
     };
     sum.seeds(top)
-}
-
-/// The longest run of rows without a gap, and the index of its first.
-fn longest_run(first: i32, rows: impl Iterator<Item = Option<[f32; 4]>>) -> Option<(i32, Vec<[f32; 4]>)> {
-    let mut runs: Vec<(i32, Vec<[f32; 4]>)> = Vec::new();
-    let mut open = false;
-    for (row, index) in rows.zip(first..) {
-        match (row, runs.last_mut().filter(|_| open)) {
-            (Some(row), Some((_, run))) => run.push(row),
-            (Some(row), None) => runs.push((index, vec![row])),
-            (None, _) => {}
-        }
-        open = row.is_some();
-    }
-    runs.into_iter().max_by_key(|(_, run)| run.len())
 }
 
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
@@ -103,14 +88,9 @@ impl LoadIntegral {
             let ends = core::mem::replace(&mut low, high).zip(high)?;
             self.row(index, ends)
         });
-        let (first, rows) = longest_run(bottom, rows)?;
         // In the order that the solver has them in.
-        let rows = rows.into_iter().map(|[c0, c1, c2, c3]| [c0, c2, c1, c3]).collect();
-        let seeds = Table { first, single: false, rows };
-        let holds =
-            |y| self.radius(y).is_some_and(|a| self.largest_logarithm(a, &self.at(a)) < LARGEST_SINGLE);
-        let single = seeds.range().into_iter().all(holds);
-        (seeds.rows.len() >= FEWEST_ROWS).then_some(Table { single, ..seeds })
+        let rows = rows.map(|row| row.map(|([c0, c1, c2, c3], is_held)| ([c0, c2, c1, c3], is_held)));
+        Table::of(bottom, rows).filter(|table| table.rows.len() >= FEWEST_ROWS)
     }
 
     fn at(&self, a: f64) -> Derivatives {
@@ -164,22 +144,24 @@ impl LoadIntegral {
     }
 
     /// The cubic for the row between two radii, if it passes the check.
-    fn row(&self, index: i32, (low, high): (f64, f64)) -> Option<[f32; 4]> {
+    fn row(&self, index: i32, (low, high): (f64, f64)) -> Option<Row> {
         let unit = 2f64.powi(index.div_euclid(ROWS_PER_OCTAVE));
         let between = |share: f64| low * (high / low).powf(share);
         let radii = [0.961_94, 0.691_34, 0.308_66, 0.038_06].map(between);
         let fractions = radii.map(|a| self.at(a).value / unit);
         let row = interpolate(fractions, radii).map(|coefficient| coefficient as f32);
-        let passes = |share: f64| {
+        let mut largest = 0.0_f64;
+        let mut passes = |share: f64| {
             let a = between(share);
             let at = self.at(a);
             let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
             let left = |error: f64| (half_second * half_second - third).abs() * error * error * error;
-            let is_near = left(error) <= ALLOWED_ERROR && left(error + CUT_OFF) <= ALLOWED_ERROR_OF_SINGLE;
-            is_near && self.largest_logarithm(a, &at) < LARGEST_DOUBLE
+            largest = largest.max(self.largest_logarithm(a, &at));
+            left(error) <= ALLOWED_ERROR && left(error + CUT_OFF) <= ALLOWED_ERROR_OF_SINGLE
         };
-        [1e-3, 0.15, 0.5, 0.85].into_iter().all(passes).then_some(row)
+        let is_near = [1e-3, 0.15, 0.5, 0.85].into_iter().all(&mut passes);
+        (is_near && largest < LARGEST_DOUBLE).then_some((row, largest < LARGEST_SINGLE))
     }
 }
 
@@ -222,7 +204,7 @@ mod tests {
         fn octave(&self, octave: i32) -> Option<Vec<[f32; 4]>> {
             let rows = octave * ROWS_PER_OCTAVE..(octave + 1) * ROWS_PER_OCTAVE;
             let ends = |index| self.radius(lower_end(index)).zip(self.radius(lower_end(index + 1)));
-            rows.map(|index| self.row(index, ends(index)?)).collect()
+            rows.map(|index| Some(self.row(index, ends(index)?)?.0)).collect()
         }
     }
 
@@ -257,13 +239,5 @@ mod tests {
         let expected = [3.0, -1.0, 0.0, 2.0];
         let found = interpolate(nodes, nodes.map(|u| 3.0 - u + 2.0 * u * u * u));
         assert!(found.iter().zip(expected).all(|(c, e)| (c - e).abs() < 1e-11), "{found:?}");
-    }
-
-    #[test]
-    fn the_longest_run_is_kept() {
-        let row = Some([0.0; 4]);
-        let rows = [row, None, row, row, None, None, row];
-        assert!(longest_run(-3, rows.into_iter()).is_some_and(|(first, run)| first == -1 && run.len() == 2));
-        assert!(longest_run(0, [None, None].into_iter()).is_none());
     }
 }

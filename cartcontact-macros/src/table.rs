@@ -49,12 +49,23 @@ impl Start {
 /// Rows for y = u · 2^e, 1 ≤ u < 2, by k = 4 e + ⌊4 (u − 1)⌋ − first.
 pub(crate) struct Table {
     pub(crate) first: i32,
-    /// Whether single precision holds everything that the step computes.
-    pub(crate) single: bool,
     pub(crate) rows: Vec<[f32; 4]>,
+    /// The first of those of which single precision holds all that the step computes, and how many they are.
+    pub(crate) single: (i32, usize),
 }
 
+/// A row, and whether single precision holds all that a step from it computes.
+pub(crate) type Row = ([f32; 4], bool);
+
 impl Table {
+    /// The longest run of the rows that there are, the first of which has the index `first`.
+    pub(crate) fn of(first: i32, rows: impl Iterator<Item = Option<Row>>) -> Option<Self> {
+        let (first, rows) = longest_run(first, rows)?;
+        let single = longest_run(first, rows.iter().map(|(_, is_held)| is_held.then_some(())));
+        let single = single.map_or((first, 0), |(first, run)| (first, run.len()));
+        Some(Self { first, rows: rows.into_iter().map(|(row, _)| row).collect(), single })
+    }
+
     /// The load integrals at both ends of the table.
     pub(crate) fn range(&self) -> [f64; 2] {
         [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
@@ -95,8 +106,47 @@ fn length(gap: &Gap) -> Option<f64> {
     alone.reduce(f64::min)
 }
 
+/// The longest run without a gap, and the index of its first.
+fn longest_run<R>(first: i32, rows: impl Iterator<Item = Option<R>>) -> Option<(i32, Vec<R>)> {
+    let mut runs: Vec<(i32, Vec<R>)> = Vec::new();
+    let mut open = false;
+    for (row, index) in rows.zip(first..) {
+        open = match (row, runs.last_mut().filter(|_| open)) {
+            (Some(row), Some((_, run))) => {
+                run.push(row);
+                true
+            }
+            (Some(row), None) => {
+                runs.push((index, vec![row]));
+                true
+            }
+            (None, _) => false,
+        };
+    }
+    runs.into_iter().max_by_key(|(_, run)| run.len())
+}
+
 /// The load integral at which a row begins.
 pub(crate) fn lower_end(index: i32) -> f64 {
     let (octave, quarter) = (index.div_euclid(ROWS_PER_OCTAVE), index.rem_euclid(ROWS_PER_OCTAVE));
     2f64.powi(octave) * (1.0 + f64::from(quarter) / f64::from(ROWS_PER_OCTAVE))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_run_is_kept() {
+        let rows = [Some(1), None, Some(2), Some(3), None, None, Some(4)];
+        assert_eq!(longest_run(-3, rows.into_iter()), Some((-1, vec![2, 3])));
+        assert!(longest_run(0, [None::<()>, None].into_iter()).is_none());
+    }
+
+    #[test]
+    fn single_precision_has_the_rows_that_it_holds() {
+        let rows = [None, Some(false), Some(true), Some(true), Some(false)];
+        let table = Table::of(-3, rows.into_iter().map(|row| row.map(|is_held| ([0.0; 4], is_held))));
+        assert!(table.is_some_and(|table| (table.first, table.rows.len(), table.single) == (-2, 4, (-1, 2))));
+    }
 }

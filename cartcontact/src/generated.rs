@@ -26,6 +26,6 @@ pub use crate::one_term::invert_one_term;
 pub use crate::profile::with_parameters;
 pub use crate::scalar::constants;
 pub use crate::seeds::{
-    EqualTerms, OwnTerm, OwnUnits, Roots, Rows, SingleTerm, Steepness, Table, WholePowers, elsewhere,
-    radii_of_whole_powers, radius_of_real_powers,
+    EqualTerms, OwnTerm, OwnUnits, Quarters, Roots, Rows, SingleTerm, Steepness, Table, WholePowers,
+    elsewhere, radii_of_whole_powers, radius_of_real_powers,
 };

@@ -18,8 +18,12 @@ pub(super) fn item(table: &Table, names: &Names<'_>) -> TokenStream {
 
 pub(super) fn value(table: &Table, names: &Names<'_>) -> TokenStream {
     let [kind, rows] = ["Table", "Rows"].map(|name| names.generated(name));
-    let (first, single) = (Literal::i32_unsuffixed(table.first), table.single);
-    let count = Literal::usize_unsuffixed(table.rows.len());
+    let quarters = [(table.first, table.rows.len()), table.single].map(|(first, count)| {
+        let (kind, first) = (names.generated("Quarters"), Literal::i32_unsuffixed(first));
+        let count = Literal::usize_unsuffixed(count);
+        quote!(#kind { first: #first, count: #count })
+    });
+    let [quarters, single] = quarters;
     let bytes = Literal::byte_string(&table.in_places());
-    quote!(#kind { first: #first, count: #count, single: #single, rows: #rows(*#bytes) })
+    quote!(#kind { quarters: #quarters, single: #single, rows: #rows(*#bytes) })
 }

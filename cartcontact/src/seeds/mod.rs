@@ -31,7 +31,7 @@ pub use halley::Steepness;
 use halley::Target;
 pub use leading_term::radius_of_real_powers;
 pub use roots::{OwnTerm, Roots, SingleTerm};
-pub use table::{Rows, Table};
+pub use table::{Quarters, Rows, Table};
 pub use units::{EqualTerms, OwnUnits};
 pub use whole_powers::{WholePowers, radii_of_whole_powers};
 

@@ -10,17 +10,24 @@ use crate::scalar::is;
 /// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
 #[derive(Debug)]
 pub struct Table {
-    /// The first k of the table.
-    pub first: i32,
-    /// How many there are, at most 256.
-    pub count: u32,
-    /// Whether single precision holds all y, and all powers of a, up to 2^±100.
-    pub single: bool,
+    /// The k of the table, at most 256.
+    pub quarters: Quarters,
+    /// Those of which single precision holds y, and all that a step computes, within 2^±100; among the others.
+    pub single: Quarters,
     /// The row of k at k − 4 modulo 256.
     ///
     /// That is the number in eight bits of y, six of its exponent and two of its fraction: the row that they name needs
     /// no check of bounds.
     pub rows: Rows,
+}
+
+/// So many quarters of octaves from the first.
+#[derive(Clone, Copy, Debug)]
+pub struct Quarters {
+    /// The first k.
+    pub first: i32,
+    /// How many there are.
+    pub count: u32,
 }
 
 /// 256 rows, as bytes: one literal for the compiler to read, instead of a thousand. None lies in two lines of a cache.
@@ -63,8 +70,14 @@ impl Table {
         is_within.then_some(radius)
     }
 
+    /// Whether there are rows for a scalar.
     pub(super) fn holds<T: Scalar>(&self) -> bool {
-        is::<T, f64>() || (is::<T, f32>() && self.single)
+        is::<T, f64>() || (is::<T, f32>() && self.single.count > 0)
+    }
+
+    #[inline(always)]
+    fn quarters<T: Scalar>(&self) -> Quarters {
+        if is::<T, f32>() { self.single } else { self.quarters }
     }
 
     /// Too small for the table, or with the sign set, y becomes an index that is too large.
@@ -75,13 +88,15 @@ impl Table {
             Some(single) => (single.to_bits() >> 21, 127),
             None => ((y.value().to_bits() >> 50) as u32, 1023),
         };
-        quarter.wrapping_sub((4 * bias + self.first) as u32) < self.count
+        let Quarters { first, count } = self.quarters::<T>();
+        quarter.wrapping_sub((4 * bias + first) as u32) < count
     }
 
-    /// The load integrals at both ends.
+    /// The load integrals at both ends of the rows for a scalar.
     pub(super) fn ends<T: Scalar>(&self) -> [T; 2] {
         let quarter = |k: i32| T::constant(f64::from_bits(((4 * 1023 + k) as u64) << 50));
-        [self.first, self.first + self.count as i32].map(quarter)
+        let Quarters { first, count } = self.quarters::<T>();
+        [first, first + count as i32].map(quarter)
     }
 
     #[inline(always)]
