@@ -51,11 +51,11 @@ const _: () = {
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
         let __s = __a * __a;
+        let __value = <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)
+            + (<T as __cartcontact::Scalar>::constant(9.114583333333334e-6f64)) * __s;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)
-                + (<T as __cartcontact::Scalar>::constant(9.114583333333334e-6f64))
-                    * __s,
+            value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(171.42857142857142f64) + __s,
             half_second: <T as __cartcontact::Scalar>::constant(5877551.020408163f64)

@@ -69,19 +69,19 @@ const _: () = {
         __c1,
         ]: [S; 2usize],
     ) -> __cartcontact::generated::Steepness<S> {
-        __cartcontact::generated::power_sum_steepness(
-            __a,
-            [
-                (
-                    __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                    __cartcontact::generated::Exponent::whole(6),
-                ),
-                (
-                    __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                ),
-            ],
-        )
+        let (__power, __lost) = __cartcontact::generated::power_of_half_digits(__a, 12);
+        let __value = __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64)
+            + (__c1 * <S as __cartcontact::Scalar>::constant(0.15625f64)) * __a;
+        __cartcontact::generated::Steepness {
+            power: __power,
+            value: __value,
+            excess: __lost * __value,
+            first: __c0 * <S as __cartcontact::Scalar>::constant(1.828125f64)
+                + (__c1 * <S as __cartcontact::Scalar>::constant(2.03125f64)) * __a,
+            half_second: __c0 * <S as __cartcontact::Scalar>::constant(10.0546875f64)
+                + (__c1 * <S as __cartcontact::Scalar>::constant(12.1875f64)) * __a,
+            per_unit: <S as __cartcontact::Scalar>::constant(1.0f64),
+        }
     }
     #[automatically_derived]
     impl<'a, S: Copy, T> __cartcontact::GapProfile<S> for Any<'a, S, T>
@@ -272,16 +272,18 @@ const _: () = {
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             match {
-                let __units = __cartcontact::generated::EqualTerms::of(
-                    (
-                        __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                        <S as __cartcontact::Scalar>::constant(6.0f64),
+                let __units = __cartcontact::generated::Squared(
+                    __cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                            <S as __cartcontact::Scalar>::constant(12.0f64),
+                        ),
+                        (
+                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                            <S as __cartcontact::Scalar>::constant(13.0f64),
+                        ),
+                        <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
-                    (
-                        __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                        <S as __cartcontact::Scalar>::constant(6.5f64),
-                    ),
-                    <S as __cartcontact::Scalar>::constant(1.828125f64),
                 );
                 __TABLE
                     .radius(
@@ -354,16 +356,18 @@ const _: () = {
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __units = __cartcontact::generated::EqualTerms::of(
-                (
-                    __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                    <S as __cartcontact::Scalar>::constant(6.0f64),
+            let __units = __cartcontact::generated::Squared(
+                __cartcontact::generated::EqualTerms::of(
+                    (
+                        __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                        <S as __cartcontact::Scalar>::constant(12.0f64),
+                    ),
+                    (
+                        __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                        <S as __cartcontact::Scalar>::constant(13.0f64),
+                    ),
+                    <S as __cartcontact::Scalar>::constant(1.828125f64),
                 ),
-                (
-                    __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                    <S as __cartcontact::Scalar>::constant(6.5f64),
-                ),
-                <S as __cartcontact::Scalar>::constant(1.828125f64),
             );
             __TABLE
                 .radii(

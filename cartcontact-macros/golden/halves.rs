@@ -38,17 +38,18 @@ const _: () = {
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        let (__power, __lost) = __cartcontact::generated::power_of_half_digits(__a, 11);
+        let __value = <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)
+            + (<T as __cartcontact::Scalar>::constant(0.0002564102564102564f64)) * __s;
         __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__a, 5)
-                * __cartcontact::generated::square_root(__a),
-            value: <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)
-                + (<T as __cartcontact::Scalar>::constant(0.0002564102564102564f64))
-                    * __a,
-            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
-            first: <T as __cartcontact::Scalar>::constant(2.5714285714285716f64) + __a,
-            half_second: <T as __cartcontact::Scalar>::constant(3471.4285714285716f64)
-                + (<T as __cartcontact::Scalar>::constant(1650.0f64)) * __a,
-            per_unit: <T as __cartcontact::Scalar>::constant(600.0f64),
+            power: __power,
+            value: __value,
+            excess: __lost * __value,
+            first: <T as __cartcontact::Scalar>::constant(2.5714285714285716f64) + __s,
+            half_second: <T as __cartcontact::Scalar>::constant(3857.1428571428573f64)
+                + (<T as __cartcontact::Scalar>::constant(1800.0f64)) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(300.0f64),
         }
     }
     #[automatically_derived]
@@ -227,7 +228,9 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match {
-                let __units = __cartcontact::generated::OwnUnits;
+                let __units = __cartcontact::generated::Squared(
+                    __cartcontact::generated::OwnUnits,
+                );
                 __TABLE
                     .radius(
                         __load_integral,
@@ -300,7 +303,9 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            let __units = __cartcontact::generated::OwnUnits;
+            let __units = __cartcontact::generated::Squared(
+                __cartcontact::generated::OwnUnits,
+            );
             __TABLE
                 .radii(
                     (__load_integrals, __radii),

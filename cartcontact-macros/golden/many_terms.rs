@@ -108,19 +108,20 @@ const _: () = {
             2.0869488887660622e26,
         ]);
         let __s = __a * __a;
+        let __value = __value0
+            + (__value1
+                + (__value2
+                    + (__value3
+                        + (__value4
+                            + (__value5
+                                + (__value6
+                                    + (__value7
+                                        + (__value8
+                                            + (__value9 + (__value10 + (__value11) * __s) * __s) * __s)
+                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: __value0
-                + (__value1
-                    + (__value2
-                        + (__value3
-                            + (__value4
-                                + (__value5
-                                    + (__value6
-                                        + (__value7
-                                            + (__value8
-                                                + (__value9 + (__value10 + (__value11) * __s) * __s) * __s)
-                                                * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s,
+            value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: __first0
                 + (__first1

@@ -52,9 +52,10 @@ const _: () = {
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
         let __s = __a * __a;
+        let __value = <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64);
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64),
+            value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(1.0f64),
             half_second: <T as __cartcontact::Scalar>::constant(200.0f64),

@@ -81,10 +81,11 @@ const _: () = {
         ]: [T; 2usize],
     ) -> __cartcontact::generated::Steepness<T> {
         let __s = __a * __a;
+        let __value = __c0 * <T as __cartcontact::Scalar>::constant(0.125f64)
+            + (__c1 * <T as __cartcontact::Scalar>::constant(0.125f64)) * __s;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
-            value: __c0 * <T as __cartcontact::Scalar>::constant(0.125f64)
-                + (__c1 * <T as __cartcontact::Scalar>::constant(0.125f64)) * __s,
+            value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: __c0 * <T as __cartcontact::Scalar>::constant(0.75f64) + (__c1) * __s,
             half_second: __c0 * <T as __cartcontact::Scalar>::constant(1.875f64)

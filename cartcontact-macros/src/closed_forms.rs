@@ -48,6 +48,12 @@ pub(crate) struct Scaled {
     pub(crate) per_unit: Rational,
 }
 
+/// J for the step from a table of seeds: of the square root of the radius, if its powers are then whole.
+pub(crate) struct Seeded {
+    pub(crate) scaled: Scaled,
+    pub(crate) is_of_square_root: bool,
+}
+
 pub(crate) struct ClosedForms {
     /// Φ(r) = Σ C rⁿ
     pub(crate) gap: PowerSum,
@@ -59,6 +65,8 @@ pub(crate) struct ClosedForms {
     pub(crate) load_integral: PowerSum,
     /// J as the steps to the radius take it: where coefficients are symbols, with weights that have few digits.
     pub(crate) stepped: Scaled,
+    /// The same for the step from a table of seeds.
+    pub(crate) seeded: Seeded,
     /// L(x) = Σ C xⁿ⁺²/(n+2)², the log kernel of Eq. (28)
     pub(crate) log_kernel: PowerSum,
 }
@@ -68,14 +76,24 @@ impl ClosedForms {
         let two = integer(2);
         let plus = |n: &Rational, k: i32| n + integer(k);
         let load_integral = PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4)));
+        let stepped = load_integral.times(load_integral.shortener());
         Self {
-            stepped: load_integral.times(load_integral.shortener()),
+            seeded: stepped.seeded(),
+            stepped,
             gap: PowerSum::of(gap, 0, &|_| Rational::one()),
             approach: PowerSum::of(gap, 0, &|n| &two / plus(n, 2)),
             approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
             load_integral,
             log_kernel: PowerSum::of(gap, 2, &|n| (plus(n, 2) * plus(n, 2)).recip()),
         }
+    }
+}
+
+impl Scaled {
+    fn seeded(&self) -> Seeded {
+        let is_of_square_root = self.load_integral.has_halves();
+        let load_integral = self.load_integral.in_root(if is_of_square_root { 2 } else { 1 });
+        Seeded { scaled: Scaled { load_integral, per_unit: self.per_unit.clone() }, is_of_square_root }
     }
 }
 
@@ -90,6 +108,23 @@ impl PowerSum {
             Summand { term: *term, factor, exponent: exponent.clone() }
         });
         Self { summands: summands.collect() }
+    }
+
+    /// Whether all exponents are multiples of 1/2, and not all are whole.
+    pub(crate) fn has_halves(&self) -> bool {
+        let are_whole = |times: i32| {
+            self.summands.iter().all(|summand| (&summand.exponent * integer(times)).is_integer())
+        };
+        are_whole(2) && !are_whole(1)
+    }
+
+    /// The sum with all exponents multiplied: one of powers of a root of x.
+    pub(crate) fn in_root(&self, index: i32) -> Self {
+        let mut sum = self.weighted(|_| Rational::one());
+        for summand in &mut sum.summands {
+            summand.exponent = &summand.exponent * integer(index);
+        }
+        sum
     }
 
     fn times(&self, per_unit: Rational) -> Scaled {

@@ -7,6 +7,8 @@
 //! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
 //! radii: no equation is solved but for the ends of the rows.
 //!
+//! **Halves.** Where powers are multiples of 1/2, a is the square root of the radius, of which they all are whole.
+//!
 //! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. Every row is
 //! evaluated as the solver will, in single precision, between its points and at an end, and with what it loses where
 //! single precision is all there is; the longest run of rows that stay below ε/8 is kept, and none if it is shorter than
@@ -30,19 +32,19 @@ const CUT_OFF: f64 = 1.0 / 4096.0;
 /// Beyond the measured error, for what lies between the points of the check.
 const MARGIN: f64 = 1.25;
 
-/// The table of a geometry, if its rows are near enough to the radius.
+/// The table of a geometry, if its rows are near enough to the radius; to its square root, if J has whole powers of that only.
 pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Table> {
-    let gap = &geometry.gap;
-    let is_constant = gap.is_constant();
+    let is_constant = geometry.gap.is_constant();
+    let root = if load_integral.has_halves() { 2 } else { 1 };
     let mut terms = Vec::new();
-    for summand in &load_integral.summands {
+    for summand in &load_integral.in_root(root).summands {
         // Symbols have the units in which it is 1.
         let coefficient = if is_constant { summand.constant()?.to_f64()? } else { 1.0 };
         terms.push((coefficient, summand.exponent.to_f64()?));
     }
-    let sum = LoadIntegral::new(terms);
+    let sum = LoadIntegral::new(terms, f64::from(root));
     let top = match load_integral.summands.as_slice() {
-        _ if is_constant => top(geometry, |a| sum.at(a).value)?,
+        _ if is_constant => top(geometry, |a| sum.at(a.powf(1.0 / sum.root)).value)?,
         [_, _] => OCTAVES_ABOVE_EQUALITY,
         _ => return None,
     };
@@ -52,6 +54,8 @@ pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Tab
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
 struct LoadIntegral {
     terms: Vec<(f64, f64)>,
+    /// 2 if a is the square root of the radius, otherwise 1.
+    root: f64,
     /// The largest |log₂| of the coefficients of J, J′ and J″, of which a unit is taken out once and twice.
     largest_coefficient: f64,
     /// log₂ |j| of the highest power: the unit of J′.
@@ -69,13 +73,13 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
-    fn new(terms: Vec<(f64, f64)>) -> Self {
+    fn new(terms: Vec<(f64, f64)>, root: f64) -> Self {
         let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
         let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
         let in_units = |term| [0.0, 1.0, 2.0].map(|times| logarithm(term) - times * unit);
         let largest_coefficient = terms.iter().flat_map(in_units).fold(0.0, largest_size);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
-        Self { terms, largest_coefficient, unit, lowest, highest }
+        Self { terms, root, largest_coefficient, unit, lowest, highest }
     }
 
     /// The table of the octaves up to y = 2^`top`.
@@ -156,7 +160,8 @@ impl LoadIntegral {
             let at = self.at(a);
             let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
-            let left = |error: f64| (half_second * half_second - third).abs() * error * error * error;
+            let of_a = (half_second * half_second - third).abs();
+            let left = |error: f64| self.root * of_a * error * error * error;
             largest = largest.max(self.largest_logarithm(a, &at));
             left(error) <= ALLOWED_ERROR && left(error + CUT_OFF) <= ALLOWED_ERROR_OF_SINGLE
         };
@@ -211,7 +216,7 @@ mod tests {
     /// At other points than the check's.
     #[test]
     fn seeds_have_six_digits() {
-        let two_terms = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)]);
+        let two_terms = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1.0);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
@@ -226,7 +231,7 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)]);
+        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1.0);
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());

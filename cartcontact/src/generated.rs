@@ -10,8 +10,8 @@ pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
 pub use crate::evaluate::power::{
-    integer_power, power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, real_power,
-    square_root,
+    integer_power, power_of_half_digits, power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum,
+    real_power,
 };
 pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
@@ -26,6 +26,6 @@ pub use crate::one_term::invert_one_term;
 pub use crate::profile::with_parameters;
 pub use crate::scalar::constants;
 pub use crate::seeds::{
-    EqualTerms, OwnTerm, OwnUnits, Quarters, Roots, Rows, SingleTerm, Steepness, Table, WholePowers,
+    EqualTerms, OwnTerm, OwnUnits, Quarters, Roots, Rows, SingleTerm, Squared, Steepness, Table, WholePowers,
     elsewhere, radii_of_whole_powers, radius_of_real_powers,
 };

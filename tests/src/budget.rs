@@ -79,7 +79,7 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 ///
 /// Generated for whole powers, a few radii are above 1 ulp: up to 15 in a million if the gap begins with r, by 1.16 at the
 /// most of five million random ones each for eleven geometries; otherwise fewer than one in `f64` and up to 5 in `f32`, by
-/// 1.03. If all exponents have a half beside, up to 18 and 68, by 1.21. Of one term none is; by the `powf` of `libm`, 1
+/// 1.03. With halves among the exponents, up to 8 and 3, by 1.16. Of one term none is; by the `powf` of `libm`, 1
 /// in ten thousand of r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
@@ -87,8 +87,7 @@ pub const RADIUS: Allowance = allow(
     [0.75, 0.8],
     "the error of J in plain arithmetic, divided by the degree of J",
 );
-/// The inverse of J that is known at run time only, or has powers that are neither all whole nor all halves, with positive
-/// terms.
+/// The inverse of J that is known at run time only, or has powers that are not all multiples of 1/2, with positive terms.
 pub const RADIUS_OF_SUMS: Allowance = allow(
     "radius of a sum",
     [1.0, 1.0],

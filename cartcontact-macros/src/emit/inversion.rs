@@ -45,10 +45,10 @@ pub(super) fn methods(
             )
         }
         Some(Start::Seeds(_)) => {
-            let scaled = &forms.stepped;
+            let seeded = &forms.seeded;
             (
-                Some(seeds::radius(scaled, coefficients, names)),
-                Some(seeds::radii(scaled, coefficients, names)),
+                Some(seeds::radius(seeded, coefficients, names)),
+                Some(seeds::radii(seeded, coefficients, names)),
             )
         }
         None if leading_term::is_for(gap) => (

@@ -151,9 +151,7 @@ fn beside_inversion(
 ) -> Option<TokenStream> {
     match start {
         Some(Start::Roots(roots)) => Some(roots::item(roots, names)),
-        Some(Start::Seeds(table)) => {
-            Some(seeds::items(table, &forms.stepped.load_integral, coefficients, names))
-        }
+        Some(Start::Seeds(table)) => Some(seeds::items(table, &forms.seeded, coefficients, names)),
         None if leading_term::is_for(&geometry.gap) => {
             leading_term::items(&forms.stepped.load_integral, names)
         }

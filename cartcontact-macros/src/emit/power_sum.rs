@@ -18,7 +18,7 @@ use super::coefficients::{Coefficients, FEW};
 use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
-use crate::number::{Rational, code, fraction, rounded};
+use crate::number::{Rational, code, rounded};
 
 /// The whole exponents of a sum of powers.
 pub(super) struct Whole {
@@ -30,14 +30,6 @@ impl Whole {
     pub(super) fn of(sum: &PowerSum) -> Option<Self> {
         let exponents = sum.summands.iter().map(|summand| whole_number(&summand.exponent));
         Some(Self { exponents: exponents.collect::<Option<_>>()? })
-    }
-
-    /// The whole parts of exponents which all are whole, or all have a half beside, and whether they have.
-    pub(super) fn and_half(sum: &PowerSum) -> Option<(Self, bool)> {
-        let has_half = !sum.summands.first()?.exponent.is_integer();
-        let beside = if has_half { fraction(1, 2) } else { Rational::zero() };
-        let exponents = sum.summands.iter().map(|summand| whole_number(&(&summand.exponent - &beside)));
-        Some((Self { exponents: exponents.collect::<Option<_>>()? }, has_half))
     }
 
     pub(super) fn lowest(&self) -> u32 {

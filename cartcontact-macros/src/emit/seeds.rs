@@ -7,7 +7,7 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness, table};
-use crate::closed_forms::{PowerSum, Scaled, Summand};
+use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
 use crate::number::{Rational, integer, literal};
 use crate::table::Table;
 
@@ -17,20 +17,20 @@ const WIDEST_GAP: u32 = 8;
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(
     table: &Table,
-    load_integral: &PowerSum,
+    seeded: &Seeded,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
     let (table, a) = (table::item(table, names), local("a"));
-    let body = body(load_integral, &a, coefficients, names);
+    let body = body(seeded, &a, coefficients, names);
     let function = steepness::function(&a, coefficients.variables(), &body, names);
     quote!(#table #function)
 }
 
 /// The radius from the table, if it is there.
-pub(super) fn radius(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn radius(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (variables, _) = coefficients.variables();
-    let binding = units(scaled, coefficients, names);
+    let binding = units(seeded, coefficients, names);
     let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let (table, steepness) = (table::name(), steepness::name());
     quote!({
@@ -40,9 +40,9 @@ pub(super) fn radius(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &N
 }
 
 /// The radii of a slice from the table, and elsewhere by `radius_within`.
-pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn radii(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let (krate, (variables, _)) = (names.krate, coefficients.variables());
-    let binding = units(scaled, coefficients, names);
+    let binding = units(seeded, coefficients, names);
     let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     let (table, steepness) = (table::name(), steepness::name());
@@ -61,26 +61,30 @@ pub(super) fn radii(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Na
 }
 
 /// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.
-fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let units = local("units");
     let constant = |value: &Rational| {
         let (constant, literal) = (names.constant(), literal(value));
         quote!(#constant(#literal))
     };
+    let Seeded { scaled, is_of_square_root } = seeded;
     let (summands, per_unit) = (scaled.load_integral.summands.as_slice(), constant(&scaled.per_unit));
-    match summands {
+    let own = match summands {
         [low, high] if low.constant().and(high.constant()).is_none() => {
             let equal_terms = names.generated("EqualTerms");
             let [low, high] = [low, high].map(|summand| {
                 let (coefficient, exponent) = (coefficients.factor(summand), constant(&summand.exponent));
                 quote!((#coefficient, #exponent))
             });
-            quote!(let #units = #equal_terms::of(#low, #high, #per_unit);)
+            quote!(#equal_terms::of(#low, #high, #per_unit))
         }
-        _ => {
-            let own_units = names.generated("OwnUnits");
-            quote!(let #units = #own_units;)
-        }
+        _ => names.generated("OwnUnits"),
+    };
+    if *is_of_square_root {
+        let squared = names.generated("Squared");
+        quote!(let #units = #squared(#own);)
+    } else {
+        quote!(let #units = #own;)
     }
 }
 
@@ -88,14 +92,10 @@ fn units(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
 ///
 /// Its coefficient is then 1 in a J′, which spares a multiplication; in J it would be one that rounds, as the load
 /// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no bound.
-fn body(
-    load_integral: &PowerSum,
-    a: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
-    let whole = Whole::and_half(load_integral).filter(|(whole, _)| whole.largest_gap() <= WIDEST_GAP);
-    let Some((whole, has_half)) = whole else {
+fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let Seeded { scaled: Scaled { load_integral, .. }, is_of_square_root } = seeded;
+    let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
+    let Some(whole) = whole else {
         let (function, terms) =
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
         return quote!(#function(#a, #terms));
@@ -113,7 +113,7 @@ fn body(
             paired(&whole, variable, of_half_second),
         ]
     };
-    let steepness = steepness::value((&whole, has_half), a, sums, &unit, names);
+    let steepness = steepness::value((&whole, *is_of_square_root), a, sums, &unit, names);
     quote!(#values #firsts #half_seconds #steepness)
 }
 

@@ -32,10 +32,11 @@ pub(super) fn function(
     }
 }
 
-/// The value at the radius `a` of powers that are whole, or all are but for a half, from J and its derivatives as sums in the
-/// [`variable`](Whole::variable), divided by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square.
+/// The value at `a` of powers that are whole, from J and its derivatives as sums in the [`variable`](Whole::variable), divided
+/// by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square. Of a square root the power comes with what
+/// it lacks: it is twice as high as that of a radius, and would round as often again.
 pub(super) fn value(
-    (whole, has_half): (&Whole, bool),
+    (whole, is_of_square_root): (&Whole, bool),
     a: &Ident,
     sums: impl FnOnce(&Ident) -> [TokenStream; 3],
     unit: &Rational,
@@ -44,20 +45,28 @@ pub(super) fn value(
     let (square, variable) = whole.variable(a);
     let [value, first, half_second] = sums(&variable);
     let (lowest, stride) = (whole.lowest(), whole.stride());
-    let exponent = Literal::u32_unsuffixed(lowest / stride);
-    let odd = (lowest % stride == 1).then(|| quote!(* #a));
-    let root = has_half.then(|| {
-        let square_root = names.generated("square_root");
-        quote!(* #square_root(#a))
-    });
-    let [power, steepness] = ["integer_power", "Steepness"].map(|name| names.generated(name));
     let (constant, per_unit) = (names.constant(), literal(&unit.recip()));
+    let [power, sum, lost] = ["power", "value", "lost"].map(local);
+    let (binding, power, excess) = if is_of_square_root {
+        let (function, exponent) = (names.generated("power_of_half_digits"), Literal::u32_unsuffixed(lowest));
+        let binding = quote!(let (#power, #lost) = #function(#a, #exponent););
+        (binding, quote!(#power), quote!(#lost * #sum))
+    } else {
+        let (function, exponent) =
+            (names.generated("integer_power"), Literal::u32_unsuffixed(lowest / stride));
+        let odd = (lowest % stride == 1).then(|| quote!(* #a));
+        // Not a product, which compilers do not know to be zero.
+        (TokenStream::new(), quote!(#function(#variable, #exponent) #odd), quote!(#constant(0.0f64)))
+    };
+    let steepness = names.generated("Steepness");
     quote! {
         #square
+        #binding
+        let #sum = #value;
         #steepness {
-            power: #power(#variable, #exponent) #odd #root,
-            value: #value,
-            excess: #constant(0.0f64),
+            power: #power,
+            value: #sum,
+            excess: #excess,
             first: #first,
             half_second: #half_second,
             per_unit: #constant(#per_unit),

@@ -93,7 +93,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
     #[inline(always)]
     fn radius(self, _row: &Row, start: f32, load_integral: T) -> T {
         let seed = self.units.seed(single(start));
-        (self.evaluate)(seed).halley(seed, self.units.target(load_integral))
+        self.units.radius(seed, (self.evaluate)(seed).step(seed, self.units.target(load_integral)))
     }
 }
 
@@ -137,10 +137,16 @@ impl<T: Scalar> Steepness<T> {
     /// The radius from its seed.
     #[inline(always)]
     pub(super) fn halley(self, a: T, target: Target<T>) -> T {
+        a - self.step(a, target)
+    }
+
+    /// What a seed exceeds the radius by.
+    #[inline(always)]
+    fn step(self, a: T, target: Target<T>) -> T {
         // Differences instead of sums, as a zero that is taken away takes no instruction.
         let surplus = ((self.power * self.value - target.value) - self.excess) - target.rest;
         // What needs no surplus is multiplied while that is formed, and nothing after the division.
         let steep = self.power * self.first * self.first - surplus * self.half_second;
-        a - (a * self.per_unit * self.first) * surplus / steep
+        (a * self.per_unit * self.first) * surplus / steep
     }
 }

@@ -22,6 +22,12 @@ pub trait Units<T: Scalar>: Copy {
 
     /// The same load integral as J has to be in the step.
     fn target(self, load_integral: T) -> Target<T>;
+
+    /// The radius from its seed, less the step.
+    #[inline(always)]
+    fn radius(self, seed: T, step: T) -> T {
+        seed - step
+    }
 }
 
 /// Those of the geometry that the table was made for.
@@ -86,5 +92,32 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     #[inline(always)]
     fn target(self, load_integral: T) -> Target<T> {
         Target::in_units(load_integral, self.per_unit)
+    }
+}
+
+/// The same for the square root of the radius, of which J has whole powers where those of the radius are multiples of 1/2.
+#[derive(Clone, Copy, Debug)]
+pub struct Squared<U>(pub U);
+
+impl<T: Scalar, U: Units<T>> Units<T> for Squared<U> {
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> T {
+        self.0.in_table(load_integral)
+    }
+
+    #[inline(always)]
+    fn seed(self, radius: T) -> T {
+        self.0.seed(radius)
+    }
+
+    #[inline(always)]
+    fn target(self, load_integral: T) -> Target<T> {
+        self.0.target(load_integral)
+    }
+
+    /// As exact as the seed less the step: the square of a seed is exact, and what is taken from it is small.
+    #[inline(always)]
+    fn radius(self, seed: T, step: T) -> T {
+        seed * seed - step * (seed + (seed - step))
     }
 }
