@@ -203,7 +203,7 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn radius_within(
             &self,
             __load_integral: T,

@@ -264,7 +264,7 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn radius_within(
             &self,
             __load_integral: S,
