@@ -71,7 +71,8 @@ impl Table {
         [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
     }
 
-    /// The bytes of the rows where the solver looks for them: that of index k is at k − 4 modulo 256, which a number has in the last six bits of its biased exponent and the first two of its fraction.
+    /// The bytes of the rows where the solver looks for them: that of index k is at k − 4 modulo 256, which a number has in
+    /// the last six bits of its biased exponent and the first two of its fraction.
     pub(crate) fn in_places(&self) -> Vec<u8> {
         let mut places = [[0_f32; 4]; ROWS];
         for (&row, index) in self.rows.iter().zip(self.first..) {
