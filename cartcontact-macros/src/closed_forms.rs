@@ -4,11 +4,10 @@
 //! I. Argatov, Mech. Res. Commun. 38 (2011), doi 10.1016/j.mechrescom.2010.11.006.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::One;
 
 use crate::gap::{Gap, Term};
-use crate::number::{Rational, integer};
+use crate::number::{Rational, common_denominator, integer};
 
 /// Half of those of double precision.
 const MOST_DIGITS: u64 = 26;
@@ -134,11 +133,10 @@ impl PowerSum {
     /// The common denominator of the weights, divided by powers of two so that it is odd, and by others so that it is less
     /// than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of a number.
     fn shortener(&self) -> Rational {
-        let denominators = self.summands.iter().filter_map(|summand| match &summand.factor {
-            Factor::Weight(weight) => Some(weight.denom()),
+        let common = common_denominator(self.summands.iter().filter_map(|summand| match &summand.factor {
+            Factor::Weight(weight) => Some(weight),
             Factor::Constant(_) => None,
-        });
-        let common = denominators.fold(BigInt::one(), |common, own| common.lcm(own));
+        }));
         let odd = &common >> common.trailing_zeros().unwrap_or(0);
         let digits = odd.bits();
         if digits > MOST_DIGITS { Rational::one() } else { Rational::new(odd, BigInt::one() << (digits - 1)) }

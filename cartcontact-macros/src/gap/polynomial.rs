@@ -2,14 +2,13 @@
 //!
 //! Between the syntax and the gap: nothing is required of the exponents yet, so `(r^3 + r^5)/r` passes through.
 
-use num_bigint::{BigInt, Sign};
-use num_traits::{One, ToPrimitive, Zero};
+use num_bigint::Sign;
+use num_traits::{ToPrimitive, Zero};
 
 use crate::diagnostics::Extent;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::{LikeTerms, Summable};
-use crate::number::common_factor::common_factor;
-use crate::number::{Rational, integer};
+use crate::number::{self, Rational, integer};
 
 /// Bounds the work of multiplying out, far above what a profile needs.
 const MAXIMUM_PRODUCTS: usize = 1 << 14;
@@ -159,12 +158,9 @@ impl Polynomial {
     /// Of the coefficients, if all of them are numbers: multiplied as integers these have no common factors to look for,
     /// which takes most of the time of multiplying out.
     fn common_denominator(&self) -> Option<Rational> {
-        let mut common = BigInt::one();
-        for (_, monomial) in self.terms() {
-            let number = monomial.coefficient.as_constant()?;
-            common *= number.denom() / common_factor(&common, number.denom());
-        }
-        Some(integer(common))
+        let numbers = self.terms().iter().map(|(_, monomial)| monomial.coefficient.as_constant());
+        let numbers: Vec<_> = numbers.collect::<Option<_>>()?;
+        Some(integer(number::common_denominator(numbers.iter())))
     }
 
     fn scaled(&self, factor: &Rational) -> Polynomial {

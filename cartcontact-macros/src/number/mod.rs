@@ -31,6 +31,20 @@ pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigI
     Rational::new(numerator.into(), denominator.into())
 }
 
+/// Of fractions; the long ones come first, as the others are likely to divide these.
+pub(crate) fn common_denominator<'a>(fractions: impl Iterator<Item = &'a Rational>) -> BigInt {
+    let mut denominators: Vec<&BigInt> = fractions.map(Rational::denom).collect();
+    denominators.sort_by_key(|denominator| core::cmp::Reverse(denominator.bits()));
+    let mut common = BigInt::one();
+    for denominator in denominators {
+        let shared = common_factor::common_factor(&common, denominator);
+        if shared != *denominator {
+            common *= denominator / shared;
+        }
+    }
+    common
+}
+
 /// The nearest `f64`, unless that is zero or infinite.
 pub(crate) fn nearest(value: &Rational) -> Option<f64> {
     value.to_f64().filter(|nearest| nearest.is_finite() && *nearest != 0.0)

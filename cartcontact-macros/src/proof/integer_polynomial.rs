@@ -6,8 +6,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use crate::number::Rational;
 use crate::number::common_factor::common_factor;
+use crate::number::{Rational, common_denominator};
 
 /// Coefficients in ascending order of powers; the last is not zero. Zero itself has none.
 #[derive(Clone, PartialEq, Eq)]
@@ -145,7 +145,7 @@ pub(crate) fn derivative(coefficients: &[BigInt]) -> Vec<BigInt> {
 /// Once all terms have a common denominator, the factors that they share are those of their numerators in lowest
 /// terms: a prime factor of that denominator is missing where it comes from.
 pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
-    let denominator = common_denominator(terms);
+    let denominator = common_denominator(terms.iter().map(|(_, coefficient)| *coefficient));
     let content = common_numerator(terms);
     let degree = terms.iter().map(|(power, _)| *power).max().unwrap_or(0);
     let mut coefficients = vec![BigInt::zero(); degree + 1];
@@ -161,20 +161,6 @@ pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
         }
     }
     IntegerPolynomial::new(coefficients)
-}
-
-/// Of fractions; the long ones come first, as the others are likely to divide these.
-fn common_denominator(terms: &[(usize, &Rational)]) -> BigInt {
-    let mut denominators: Vec<&BigInt> = terms.iter().map(|(_, coefficient)| coefficient.denom()).collect();
-    denominators.sort_by_key(|denominator| core::cmp::Reverse(denominator.bits()));
-    let mut common = BigInt::one();
-    for denominator in denominators {
-        let shared = common_factor(&common, denominator);
-        if shared != *denominator {
-            common *= denominator / shared;
-        }
-    }
-    common
 }
 
 /// What all numerators of fractions are multiples of; the short ones come first, as they have few divisors.
