@@ -110,7 +110,7 @@ impl PowerSum {
     }
 
     /// Whether all exponents are multiples of 1/2, and not all are whole.
-    pub(crate) fn has_halves(&self) -> bool {
+    fn has_halves(&self) -> bool {
         let are_whole = |times: i32| {
             self.summands.iter().all(|summand| (&summand.exponent * integer(times)).is_integer())
         };
@@ -118,7 +118,7 @@ impl PowerSum {
     }
 
     /// The sum with all exponents multiplied: one of powers of a root of x.
-    pub(crate) fn in_root(&self, index: i32) -> Self {
+    fn in_root(&self, index: i32) -> Self {
         let mut sum = self.weighted(|_| Rational::one());
         for summand in &mut sum.summands {
             summand.exponent = &summand.exponent * integer(index);

@@ -22,10 +22,8 @@ use crate::table::{LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, top};
 pub(crate) struct Roots {
     pub(crate) table: Table,
     pub(crate) series: [f64; 12],
-    /// p.
-    pub(crate) power: Power,
-    /// Whether it has the coefficient in it, not those of whole periods for any.
-    pub(crate) has_coefficient: bool,
+    /// p, if the table is one of whole periods for any coefficient.
+    pub(crate) periods_of: Option<Power>,
 }
 
 /// k/q.
@@ -62,8 +60,7 @@ pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
     Some(Roots {
         table: table?,
         series: series(rounded(&only.exponent.recip())),
-        power,
-        has_coefficient: window.is_some(),
+        periods_of: window.is_none().then_some(power),
     })
 }
 

@@ -16,7 +16,7 @@
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::PowerSum;
+use crate::closed_forms::Seeded;
 use crate::geometry::Geometry;
 use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top};
 
@@ -33,17 +33,17 @@ const CUT_OFF: f64 = 1.0 / 4096.0;
 const MARGIN: f64 = 1.25;
 
 /// The table of a geometry, if its rows are near enough to the radius; to its square root, if J has whole powers of that only.
-pub(crate) fn seeds(geometry: &Geometry, load_integral: &PowerSum) -> Option<Table> {
+pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Table> {
     let is_constant = geometry.gap.is_constant();
-    let root = if load_integral.has_halves() { 2 } else { 1 };
+    let summands = seeded.scaled.load_integral.summands.as_slice();
     let mut terms = Vec::new();
-    for summand in &load_integral.in_root(root).summands {
+    for summand in summands {
         // Symbols have the units in which it is 1.
         let coefficient = if is_constant { summand.constant()?.to_f64()? } else { 1.0 };
         terms.push((coefficient, summand.exponent.to_f64()?));
     }
-    let sum = LoadIntegral::new(terms, f64::from(root));
-    let top = match load_integral.summands.as_slice() {
+    let sum = LoadIntegral::new(terms, if seeded.is_of_square_root { 2.0 } else { 1.0 });
+    let top = match summands {
         _ if is_constant => top(geometry, |a| sum.at(a.powf(1.0 / sum.root)).value)?,
         [_, _] => OCTAVES_ABOVE_EQUALITY,
         _ => return None,

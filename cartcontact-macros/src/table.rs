@@ -9,7 +9,7 @@
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::PowerSum;
+use crate::closed_forms::ClosedForms;
 use crate::gap::Gap;
 use crate::geometry::{Geometry, Range};
 use crate::{roots, seeds};
@@ -35,13 +35,13 @@ pub(crate) enum Start {
 
 impl Start {
     /// None where there is no table.
-    pub(crate) fn of(geometry: &Geometry, load_integral: &PowerSum) -> Option<Self> {
-        match load_integral.summands.as_slice() {
+    pub(crate) fn of(geometry: &Geometry, forms: &ClosedForms) -> Option<Self> {
+        match forms.load_integral.summands.as_slice() {
             // A step with whole powers is the quickest.
             [only] if !(roots::has_window(only) && only.exponent.is_integer()) => {
                 roots::roots(geometry, only).map(Start::Roots)
             }
-            _ => seeds::seeds(geometry, load_integral).map(Start::Seeds),
+            _ => seeds::seeds(geometry, &forms.seeded).map(Start::Seeds),
         }
     }
 }

@@ -209,7 +209,7 @@ fn table(start: Option<&Start>, gap: &Gap) -> String {
     let step =
         format!("\n\nThe contact radius takes one step from a table of {} bytes", Table::size_in_bytes());
     let table = match start {
-        Start::Roots(roots) if !roots.has_coefficient => return format!("{step}."),
+        Start::Roots(roots) if roots.periods_of.is_some() => return format!("{step}."),
         Start::Roots(roots) => &roots.table,
         Start::Seeds(table) => table,
     };

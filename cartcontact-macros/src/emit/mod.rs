@@ -69,7 +69,7 @@ pub(crate) fn solver(
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
     let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
-    let start = Start::of(geometry, &forms.load_integral);
+    let start = Start::of(geometry, &forms);
     let inversion = inversion::methods(&geometry.gap, &forms, start.as_ref(), &coefficients, &names);
     let beside_inversion = beside_inversion(geometry, &forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);

@@ -56,9 +56,10 @@ fn term(
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let only = load_integral.summands.first().filter(|_| !roots.has_coefficient);
-    let Some(only) = only else { return names.generated("OwnTerm") };
-    let (single_term, Power { k, q }) = (names.generated("SingleTerm"), roots.power);
+    let (Some(Power { k, q }), Some(only)) = (roots.periods_of, load_integral.summands.first()) else {
+        return names.generated("OwnTerm");
+    };
+    let single_term = names.generated("SingleTerm");
     let [k, q] = [k, q].map(Literal::u32_unsuffixed);
     let [c, weight] = coefficients.parts(only);
     quote!(#single_term::<_, #k, #q>::of(#c, #weight))

@@ -12,7 +12,8 @@
 //!
 //! **Accuracy.** A row has A in three parts of single precision, of which the first two make an exact sum; u has four
 //! digits, and half of those of j come first, so that y less that product is exact. What rounds in the series is
-//! less than 1/34 of the sum, whose last addition leaves 1/2 ulp: together less than 0.6.
+//! less than 1/34 of the sum, whose last addition leaves 1/2 ulp. A weight w is rounded, which p divides: of two million
+//! random radii none was off by more than 0.7 ulp.
 //!
 //! **Any j.** With p = k/q in lowest terms, y/j = a^p multiplied by 2^k multiplies a by 2^q: one table of k octaves holds
 //! the roots of all y/j. Powers of two are taken out of y, j and a, so that nothing leaves the format, and other units by
