@@ -16,21 +16,26 @@ pub(super) struct Node<T> {
     pub(super) weight: T,
 }
 
+/// A number for every node. It begins at a line of the cache, of which no vector then needs two.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Row<T>([T; MOST_NODES]);
+
 /// All nodes, with what is integrated at each.
 pub(super) struct Nodes<T> {
     count: usize,
-    radii: [T; MOST_NODES],
+    radii: Row<T>,
     /// δ₀′
-    slopes: [T; MOST_NODES],
+    slopes: Row<T>,
     /// δ₀′ e^(−χ age) ds
-    weights: [T; MOST_NODES],
+    weights: Row<T>,
 }
 
 impl<T: Scalar> Nodes<T> {
     /// Room for them: what is returned by value is copied.
     #[inline(always)]
     pub(super) fn none() -> Self {
-        let zero = [T::zero(); MOST_NODES];
+        let zero = Row([T::zero(); MOST_NODES]);
         Self { count: 0, radii: zero, slopes: zero, weights: zero }
     }
 
@@ -48,27 +53,27 @@ impl<T: Scalar> Nodes<T> {
     {
         self.count = rule.len();
         let nodes = ..rule.len();
-        let zero = [T::zero(); MOST_NODES];
-        let (mut depths, mut drops, mut decays) = (zero, zero, zero);
-        let (depths, drops, decays) = (&mut depths[nodes], &mut drops[nodes], &mut decays[nodes]);
-        let (radii, slopes) = (&mut self.radii[nodes], &mut self.slopes[nodes]);
-        let weights = &mut self.weights[nodes];
+        let zero = Row([T::zero(); MOST_NODES]);
+        let (mut depths, mut drops) = (zero, zero);
+        let (depths, drops) = (&mut depths.0[nodes], &mut drops.0[nodes]);
+        let (radii, slopes) = (&mut self.radii.0[nodes], &mut self.slopes.0[nodes]);
+        let weights = &mut self.weights.0[nodes];
         let rows = radii.iter_mut().zip(&mut *depths).zip(&mut *weights);
         for (((radius, depth), weight), (x, dx)) in rows.zip(rule.nodes(low, high)) {
             let node = place(x, dx);
             (*radius, *depth, *weight) = (node.s, node.depth, node.weight);
         }
         stretch.contact.profile().fill_slopes_and_drops(stretch.high, (radii, depths), (slopes, drops));
-        stretch.fill_decays(drops, decays);
-        for ((weight, &slope), &decay) in weights.iter_mut().zip(&*slopes).zip(&*decays) {
-            *weight = *weight * slope * decay;
+        for (weight, &slope) in weights.iter_mut().zip(&*slopes) {
+            *weight *= slope;
         }
+        stretch.fade(weights, drops);
     }
 
     /// ∫ δ₀′ e^(−χ age) {s² − low², 1} ds
     #[inline(always)]
     pub(super) fn increment(&self, low: T) -> Increment<T> {
-        let (radii, weights) = (&self.radii[..self.count], &self.weights[..self.count]);
+        let (radii, weights) = (&self.radii.0[..self.count], &self.weights.0[..self.count]);
         Increment::of(radii, weights, low)
     }
 
@@ -76,7 +81,7 @@ impl<T: Scalar> Nodes<T> {
     #[inline(always)]
     pub(super) fn are_steady(&self) -> bool {
         let rounding = T::one() + T::default_epsilon() * T::constant(16.0);
-        let steepness = |k: usize| self.radii[k] * self.slopes[k];
+        let steepness = |k: usize| self.radii.0[k] * self.slopes.0[k];
         // At the outermost nodes so far, toward the edge and toward the centre.
         let (mut outer, mut inner) = (T::zero(), T::infinity());
         (0..self.count).step_by(2).all(|k| {

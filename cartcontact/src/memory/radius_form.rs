@@ -17,6 +17,13 @@ use crate::dispatch::wide;
 use crate::load::Load;
 use crate::{GapProfile, Scalar};
 
+/// How much more slopes may be than they are where they are asked for: they are not the same everywhere.
+const MARGIN: f64 = 1.5;
+
+/// What a singularity of the integrand counts as, over its distance: the rule of 24 nodes wants panels of at most 2.2
+/// distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the length), that of 31 folds.
+const FOLDS_AT_DISTANCE: f64 = 14.4;
+
 pub(super) fn increment<T, P, L>(stretch: &Stretch<'_, T, P, L>) -> Increment<T>
 where
     T: Scalar,
@@ -26,12 +33,15 @@ where
     let (profile, chi) = (stretch.contact.profile(), stretch.contact.medium().chi());
     let (low, high) = (stretch.low, stretch.high);
     let deepest = high - low;
+    // J′ of positive terms rises with the radius.
+    let is_steepest_at_edge = profile.has_only_positive_terms() && stretch.course.is_held();
+    if is_steepest_at_edge && changes_little(stretch) {
+        return increment_of_panel(stretch, Rule::EIGHT, (T::zero(), deepest)).0;
+    }
     let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(high * T::constant(0.75)) };
     let negligible = T::default_epsilon() * T::constant(0.0625);
     let uncertainty = T::default_epsilon() * T::constant(8.0);
     let most = Rule::FINEST.folds::<T>();
-    // J′ of positive terms rises with the radius.
-    let is_steepest_at_edge = profile.has_only_positive_terms() && stretch.course.is_held();
 
     // Whatever the rate, some thousand panels are the most there can be.
     let shortest = deepest * T::constant(1.0 / 4096.0);
@@ -106,7 +116,7 @@ where
 }
 
 /// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
-/// and by how many e-foldings it does, with the margin of [`folds_per_length`].
+/// and by how many e-foldings it does, with a margin of 1.3.
 ///
 /// The rate at its beginning does not bound that at its end where δ₀′ nearly vanishes there and rises further in.
 fn end_of_panel<T, P, L>(stretch: &Stretch<'_, T, P, L>, (depth, age): (T, T), end: T, shortest: T) -> (T, T)
@@ -152,12 +162,35 @@ where
     )
 }
 
+/// Whether the shortest rule suffices for all of a stretch of a held load under positive terms, whatever its panels are.
+///
+/// The [`folds_per_length`] are greatest at the edge, where ages grow by J′/Y′ per length. Of a term of the power p, over
+/// the share u of the radius, that is p u/(1 − (1−u)^p) < 1 + p u times as much in all as the ages grow, which is χ times
+/// the duration at most.
+fn changes_little<T, P, L>(stretch: &Stretch<'_, T, P, L>) -> bool
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    let (contact, high) = (stretch.contact, stretch.high);
+    let (n, length) = (contact.profile().highest_exponent(), high - stretch.low);
+    let powers = (n + T::one()) * length;
+    let fading = stretch.course.folds(contact.medium().chi()) * (high + (n + T::constant(4.0)) * length);
+    let centre = if contact.profile().is_smooth_at_centre() {
+        T::zero()
+    } else {
+        T::constant(FOLDS_AT_DISTANCE) * length
+    };
+    // Everything times the radius, and nothing divided.
+    T::constant(MARGIN) * (powers + fading) + centre <= Rule::EIGHT.folds::<T>() * high
+}
+
 /// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and
 /// e^(−χ age).
 ///
-/// That is the logarithmic slope of its powers and of e^(−χ age), with a margin of 1.3 because it is not the
-/// same everywhere. A singularity of the age at the distance d counts like a slope: the rule of 24 nodes wants panels
-/// of at most 2.2 d (its error falls as ρ^(−48), with ρ = 2.26 for d = 0.45 of the length), that of 31 folds.
+/// That is the logarithmic slope of its powers and of e^(−χ age), with a [`MARGIN`], and that of singularities,
+/// [`FOLDS_AT_DISTANCE`].
 fn folds_per_length<T, P, L>(stretch: &Stretch<'_, T, P, L>, depth: T, age: T) -> (T, T)
 where
     T: Scalar,
@@ -170,9 +203,10 @@ where
     // δ₀′ (s² − low²); what a high power adds may be little here, but no low rule integrates it.
     let powers = (profile.highest_exponent() + T::one()) / top;
     let fading = chi * (stretch.age_at(depth + step) - age) / step;
-    let of_singularity = stretch.singularity(top).map_or(T::zero(), |distance| T::constant(14.4) / distance);
+    let of_singularity =
+        stretch.singularity(top).map_or(T::zero(), |distance| T::constant(FOLDS_AT_DISTANCE) / distance);
     // s^(n−1) next to s = 0, which a short rule notices from far away.
-    let of_centre = if profile.is_smooth_at_centre() { T::zero() } else { T::constant(14.4) / top };
-    let margin = T::constant(1.5);
-    (powers * margin + of_singularity + of_centre, fading * margin)
+    let of_centre =
+        if profile.is_smooth_at_centre() { T::zero() } else { T::constant(FOLDS_AT_DISTANCE) / top };
+    (powers * T::constant(MARGIN) + of_singularity + of_centre, fading * T::constant(MARGIN))
 }

@@ -73,22 +73,6 @@ impl<'a, T: Scalar> Course<'a, T> {
             Self::Smooth(force) => force.age(deficit),
         }
     }
-
-    /// The [`age`](Self::age) of every deficit, side by side where a formula gives it.
-    #[inline(always)]
-    fn fill_ages(&self, chi: T, deficits: &[T], ages: &mut [T]) {
-        let is_done = match *self {
-            Self::Linear { rate, load_rate, .. } => {
-                fill_ages_along_line(rate, (chi, load_rate), deficits, ages)
-            }
-            Self::Step | Self::Smooth(_) => false,
-        };
-        if !is_done {
-            for (age, &deficit) in ages.iter_mut().zip(deficits) {
-                *age = self.age(chi, deficit);
-            }
-        }
-    }
 }
 
 /// How long before the end of a straight load, where Y grows at `rate`, Y was smaller than at the end by `deficit`.
@@ -97,43 +81,31 @@ pub(crate) fn age_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), defic
     if load_rate.is_zero() {
         return deficit / rate;
     }
-    let (age, is_in_range) = root_along_line(rate, (chi, load_rate), deficit);
-    if is_in_range { age } else { age_in_units(rate, (chi, load_rate), deficit) }
-}
-
-/// [`age_along_line`] of every deficit; false if not all of them can be found side by side.
-#[inline(always)]
-fn fill_ages_along_line<T: Scalar>(
-    rate: T,
-    (chi, load_rate): (T, T),
-    deficits: &[T],
-    ages: &mut [T],
-) -> bool {
-    let pairs = ages.iter_mut().zip(deficits);
-    if load_rate.is_zero() {
-        pairs.for_each(|(age, &deficit)| *age = deficit / rate);
-        return true;
+    if has_root_along_line(rate, (chi, load_rate), deficit) {
+        root_along_line(rate, (chi, load_rate), deficit)
+    } else {
+        age_in_units(rate, (chi, load_rate), deficit)
     }
-    pairs.fold(true, |all, (age, &deficit)| {
-        let (root, is_in_range) = root_along_line(rate, (chi, load_rate), deficit);
-        *age = root;
-        all & is_in_range
-    })
 }
 
-/// The age of a deficit along a straight load, and whether the squares of rates are in range.
+/// The age of a deficit along a straight load, if it [has one](has_root_along_line) by this formula.
 ///
 /// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
 /// Y′ at the time found.
 #[inline(always)]
-fn root_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> (T, bool) {
+fn root_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
     let two = T::constant(2.0);
+    let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
     // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes at the end,
     // count as a long time after it.
-    let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
-    let size = straight + bend.abs();
-    let is_in_range = size.is_finite() & (size * T::default_epsilon() > smallest_normal());
-    (two * deficit / (rate + (straight - bend).abs().sqrt()), is_in_range)
+    two * deficit / (rate + (straight - bend).abs().sqrt())
+}
+
+/// Whether the squares of rates are in range.
+#[inline(always)]
+fn has_root_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> bool {
+    let size = rate * rate + (T::constant(2.0) * chi * load_rate * deficit).abs();
+    size.is_finite() & (size * T::default_epsilon() > smallest_normal())
 }
 
 /// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
@@ -205,18 +177,44 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         self.contact.load_per_integral() * drop + self.surplus
     }
 
-    /// What is left at the end of what was laid at radii whose J is less by some drops, e^(−χ age). The drops become
-    /// deficits.
+    /// Leaves of weights, laid at radii whose J is less by some drops, what is left at the end: e^(−χ age) of each.
     #[inline(always)]
-    pub(super) fn fill_decays(&self, drops: &mut [T], decays: &mut [T]) {
+    pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
         let chi = self.contact.medium().chi();
-        for drop in &mut *drops {
-            *drop = self.deficit(*drop);
+        // Where a formula gives all ages, vectors take them.
+        match self.course {
+            Course::Linear { rate, load_rate, .. } if load_rate.is_zero() => self.fade_by(
+                #[inline(always)]
+                |deficit| deficit / rate,
+                (weights, drops),
+            ),
+            Course::Linear { rate, load_rate, .. } if self.has_roots(rate, (chi, load_rate), drops) => self
+                .fade_by(
+                    #[inline(always)]
+                    |deficit| root_along_line(rate, (chi, load_rate), deficit),
+                    (weights, drops),
+                ),
+            _ => self.fade_by(|deficit| self.course.age(chi, deficit), (weights, drops)),
         }
-        self.course.fill_ages(chi, drops, decays);
-        for age in decays {
-            *age = decay(chi * *age);
+    }
+
+    /// [`fade`](Self::fade) with ages of deficits by a function.
+    #[inline(always)]
+    fn fade_by(&self, age: impl Fn(T) -> T, (weights, drops): (&mut [T], &[T])) {
+        let chi = self.contact.medium().chi();
+        for (weight, &drop) in weights.iter_mut().zip(drops) {
+            *weight *= decay(chi * age(self.deficit(drop)));
         }
+    }
+
+    /// Whether all drops have an age by [`root_along_line`].
+    #[inline(always)]
+    fn has_roots(&self, rate: T, (chi, load_rate): (T, T), drops: &[T]) -> bool {
+        drops.iter().fold(
+            true,
+            #[inline(always)]
+            |all, &drop| all & has_root_along_line(rate, (chi, load_rate), self.deficit(drop)),
+        )
     }
 
     /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.

@@ -6,7 +6,7 @@ use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_lengths};
 
 /// How many radii are stepped to at once; their rows and seeds stay in the nearest cache.
-const BLOCK: usize = 128;
+const BLOCK: usize = 64;
 
 /// The same at the end of a slice. Fewer still are quicker one by one.
 const SMALL_BLOCK: usize = 16;

@@ -21,6 +21,8 @@ use crate::{GapProfile, Scalar};
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
 /// stage at its end.
+// Compiled into its few callers, which need not copy the stages.
+#[inline(always)]
 pub(crate) fn march<T, P, L>(
     contact: &Contact<T, P, L>,
     from: Stage<T>,
