@@ -1,0 +1,182 @@
+//! The end of the admissible range of a geometry known at run time.
+//!
+//! A geometry is admissible up to a when δ₀′ > 0 on (0, a], that is, while f(x) = Σ d e^((n − n₁) x) > 0 with
+//! d = 2 C n/(n+2), x = ln r and n₁ the smallest exponent. The first zero of f is found from the left, where
+//! f > 0, in steps h that cannot pass it: with M ≥ |f″| on [x, x + ρ], Taylor's theorem gives
+//! f(x + h) ≥ f + f′ h − M h²/2 for h ≤ ρ, and h is the zero of the right-hand side.
+//!
+//! **No zero at all.** Often that is seen at once. A negative term between the first and the last, both positive,
+//! k = θ k₁ + (1−θ) k₂, never outweighs them if d ≤ (d₁/θ)^θ (d₂/(1−θ))^(1−θ), by the inequality between weighted
+//! means; several do not if each is below its share of that. For three terms the condition is also necessary (S.
+//! Iliman, T. de Wolff, Res. Math. Sci. 3 (2016), doi 10.1186/s40687-016-0052-2, call the right-hand side the
+//! circuit number).
+//!
+//! **Bounds.** Below x₀, where each of the N−1 other terms is less than 1/N of the first, f > 0. Above x₁,
+//! where each is less than 1/N of the last, f has the sign of the last term. So the march runs from x₀ to x₁,
+//! or for ever if the last coefficient is negative: then there is a zero.
+//!
+//! **Termination.** Near a simple zero h is a Newton step; near a double zero, or a minimum just above zero,
+//! the distance shrinks by a constant factor; elsewhere f is bounded below on the compact interval and so is
+//! h. The march ends where f is positive by less than its own rounding. If it should still run after
+//! `MOST_STEPS`, the range is cut where it stands: never too long, at worst too short.
+
+use crate::Scalar;
+
+const MOST_STEPS: u32 = 20_000;
+
+/// The sum of all coefficients of r^n, which a caller may have given in several terms.
+pub(super) fn coefficient_of<T: Scalar>(terms: impl Iterator<Item = (T, T)>, n: T) -> T {
+    terms.filter(|&(_, exponent)| exponent == n).fold(T::zero(), |sum, (c, _)| sum + c)
+}
+
+/// δ₀′ as a sum of exponentials of x = ln r.
+pub(super) struct Slope<I, T> {
+    pub(super) terms: I,
+    /// The smallest exponent, of a term that is positive.
+    pub(super) smallest: T,
+}
+
+/// f, f′ and a bound of |f″| on [x, x + ρ], and the sum of the sizes of the terms of f, in a common scale.
+struct Expansion<T> {
+    value: T,
+    slope: T,
+    curvature: T,
+    size: T,
+}
+
+impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
+    /// The terms (d, n − n₁) with d ≠ 0.
+    fn exponentials(&self) -> impl Iterator<Item = (T, T)> + Clone + '_ {
+        let two = T::constant(2.0);
+        let shifted = move |(c, n): (T, T)| (c * (two * n / (n + two)), n - self.smallest);
+        self.terms.clone().map(shifted).filter(|(d, _)| !d.is_zero())
+    }
+
+    /// Whether the first term alone outweighs all negative ones at a radius, and hence at all before it.
+    pub(super) fn first_outweighs_negative_up_to(&self, radius: T) -> bool {
+        let zero = T::zero();
+        let rounding = T::default_epsilon() * T::constant(16.0);
+        let (margin, negative) = self.exponentials().fold((zero, zero), |(margin, negative), (d, k)| {
+            if k.is_zero() {
+                (margin + (d - d.abs() * rounding), negative)
+            } else if d < zero {
+                (margin, negative - d * radius.powf(k))
+            } else {
+                (margin, negative)
+            }
+        });
+        negative < margin
+    }
+
+    pub(super) fn first_zero(&self) -> T {
+        let span = self.exponentials().fold(T::zero(), |most, (_, k)| most.max(k));
+        if self.is_positive_by_its_ends(span) {
+            return T::infinity();
+        }
+        if let Some(zero) = self.zero_of_two_terms() {
+            return zero;
+        }
+        let step = span.recip();
+        let rounding = T::default_epsilon() * T::constant(4.0);
+        let end = self.last_term_dominates_from(span);
+        let mut x = self.first_term_dominates_up_to();
+        for _ in 0..MOST_STEPS {
+            if end.is_some_and(|end| x >= end) {
+                return T::infinity();
+            }
+            let here = self.expansion(x, step);
+            if here.value <= here.size * rounding {
+                break;
+            }
+            let safe = here.safe_step().min(step);
+            if safe <= rounding * x.abs() {
+                break;
+            }
+            x += safe;
+        }
+        x.exp()
+    }
+
+    /// The zero of a term and a negative one: x = ln(d₁/|d₂|)/k, and a little less.
+    fn zero_of_two_terms(&self) -> Option<T> {
+        let mut others = self.exponentials().filter(|&(_, k)| k > T::zero());
+        let (Some((d, k)), None) = (others.next(), others.next()) else { return None };
+        let (first, last) = (coefficient_of(self.exponentials(), T::zero()).ln(), d.abs().ln());
+        let rounding = T::default_epsilon() * T::constant(4.0) * (first.abs() + last.abs() + k);
+        (d < T::zero()).then(|| ((first - last - rounding) / k).exp())
+    }
+
+    /// Whether the first and the last term outweigh the negative ones between them wherever that may be.
+    ///
+    /// Compared as logarithms; what is too close for them to tell is left to the march.
+    fn is_positive_by_its_ends(&self, span: T) -> bool {
+        let (zero, one) = (T::zero(), T::one());
+        let ends = (zero, zero, zero);
+        let (first, last, count) = self.exponentials().fold(ends, |(first, last, count), (d, k)| {
+            let at = |exponent| if k == exponent { d } else { zero };
+            (first + at(zero), last + at(span), count + if d < zero { one } else { zero })
+        });
+        if last <= zero {
+            return false;
+        }
+        let (log_first, log_last, log_count) = (first.ln(), last.ln(), count.ln());
+        let rounding = T::default_epsilon() * T::constant(16.0);
+        self.exponentials().filter(|&(d, _)| d < zero).all(|(d, k)| {
+            let weight = k / span;
+            let rest = one - weight;
+            let (of_first, of_last) = (rest * (log_first - rest.ln()), weight * (log_last - weight.ln()));
+            let log_size = (-d).ln() + log_count;
+            let size = log_size.abs() + log_first.abs() + log_last.abs() + one;
+            log_size + rounding * size < of_first + of_last
+        })
+    }
+
+    /// x₀: every other term is below 1/N of the first.
+    fn first_term_dominates_up_to(&self) -> T {
+        let first = coefficient_of(self.exponentials(), T::zero());
+        let count = T::constant(self.exponentials().count() as f64);
+        self.exponentials()
+            .filter(|&(_, k)| k > T::zero())
+            .fold(T::infinity(), |x, (d, k)| x.min((first.ln() - count.ln() - d.abs().ln()) / k))
+    }
+
+    /// x₁: every other term is below 1/N of the last; none if the last coefficient is not positive.
+    fn last_term_dominates_from(&self, span: T) -> Option<T> {
+        let last = coefficient_of(self.exponentials(), span);
+        let count = T::constant(self.exponentials().count() as f64);
+        (last > T::zero()).then(|| {
+            self.exponentials()
+                .filter(|&(_, k)| k < span)
+                .fold(-T::infinity(), |x, (d, k)| x.max((count.ln() + d.abs().ln() - last.ln()) / (span - k)))
+        })
+    }
+
+    fn expansion(&self, x: T, step: T) -> Expansion<T> {
+        let log_size = |(d, k): (T, T)| d.abs().ln() + k * x;
+        let scale = self.exponentials().map(log_size).fold(-T::infinity(), T::max);
+        let zero = T::zero();
+        let mut sum = Expansion { value: zero, slope: zero, curvature: zero, size: zero };
+        for (d, k) in self.exponentials() {
+            let size = (log_size((d, k)) - scale).exp();
+            let value = size.copysign(d);
+            sum.value += value;
+            sum.slope += k * value;
+            sum.curvature += k * k * size * (k * step).exp();
+            sum.size += size;
+        }
+        sum
+    }
+}
+
+impl<T: Scalar> Expansion<T> {
+    /// The positive zero of f + f′ h − M h²/2, without cancellation.
+    fn safe_step(&self) -> T {
+        let two = T::constant(2.0);
+        let root = (self.slope * self.slope + two * self.curvature * self.value).sqrt();
+        if self.slope >= T::zero() {
+            (self.slope + root) / self.curvature
+        } else {
+            two * self.value / (root - self.slope)
+        }
+    }
+}
