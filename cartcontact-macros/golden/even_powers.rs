@@ -15,7 +15,7 @@
 ///
 /// Admissible for every contact radius: all coefficients are positive.
 ///
-/// The contact radius takes one step from a table of 4096 bytes where J is between 2.3e-13 and 4.2e6; elsewhere it is iterated.
+/// The contact radius takes one step from a table of 4096 bytes where J is between 9.1e-13 and 1.7e7; elsewhere it is iterated.
 ///
 /// Operations of a call:
 ///
@@ -34,11 +34,11 @@ const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         quarters: __cartcontact::generated::Quarters {
-            first: -168,
+            first: -160,
             count: 256,
         },
         single: __cartcontact::generated::Quarters {
-            first: -168,
+            first: -160,
             count: 256,
         },
         rows: __cartcontact::generated::Rows(

@@ -15,7 +15,7 @@
 ///
 /// Admissibility depends on the fields and is checked when a `Contact` is made.
 ///
-/// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
+/// The contact radius takes one step from a table of 4096 bytes where J in units of the geometry's own is between 3.5e-18 and 6.4e1; elsewhere it is iterated.
 ///
 struct Any<'a, S: Copy, T>
 where
@@ -51,12 +51,12 @@ const _: () = {
     }
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         quarters: __cartcontact::generated::Quarters {
-            first: -176,
+            first: -232,
             count: 256,
         },
         single: __cartcontact::generated::Quarters {
             first: -176,
-            count: 256,
+            count: 200,
         },
         rows: __cartcontact::generated::Rows(
             *b"...",

@@ -15,7 +15,7 @@
 ///
 /// Admissible for every contact radius (the slope of the approach has no positive root); used up to 20 mm.
 ///
-/// The contact radius takes one step from a table of 4096 bytes where J is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
+/// The contact radius takes one step from a table of 4096 bytes where J is between 1.4e-14 and 2.6e5; elsewhere it is iterated.
 ///
 /// Operations of a call:
 ///
@@ -34,11 +34,11 @@ const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         quarters: __cartcontact::generated::Quarters {
-            first: -176,
+            first: -184,
             count: 256,
         },
         single: __cartcontact::generated::Quarters {
-            first: -176,
+            first: -184,
             count: 256,
         },
         rows: __cartcontact::generated::Rows(

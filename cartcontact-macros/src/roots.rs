@@ -36,12 +36,15 @@ pub(crate) struct Power {
 /// The largest k for which a root is known to have all its digits.
 const LARGEST_K: u32 = 1 << 12;
 
+/// Four times the lowest power with a window, in which slopes of the gap then differ by a factor of 2⁷ and more.
+const LOWEST_POWER: i64 = 23;
+
 /// The highest power with a window: it holds four octaves of radii.
 const HIGHEST_POWER: i32 = 16;
 
 /// Whether the table of a single term has its coefficient in it.
 pub(crate) fn has_window(only: &Summand) -> bool {
-    let is_short = only.exponent > integer(5) && only.exponent <= integer(HIGHEST_POWER);
+    let is_short = only.exponent >= fraction(LOWEST_POWER, 4) && only.exponent <= integer(HIGHEST_POWER);
     only.constant().is_some() && is_short
 }
 

@@ -20,8 +20,11 @@ use crate::closed_forms::Seeded;
 use crate::geometry::Geometry;
 use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top};
 
-/// How much of its window lies above the load integral at which two terms are equal.
-const OCTAVES_ABOVE_EQUALITY: i32 = 20;
+/// How much of a window may lie above the load integral at which two terms are equal.
+const MOST_OCTAVES_ABOVE_EQUALITY: f64 = 34.0;
+/// The octaves of y on either side of that in which single precision holds what a step computes: coefficients may be as far
+/// from 1 as `EqualTerms` allows. Double precision holds all of a window.
+const LARGEST_SINGLE_OF_SYMBOLS: f64 = 44.0;
 /// A shorter table is not worth its code.
 const FEWEST_ROWS: usize = 32;
 /// ε/8.
@@ -42,13 +45,24 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Table> {
         let coefficient = if is_constant { summand.constant()?.to_f64()? } else { 1.0 };
         terms.push((coefficient, summand.exponent.to_f64()?));
     }
-    let sum = LoadIntegral::new(terms, if seeded.is_of_square_root { 2.0 } else { 1.0 });
+    let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
+    let root = if seeded.is_of_square_root { 2.0 } else { 1.0 };
+    let sum = LoadIntegral::new(terms, root, largest_single);
     let top = match summands {
         _ if is_constant => top(geometry, |a| sum.at(a.powf(1.0 / sum.root)).value)?,
-        [_, _] => OCTAVES_ABOVE_EQUALITY,
+        [_, _] => octaves_above_equality(&sum),
         _ => return None,
     };
     sum.seeds(top)
+}
+
+/// How much of its window lies above the load integral at which two terms are equal.
+///
+/// The higher term is mostly the correction. Where its power is little more, it is one already many octaves of the radius
+/// before, and the window goes far down; where it is much more, both sides have radii that are 2.5 octaves away, or nearly.
+fn octaves_above_equality(sum: &LoadIntegral) -> i32 {
+    let octaves_of_radius = (2.0 * (sum.highest - sum.lowest) / sum.root).min(2.5);
+    (sum.highest / sum.root * octaves_of_radius).min(MOST_OCTAVES_ABOVE_EQUALITY) as i32
 }
 
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
@@ -56,6 +70,8 @@ struct LoadIntegral {
     terms: Vec<(f64, f64)>,
     /// 2 if a is the square root of the radius, otherwise 1.
     root: f64,
+    /// The largest |log₂ y| that single precision may meet.
+    largest_single: f64,
     /// The largest |log₂| of the coefficients of J, J′ and J″, of which a unit is taken out once and twice.
     largest_coefficient: f64,
     /// log₂ |j| of the highest power: the unit of J′.
@@ -73,13 +89,13 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
-    fn new(terms: Vec<(f64, f64)>, root: f64) -> Self {
+    fn new(terms: Vec<(f64, f64)>, root: f64, largest_single: f64) -> Self {
         let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
         let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
         let in_units = |term| [0.0, 1.0, 2.0].map(|times| logarithm(term) - times * unit);
         let largest_coefficient = terms.iter().flat_map(in_units).fold(0.0, largest_size);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
-        Self { terms, root, largest_coefficient, unit, lowest, highest }
+        Self { terms, root, largest_single, largest_coefficient, unit, lowest, highest }
     }
 
     /// The table of the octaves up to y = 2^`top`.
@@ -166,7 +182,8 @@ impl LoadIntegral {
             left(error) <= ALLOWED_ERROR && left(error + CUT_OFF) <= ALLOWED_ERROR_OF_SINGLE
         };
         let is_near = [1e-3, 0.15, 0.5, 0.85].into_iter().all(&mut passes);
-        (is_near && largest < LARGEST_DOUBLE).then_some((row, largest < LARGEST_SINGLE))
+        let is_single = largest < LARGEST_SINGLE && unit.log2().abs() <= self.largest_single;
+        (is_near && largest < LARGEST_DOUBLE).then_some((row, is_single))
     }
 }
 
@@ -216,7 +233,8 @@ mod tests {
     /// At other points than the check's.
     #[test]
     fn seeds_have_six_digits() {
-        let two_terms = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1.0);
+        let two_terms =
+            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1.0, LARGEST_SINGLE);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
@@ -231,7 +249,7 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1.0);
+        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1.0, LARGEST_SINGLE);
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());

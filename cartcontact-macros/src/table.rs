@@ -2,10 +2,12 @@
 //!
 //! Rows of four numbers in single precision stand for quarters of octaves; 256 of them, 4 KiB, span 64 octaves.
 //!
-//! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more; y from
-//! 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ) are contacts from ℓ/200 upward for a sphere. Outside it, the radius is iterated.
+//! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more, and one of a
+//! thousandth is hardly a gap: for a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ), with something to
+//! spare. Gaps that open more suddenly have room at both ends; of others the flattest contacts are outside. There, the radius
+//! is iterated.
 //! Two terms with symbols have one table in units of their own: with j a^p + j′ a^p′ = y and j ℓ^p = j′ ℓ^p′, a/ℓ depends on
-//! y/(j ℓ^p) alone. Its window lies 20 octaves above y = 1 and 44 below, because the higher term is mostly the correction.
+//! y/(j ℓ^p) alone. Its window lies mostly below y = 1, because the higher term is mostly the correction.
 
 use num_traits::ToPrimitive;
 
@@ -18,8 +20,10 @@ use crate::{roots, seeds};
 pub(crate) const ROWS_PER_OCTAVE: i32 = 4;
 pub(crate) const OCTAVES: i32 = 64;
 const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
-/// How much of the window lies above J(ℓ).
-const OCTAVES_ABOVE: i32 = 4;
+/// How much of the window lies above J(ℓ), at least.
+const OCTAVES_ABOVE: f64 = 4.0;
+/// A gap over its radius that is hardly one.
+const FLATTEST: f64 = 1.0 / 1024.0;
 /// While the logarithms of all that a step computes are below the bound, none of it leaves the format, also where factors of
 /// exponents are beside it; and products with what J is off by at the seed keep as many digits as that has.
 pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
@@ -89,20 +93,23 @@ impl Table {
 
 /// The octave at which the table ends, for constant coefficients.
 pub(crate) fn top(geometry: &Geometry, load_integral: impl Fn(f64) -> f64) -> Option<i32> {
+    let octave = |a: f64| load_integral(a).log2().floor();
     let end = match &geometry.range {
-        Range::Limited(end) => end.to_f64()?,
+        Range::Limited(end) => octave(end.to_f64()?) + 1.0,
         Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
     };
-    let steepest = load_integral(length(&geometry.gap)?.min(end)).log2().floor();
-    let steepest = Some(steepest).filter(|steepest| steepest.abs() < LARGEST_DOUBLE)?;
-    Some(steepest as i32 + OCTAVES_ABOVE)
+    let [flattest, steepest] = [FLATTEST, 1.0].map(|slope| radius_of_slope(&geometry.gap, slope).map(octave));
+    let steepest = steepest? + OCTAVES_ABOVE;
+    let spare = f64::from(OCTAVES) - (steepest - flattest?);
+    let top = (steepest + (0.5 * spare).max(0.0).floor()).min(end);
+    (top.abs() < LARGEST_DOUBLE).then_some(top as i32)
 }
 
-/// Where the gap is as wide as its radius, or a little beyond: there one of its terms alone is.
-fn length(gap: &Gap) -> Option<f64> {
+/// Where the gap over its radius is a number, or a little beyond: there one of its terms alone is.
+fn radius_of_slope(gap: &Gap, slope: f64) -> Option<f64> {
     let alone = gap.terms.iter().filter_map(|term| {
         let (c, n) = (term.coefficient.as_constant()?.to_f64()?, term.exponent.to_f64()?);
-        (c > 0.0 && n > 1.0).then(|| c.powf(-1.0 / (n - 1.0)))
+        (c > 0.0 && n > 1.0).then(|| (slope / c).powf(1.0 / (n - 1.0)))
     });
     alone.reduce(f64::min)
 }
