@@ -282,6 +282,7 @@ const _: () = {
                             __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
                             <S as __cartcontact::Scalar>::constant(13.0f64),
                         ),
+                        [],
                         <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
                 );
@@ -366,6 +367,7 @@ const _: () = {
                         __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
                         <S as __cartcontact::Scalar>::constant(13.0f64),
                     ),
+                    [],
                     <S as __cartcontact::Scalar>::constant(1.828125f64),
                 ),
             );

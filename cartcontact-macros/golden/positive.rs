@@ -220,6 +220,7 @@ const _: () = {
                         __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
                         <T as __cartcontact::Scalar>::constant(8.0f64),
                     ),
+                    [],
                     <T as __cartcontact::Scalar>::constant(1.5f64),
                 );
                 __TABLE
@@ -298,6 +299,7 @@ const _: () = {
                     __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
                     <T as __cartcontact::Scalar>::constant(8.0f64),
                 ),
+                [],
                 <T as __cartcontact::Scalar>::constant(1.5f64),
             );
             __TABLE

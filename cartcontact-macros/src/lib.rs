@@ -27,6 +27,7 @@ mod emit;
 mod gap;
 mod geometry;
 mod number;
+mod own_units;
 mod proof;
 mod reading;
 mod roots;

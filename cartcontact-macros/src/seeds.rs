@@ -18,6 +18,7 @@ use num_traits::ToPrimitive;
 
 use crate::closed_forms::Seeded;
 use crate::geometry::Geometry;
+use crate::own_units;
 use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top};
 
 /// How much of a window may lie above the load integral at which two terms are equal.
@@ -38,31 +39,24 @@ const MARGIN: f64 = 1.25;
 /// The table of a geometry, if its rows are near enough to the radius; to its square root, if J has whole powers of that only.
 pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Table> {
     let is_constant = geometry.gap.is_constant();
-    let summands = seeded.scaled.load_integral.summands.as_slice();
-    let mut terms = Vec::new();
-    for summand in summands {
-        // Symbols have the units in which it is 1.
-        let coefficient = if is_constant { summand.constant()?.to_f64()? } else { 1.0 };
-        terms.push((coefficient, summand.exponent.to_f64()?));
-    }
+    let load_integral = &seeded.scaled.load_integral;
+    let factors = if is_constant {
+        load_integral.summands.iter().map(|summand| summand.constant()?.to_f64()).collect()
+    } else {
+        own_units::factors(&geometry.gap, load_integral)
+    };
+    let exponents = load_integral.summands.iter().map(|summand| summand.exponent.to_f64());
+    let terms = factors?.into_iter().zip(exponents).map(|(factor, exponent)| Some((factor, exponent?)));
+    let terms: Vec<(f64, f64)> = terms.collect::<Option<_>>()?;
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
     let root = if seeded.is_of_square_root { 2.0 } else { 1.0 };
     let sum = LoadIntegral::new(terms, root, largest_single);
-    let top = match summands {
-        _ if is_constant => top(geometry, |a| sum.at(a.powf(1.0 / sum.root)).value)?,
-        [_, _] => octaves_above_equality(&sum),
-        _ => return None,
+    let top = if is_constant {
+        top(geometry, |a| sum.at(a.powf(1.0 / sum.root)).value)
+    } else {
+        sum.octaves_above_equality()
     };
-    sum.seeds(top)
-}
-
-/// How much of its window lies above the load integral at which two terms are equal.
-///
-/// The higher term is mostly the correction. Where its power is little more, it is one already many octaves of the radius
-/// before, and the window goes far down; where it is much more, both sides have radii that are 2.5 octaves away, or nearly.
-fn octaves_above_equality(sum: &LoadIntegral) -> i32 {
-    let octaves_of_radius = (2.0 * (sum.highest - sum.lowest) / sum.root).min(2.5);
-    (sum.highest / sum.root * octaves_of_radius).min(MOST_OCTAVES_ABOVE_EQUALITY) as i32
+    sum.seeds(top?)
 }
 
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
@@ -96,6 +90,16 @@ impl LoadIntegral {
         let largest_coefficient = terms.iter().flat_map(in_units).fold(0.0, largest_size);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
         Self { terms, root, largest_single, largest_coefficient, unit, lowest, highest }
+    }
+
+    /// How much of its window lies above the load integral at which the first two terms are equal.
+    ///
+    /// The second is mostly the correction. Where its power is little more, it is one already many octaves of the radius
+    /// before, and the window goes far down; where it is much more, both sides have radii that are 2.5 octaves away, or nearly.
+    fn octaves_above_equality(&self) -> Option<i32> {
+        let [(_, first), (_, second), ..] = self.terms[..] else { return None };
+        let octaves_of_radius = (2.0 * (second - first) / self.root).min(2.5);
+        Some((second / self.root * octaves_of_radius).min(MOST_OCTAVES_ABOVE_EQUALITY) as i32)
     }
 
     /// The table of the octaves up to y = 2^`top`.

@@ -6,8 +6,8 @@
 //! thousandth is hardly a gap: for a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ), with something to
 //! spare. Gaps that open more suddenly have room at both ends; of others the flattest contacts are outside. There, the radius
 //! is iterated.
-//! Two terms with symbols have one table in units of their own: with j a^p + j′ a^p′ = y and j ℓ^p = j′ ℓ^p′, a/ℓ depends on
-//! y/(j ℓ^p) alone. Its window lies mostly below y = 1, because the higher term is mostly the correction.
+//! Symbols have one table in [units of their own](crate::own_units), if they do no more than set these. Its window lies mostly
+//! below y = 1, because higher terms are mostly corrections.
 
 use num_traits::ToPrimitive;
 

@@ -70,13 +70,14 @@ fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
     let Seeded { scaled, is_of_square_root } = seeded;
     let (summands, per_unit) = (scaled.load_integral.summands.as_slice(), constant(&scaled.per_unit));
     let own = match summands {
-        [low, high] if low.constant().and(high.constant()).is_none() => {
+        [low, high, others @ ..] if !summands.iter().all(|summand| summand.constant().is_some()) => {
             let equal_terms = names.generated("EqualTerms");
             let [low, high] = [low, high].map(|summand| {
                 let (coefficient, exponent) = (coefficients.factor(summand), constant(&summand.exponent));
                 quote!((#coefficient, #exponent))
             });
-            quote!(#equal_terms::of(#low, #high, #per_unit))
+            let others = others.iter().map(|summand| coefficients.factor(summand));
+            quote!(#equal_terms::of(#low, #high, [#(#others),*], #per_unit))
         }
         _ => names.generated("OwnUnits"),
     };

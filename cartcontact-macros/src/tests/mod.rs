@@ -5,6 +5,7 @@
 mod admissibility;
 mod effort;
 mod golden;
+mod own_units;
 mod random;
 mod surfaces;
 

@@ -46,8 +46,8 @@ impl<T: Scalar> Units<T> for OwnUnits {
     }
 }
 
-/// Those in which J = j aᵖ + j′ aᵖ′ is xᵖ + xᵖ′, so that all such J have the same table: the radius at which both terms
-/// are equal, and the value that they have there.
+/// Those in which J = j aᵖ + j′ aᵖ′ + … is xᵖ + xᵖ′ + …, so that all such J have the same table if other terms have the same
+/// factors there: the radius at which the first two are equal, and the value that they have there.
 #[derive(Clone, Copy, Debug)]
 pub struct EqualTerms<T> {
     radius: T,
@@ -56,20 +56,21 @@ pub struct EqualTerms<T> {
 }
 
 impl<T: Scalar> EqualTerms<T> {
-    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, and what load integrals are multiplied by, see `Target`.
+    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, the coefficients of all others, and what load integrals are
+    /// multiplied by, see `Target`.
     ///
-    /// If j, j′ and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±71 b, J′/a^(p−1) within as much,
+    /// If all j and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±71 b, J′/a^(p−1) within as much,
     /// and aᵖ within 2^±64 b²: none of their products in a step leaves the format. In single precision all these are 20 octaves
     /// nearer to 1. Other terms have no table.
     #[inline(always)]
-    pub fn of(low: (T, T), high: (T, T), per_unit: T) -> Self {
+    pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (radius, load_integral) = equal_terms(low, high);
-        // Terms of different sign have NaN for a unit: as the first of three it stays, and no comparison holds for it.
-        let sizes = [load_integral, low.0, high.0];
-        let (smallest, largest) =
-            (sizes.into_iter().fold(sizes[0], lesser), sizes.into_iter().fold(sizes[0], greater));
-        let has_table = (T::constant(least) <= smallest) & (largest <= T::constant(most));
+        // Terms of different sign have NaN for a unit: as the first it stays, and no comparison holds for it.
+        let extreme = |choose: fn(T, T) -> T| {
+            others.into_iter().fold(choose(choose(load_integral, low.0), high.0), choose)
+        };
+        let has_table = (T::constant(least) <= extreme(lesser)) & (extreme(greater) <= T::constant(most));
         // Zero lies in no table.
         Self {
             radius,

@@ -1,0 +1,131 @@
+//! Contact radii of geometries whose fields do no more than set their units, and of some that look like it: all have
+//! more than two terms, and the former one table for all values.
+
+use cartcontact::{GapProfile, gap_profile};
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::random::Stream;
+
+#[gap_profile(sphere(radius), order = 6)]
+struct Ball<T> {
+    radius: T,
+}
+
+#[gap_profile(conic(radius, -0.4), order = 8)]
+struct Ellipsoid<T> {
+    radius: T,
+}
+
+#[gap_profile(stiffness * (0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6))]
+struct Scaled<T> {
+    stiffness: T,
+}
+
+#[gap_profile(k * (r^2 + r^3 / radius + r^4 / radius^2), positive)]
+struct Odd<T> {
+    k: T,
+    radius: T,
+}
+
+#[gap_profile(k * (r^2 + r^2.5 / radius + r^3 / radius^2), positive)]
+struct Halves<T> {
+    k: T,
+    radius: T,
+}
+
+/// With the sign of its radius the second term changes its own.
+#[gap_profile(k * (r^2 + r^3 / radius + r^4 / radius^2))]
+struct Turned<T> {
+    k: T,
+    radius: T,
+}
+
+type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
+
+/// A geometry of two sizes, with its terms as they are in the arithmetic of the scalar.
+struct Kind {
+    double: fn(f64, f64) -> Found<f64>,
+    single: fn(f32, f32) -> Found<f32>,
+}
+
+macro_rules! kind {
+    (|$k:ident, $radius:ident| $profile:expr) => {
+        Kind {
+            double: |$k, $radius| ($profile.terms().to_vec(), Box::new($profile)),
+            single: |$k, $radius| ($profile.terms().to_vec(), Box::new($profile)),
+        }
+    };
+}
+
+const KINDS: [Kind; 6] = [
+    kind!(|_k, radius| Ball { radius }),
+    kind!(|_k, radius| Ellipsoid { radius }),
+    kind!(|stiffness, _radius| Scaled { stiffness }),
+    kind!(|k, radius| Odd { k, radius }),
+    kind!(|k, radius| Halves { k, radius }),
+    kind!(|k, radius| Turned { k, radius: -radius }),
+];
+
+/// The contact radius of terms as they are.
+fn exact(terms: impl Iterator<Item = (f64, f64)>, load_integral: f64) -> Exact {
+    let terms: Vec<(f64, f64)> = terms.collect();
+    Exact::from(&Profile::of(&terms).radius(&double(load_integral)))
+}
+
+#[test]
+fn radii_are_exact_for_fields_of_any_size() {
+    let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
+    for (index, kind) in KINDS.iter().enumerate() {
+        let mut stream = Stream::of_case(1, index as u64);
+        for _ in 0..300 {
+            // Both ends of the table and what lies beyond.
+            let (k, radius) = (stream.magnitude(-4.0, 4.0), stream.magnitude(-2.0, 2.0));
+            let size = radius * stream.magnitude(-3.5, 1.0);
+            let (terms, profile) = (kind.double)(k, radius);
+            let load_integral = profile.load_integral(size);
+            let found = profile.radius(load_integral).unwrap_or(f64::NAN);
+            let place = format!("{index}: {k:e}, {radius:e}, {load_integral:e}");
+            errors.add(found, exact(terms.into_iter(), load_integral), 1.0, &place);
+
+            let (k, radius, size) = (k.sqrt() as f32, radius.sqrt() as f32, (size / radius.sqrt()) as f32);
+            let (terms, profile) = (kind.single)(k, radius);
+            let load_integral = profile.load_integral(size);
+            let found = profile.radius(load_integral).unwrap_or(f32::NAN);
+            let terms = terms.into_iter().map(|(c, n)| (f64::from(c), f64::from(n)));
+            let place = format!("{index}: {k:e}, {radius:e}, {load_integral:e}");
+            errors_of_single.add(f64::from(found), exact(terms, f64::from(load_integral)), 1.0, &place);
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+#[test]
+fn other_units_change_no_digit() {
+    let mut stream = Stream::of_case(2, 0);
+    for _ in 0..2000 {
+        let (k, radius) = (stream.magnitude(-4.0, 4.0), stream.magnitude(-2.0, 2.0));
+        let load_integral = k * radius.powi(6) * stream.magnitude(-15.0, 2.0);
+        let length = 2f64.powi(stream.below(40) as i32 - 20);
+        let (_, ball) = (KINDS[0].double)(k, radius);
+        let (_, larger) = (KINDS[0].double)(k, radius * length);
+        let radius = ball.radius(load_integral).unwrap_or(f64::NAN);
+        let scaled = larger.radius(load_integral * length.powi(5)).unwrap_or(f64::NAN);
+        assert_eq!(scaled, radius * length, "{load_integral:e}, {length:e}");
+    }
+}
+
+#[test]
+fn slices_have_the_same_radii() {
+    for (index, kind) in KINDS.iter().enumerate() {
+        let mut stream = Stream::of_case(3, index as u64);
+        let (_, profile) = (kind.double)(0.3, 20.0);
+        let sizes = (0..500).map(|_| 20.0 * stream.magnitude(-3.5, 1.0));
+        let load_integrals: Vec<f64> = sizes.map(|size| profile.load_integral(size)).collect();
+        let mut radii = vec![f64::NAN; load_integrals.len()];
+        assert_eq!(profile.radii(&load_integrals, &mut radii), Ok(()));
+        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
+        assert!(load_integrals.iter().map(single).eq(radii.iter().copied()), "{index}");
+    }
+}
