@@ -13,7 +13,7 @@ use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use gungraun::prelude::*;
 use scenes::{
     Ball, Blunt, BluntBall, FlatBall, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS,
-    ThreeTerm, by_hand, contact, load_integrals, run_time, times,
+    ThreeFields, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -50,6 +50,7 @@ fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
 #[bench::with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
+#[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
 #[bench::polynomial(run_time())]
 fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
@@ -75,6 +76,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
 #[bench::two_terms_with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
+#[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
 fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, f64>) -> Given<P, f64> {
     // The lengths are equal and the loads are in range.
     let _ = profile.radii(&targets, &mut radii);

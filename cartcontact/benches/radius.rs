@@ -14,8 +14,8 @@ use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, BluntBall, Cone, FlatBall, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeTerm,
-    by_hand, contact, load_integrals, radius_by_roots, times,
+    Ball, BluntBall, Cone, FlatBall, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeFields,
+    ThreeTerm, by_hand, contact, load_integrals, radius_by_roots, times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -74,6 +74,8 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
     let round_ball = RoundBall { radius: black_box(T::constant(20.0)) };
     profile(group, "three terms with a field", targets, &round_ball);
+    let [b, c, d] = [0.02, 1e-4, 2e-6].map(|value| black_box(T::constant(value)));
+    profile(group, "three terms with three fields", targets, &ThreeFields { b, c, d });
     if let Ok(polynomial) = Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))) {
         profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
     }

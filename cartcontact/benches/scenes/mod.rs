@@ -46,6 +46,14 @@ pub(crate) struct RoundBall<T> {
     pub(crate) radius: T,
 }
 
+/// Three terms, each with a field of its own.
+#[gap_profile(b * r^2 + c * r^4 + d * r^6)]
+pub(crate) struct ThreeFields<T> {
+    pub(crate) b: T,
+    pub(crate) c: T,
+    pub(crate) d: T,
+}
+
 /// Powers that are not whole.
 #[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
 pub(crate) struct Blunt;
