@@ -226,8 +226,8 @@ impl fmt::Display for LoadError {
             }
             Self::InvalidForce { time, force } => write!(
                 f,
-                "the force at time {} is {}, but a contact needs a finite force from 0; a negative force would \
-                 pull the surfaces apart",
+                "the force at time {} is {}, but it must be finite and not negative, as tension would pull the \
+                 surfaces apart; give compression as a positive force",
                 Shown(time),
                 Shown(force)
             ),
