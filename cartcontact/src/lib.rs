@@ -66,7 +66,6 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 mod admissibility;
 mod contact;
 mod dispatch;
-mod error;
 mod evaluate;
 mod field;
 #[doc(hidden)]
@@ -87,6 +86,7 @@ pub mod printed_formulas {}
 mod profile;
 mod scalar;
 mod seeds;
+mod shown;
 mod snapshot;
 
 #[doc = include_str!("profile_language.md")]

@@ -3,9 +3,9 @@
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
 use crate::layer::Layer;
 use crate::scalar::smallest_normal;
+use crate::shown::Shown;
 
 /// What the layers contribute to the solution: the stiffness m and the rate χ of the memory.
 ///

@@ -2,9 +2,9 @@
 
 use core::fmt;
 
-use crate::error::Shown;
 use crate::load::LoadError;
 use crate::profile::{ProfileError, RadiusError};
+use crate::shown::Shown;
 
 /// Why a contact cannot be set up or evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! A contact: a geometry, a medium and a load.
 
-mod common;
+mod common_sizes;
 mod error;
 mod loading;
 mod radii;

@@ -10,7 +10,7 @@ mod sum;
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
+use crate::shown::Shown;
 
 pub use constant::Constant;
 pub use piece::Piece;

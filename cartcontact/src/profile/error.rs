@@ -3,8 +3,8 @@
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
 use crate::parameters::Parameters;
+use crate::shown::Shown;
 
 /// Why there is no contact radius for a load integral.
 #[derive(Clone, Copy, Debug, PartialEq)]
