@@ -17,7 +17,8 @@
 //! | `table` | geometry and load integral | a table from which one step leads to the contact radius (`seeds`; of one term `roots`) |
 //! | `emit` | item and geometry | the solver |
 //!
-//! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported together.
+//! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
+//! together.
 
 // Who uses the crate compiles this one: `Debug` costs time, so only what a test prints has it, and only there.
 

@@ -21,8 +21,9 @@
 //! is below ε, so 8 + 2 · 63 evaluations are the most that can happen; 3 or 4 are usual.
 //!
 //! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`],
-//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term. There J is rounded once: in plain
-//! arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the result.
+//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term. There J is rounded once: in
+//! plain arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the
+//! result.
 
 use crate::Scalar;
 use crate::evaluate::binary::estimated_root_of_product;

@@ -89,7 +89,8 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
     })
 }
 
-/// (a² − r²)² Σ_k w_k Σ_{j<k} (k−j) R^j A^(k−1−j) without a division, with A = a² and R = r². The sum over the power of R is
+/// (a² − r²)² Σ_k w_k Σ_{j<k} (k−j) R^j A^(k−1−j) without a division, with A = a² and R = r². The sum over the
+/// power of R is
 ///
 /// ```text
 /// Σ_j R^j D_j,    D_j = E_j + A D_{j+1},    E_j = w_{j+1} + A E_{j+1},
@@ -260,7 +261,8 @@ mod tests {
         }
     }
 
-    /// The largest differences between a tent and the forms of any exponent, in units of ε: of the quick, and of the other.
+    /// The largest differences between a tent and the forms of any exponent, in units of ε: of the quick one, and of
+    /// the other.
     fn largest_differences<T: Scalar>() -> [f64; 2] {
         let [mut quick, mut precise] = [0.0_f64; 2];
         for quarters in 1..=48 {

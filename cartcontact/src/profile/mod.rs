@@ -15,8 +15,8 @@ use crate::memory::quadrature::Rule;
 /// [`Polynomial`](crate::Polynomial) for one known at run time. Lengths are in the user's unit, mm throughout
 /// this documentation.
 ///
-/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means nothing.
-/// [`Contact`](crate::Contact) checks what it is given before it calls them.
+/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means
+/// nothing. [`Contact`](crate::Contact) checks what it is given before it calls them.
 ///
 /// # Accuracy
 ///
@@ -133,8 +133,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a positive
-    /// number is one below every radius.
+    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a
+    /// positive number is one below every radius.
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
 
     /// The contact radii of many load integrals, in mm; `radii[i]` belongs to `load_integrals[i]`.
@@ -194,7 +194,8 @@ pub trait GapProfile<T: Scalar> {
         })
     }
 
-    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth: what a memory integral asks for at its nodes.
+    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth: what a memory
+    /// integral asks for at its nodes.
     ///
     /// The four slices have one length. `radii` and `depths` say the same, each rounded to its own digits; the drops,
     /// and slopes of high powers, keep the digits of the depths.
@@ -208,8 +209,8 @@ pub trait GapProfile<T: Scalar> {
         fill_one_by_one(self, a, (radii, depths), (slopes, drops));
     }
 
-    /// The largest exponent n of the gap, from which quadrature rules are chosen; 64 if a profile does not say. A lower one
-    /// is quicker, and a profile with higher powers loses digits without its own.
+    /// The largest exponent n of the gap, from which quadrature rules are chosen; 64 if a profile does not say. A lower
+    /// one is quicker, and a profile with higher powers loses digits without its own.
     fn highest_exponent(&self) -> T {
         T::constant(64.0)
     }
@@ -230,7 +231,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if a coefficient is not finite or so small that it loses digits, or the geometry is not admissible.
+    /// [`ProfileError`] if a coefficient is not finite or so small that it loses digits, or the geometry is not
+    /// admissible.
     fn check(&self) -> Result<(), ProfileError> {
         Ok(())
     }
