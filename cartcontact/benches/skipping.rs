@@ -49,7 +49,7 @@ fn skipping(criterion: &mut Criterion) {
         "whole powers",
         [
             ("multiplications", &|| pressure_at(&odd, 200.0, 3.0)),
-            ("powf", &|| pressure_at(&real, 200.0, 3.0)),
+            ("exponentials", &|| pressure_at(&real, 200.0, 3.0)),
         ],
     );
     pair(
