@@ -162,6 +162,12 @@ impl<T: Scalar> Bracket<T> {
     }
 }
 
+/// So many steps are taken as they come.
+const FREE_STEPS: usize = 8;
+
+/// So many halvings of ln a make the widest bracket narrow; beside each there is one more free step.
+const HALVINGS: usize = 63;
+
 fn iterate<T: Scalar>(
     target: T,
     start: T,
@@ -172,7 +178,7 @@ fn iterate<T: Scalar>(
     let one = T::one();
     let per_target = target.recip();
     let mut a = start;
-    for step in 0..134 {
+    for step in 0..FREE_STEPS + 2 * HALVINGS {
         let (value, log_slope) = evaluate(a);
         if value < target {
             bracket.low = a;
@@ -183,7 +189,7 @@ fn iterate<T: Scalar>(
         let (near, far) = ((ratio - one) * ratio, (ratio + one) * (log_slope * per_target));
         let next = a * ((far - near) / (far + near));
         // Also false for NaN, which a slope of zero can cause.
-        if bracket.contains(next) && !(step > 8 && step % 2 == 1) {
+        if bracket.contains(next) && !(step > FREE_STEPS && step % 2 == 1) {
             a = next;
             if near.abs() <= close * far {
                 break;
