@@ -45,54 +45,93 @@ fn run() -> Result<(), Box<dyn Error>> {
     let contact = Contact::new(Patellofemoral, Medium::between(LAYER, LAYER)?, load::Constant(FORCE))?;
     let mut out = io::stdout().lock();
     writeln!(out, " times x radii   field, ms   filling, ms   ratio")?;
-    let mut measure = |sizes: &[(usize, usize)]| -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
-        let mut all = Vec::new();
-        for &(times, radii) in sizes {
-            let [field, filling] = milliseconds(&contact, times, radii)?;
-            writeln!(out, "{times:6} x {radii:<5} {field:11.4} {filling:13.4} {:7.2}", field / filling)?;
-            all.push([field, filling]);
-        }
-        Ok(all)
-    };
-    let by_times = COUNTS.map(|count| (count, FIXED));
-    let by_radii = COUNTS.map(|count| (FIXED, count));
-    let squares: Vec<_> =
-        COUNTS.into_iter().filter(|&n| n <= LARGEST_SQUARE).map(|count| (count, count)).collect();
-    let thousand = |count: usize| count as f64 / 1e3;
-    let panels = [
-        panel(
-            "N times × 100 radii",
-            "thousand times",
-            &by_times,
-            |size| thousand(size.0),
-            measure(&by_times)?,
-        ),
-        panel(
-            "100 times × N radii",
-            "thousand radii",
-            &by_radii,
-            |size| thousand(size.1),
-            measure(&by_radii)?,
-        ),
-        panel(
-            "N times × N radii",
-            "million values",
-            &squares,
-            |size| thousand(size.0) * thousand(size.1),
-            measure(&squares)?,
-        ),
-    ];
+    let mut panels = Vec::new();
+    for series in all_series() {
+        let times = series.measure(&contact, &mut out)?;
+        panels.push(series.panel(&times));
+    }
     figure::write(Path::new(FIGURE), 62.0, &panels)?;
     writeln!(out, "\nfigure: {FIGURE}")?;
     Ok(())
 }
 
+type Joint = Contact<f64, Patellofemoral, load::Constant<f64>>;
+
+/// Fields that grow in one way: a panel of the figure.
+struct Series {
+    title: &'static str,
+    label: &'static str,
+    /// Times and radii of every field.
+    sizes: Vec<(usize, usize)>,
+    /// Where a size is on the axis.
+    x: fn((usize, usize)) -> f64,
+}
+
+fn all_series() -> [Series; 3] {
+    let squares = COUNTS.into_iter().filter(|&count| count <= LARGEST_SQUARE);
+    [
+        Series {
+            title: "N times × 100 radii",
+            label: "thousand times",
+            sizes: COUNTS.map(|count| (count, FIXED)).to_vec(),
+            x: |(times, _)| times as f64 / 1e3,
+        },
+        Series {
+            title: "100 times × N radii",
+            label: "thousand radii",
+            sizes: COUNTS.map(|count| (FIXED, count)).to_vec(),
+            x: |(_, radii)| radii as f64 / 1e3,
+        },
+        Series {
+            title: "N times × N radii",
+            label: "million values",
+            sizes: squares.map(|count| (count, count)).collect(),
+            x: |(times, radii)| (times * radii) as f64 / 1e6,
+        },
+    ]
+}
+
+impl Series {
+    /// Writes a line for every size; the times for the field and for filling its memory, in ms.
+    fn measure(&self, contact: &Joint, out: &mut impl Write) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
+        let mut all = Vec::new();
+        for &(times, radii) in &self.sizes {
+            let [field, filling] = milliseconds(contact, times, radii)?;
+            writeln!(out, "{times:6} x {radii:<5} {field:11.4} {filling:13.4} {:7.2}", field / filling)?;
+            all.push([field, filling]);
+        }
+        Ok(all)
+    }
+
+    fn panel(&self, milliseconds: &[[f64; 2]]) -> Panel {
+        let points = |which: usize| -> Vec<(f64, f64)> {
+            self.sizes.iter().zip(milliseconds).map(|(&size, time)| ((self.x)(size), time[which])).collect()
+        };
+        let curve =
+            |name: &str, ink, dash, which| Curve { name: name.to_owned(), ink, dash, points: points(which) };
+        let longest = milliseconds.iter().fold(0.0, |longest: f64, time| longest.max(time[0]));
+        let decimals = if longest > 4.0 {
+            0
+        } else if longest > 0.4 {
+            1
+        } else {
+            2
+        };
+        Panel {
+            title: Some(self.title.to_owned()),
+            x: Axis { label: self.label, decimals: 0 },
+            x_end: self.sizes.last().map_or(1.0, |&size| (self.x)(size)),
+            y: Axis { label: "time, ms", decimals },
+            curves: vec![
+                curve("pressure field", Ink::Blue, Dash::Solid, 0),
+                curve("filling the same memory", Ink::Vermilion, Dash::Dashed, 1),
+            ],
+        }
+    }
+}
+
 /// The times for a field and for filling its memory, in ms.
-fn milliseconds(
-    contact: &Contact<f64, Patellofemoral, load::Constant<f64>>,
-    times: usize,
-    radii: usize,
-) -> Result<[f64; 2], Box<dyn Error>> {
+fn milliseconds(contact: &Joint, times: usize, radii: usize) -> Result<[f64; 2], Box<dyn Error>> {
     let (times, radii) = (steps(times, LAST.0), steps(radii, LAST.1));
     let mut values = vec![0.0; times.len() * radii.len()];
     let mut shortest = [f64::INFINITY; 2];
@@ -110,36 +149,4 @@ fn milliseconds(
 /// `count` values from 0 to `end`.
 fn steps(count: usize, end: f64) -> Vec<f64> {
     (0..count).map(|k| end * k as f64 / (count - 1) as f64).collect()
-}
-
-fn panel(
-    title: &str,
-    label: &'static str,
-    sizes: &[(usize, usize)],
-    x: impl Fn((usize, usize)) -> f64,
-    milliseconds: Vec<[f64; 2]>,
-) -> Panel {
-    let points = |which: usize| -> Vec<(f64, f64)> {
-        sizes.iter().zip(&milliseconds).map(|(&size, time)| (x(size), time[which])).collect()
-    };
-    let curve =
-        |name: &str, ink, dash, which| Curve { name: name.to_owned(), ink, dash, points: points(which) };
-    let longest = milliseconds.iter().fold(0.0, |longest: f64, time| longest.max(time[0]));
-    let decimals = if longest > 4.0 {
-        0
-    } else if longest > 0.4 {
-        1
-    } else {
-        2
-    };
-    Panel {
-        title: Some(title.to_owned()),
-        x: Axis { label, decimals: 0 },
-        x_end: sizes.last().map_or(1.0, |&size| x(size)),
-        y: Axis { label: "time, ms", decimals },
-        curves: vec![
-            curve("pressure field", Ink::Blue, Dash::Solid, 0),
-            curve("filling the same memory", Ink::Vermilion, Dash::Dashed, 1),
-        ],
-    }
 }

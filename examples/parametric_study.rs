@@ -29,7 +29,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Two spheres to fourth order in the distance from the axis; the fields are their radii in mm.
 ///
-/// Up to 3/4 of the condyle's radius the sixth order adds at most 4 % of the second.
+/// Up to 3/4 of the condyle's radius the sixth order of either sphere is at most 4 % of its second. Of their difference
+/// it is the more the closer the fit: at most 8 % where the plateau has twice the condyle's radius.
 #[gap_profile(
     (1/condyle - 1/plateau) * r^2 / 2 + (1/condyle^3 - 1/plateau^3) * r^4 / 8,
     max_radius = 3/4 * condyle

@@ -130,8 +130,9 @@ impl PowerSum {
         Scaled { load_integral: self.weighted(|_| per_unit.clone()), per_unit }
     }
 
-    /// The common denominator of the weights, divided by powers of two so that it is odd, and by others so that it is less
-    /// than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of a number.
+    /// The common denominator of the weights, divided by powers of two so that it is odd, and by others so that it is
+    /// less than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of
+    /// a number.
     fn shortener(&self) -> Rational {
         let common = common_denominator(self.summands.iter().filter_map(|summand| match &summand.factor {
             Factor::Weight(weight) => Some(weight),

@@ -9,6 +9,7 @@ use crate::number::{self, Rational};
 use crate::proof::{self, Proof, Wanted};
 use crate::reading::attribute::Attribute;
 use crate::reading::item::Item;
+use crate::reading::syntax::Expression;
 
 /// A gap whose contact radius is determined in its range.
 pub(crate) struct Geometry {
@@ -42,12 +43,7 @@ pub(crate) fn geometry(
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
     let limit = attribute.max_radius.as_ref();
-    let range = match limit {
-        None => Some(Range::Unbounded),
-        Some(limit) => evaluator.coefficient(limit, "max_radius").and_then(|value| {
-            range(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
-        }),
-    };
+    let range = declared_range(limit, &mut evaluator);
     let options = Options::read(attribute, &mut evaluator);
     let place = limit.map(|limit| limit.extent);
     let is_whole = complete && !attribute.lacks_option;
@@ -68,13 +64,16 @@ pub(crate) fn geometry(
     if let Some(positive) = &attribute.positive {
         positive.check_used(item, diagnostics);
     }
-    match proof::prove(&gap, &wanted(&range, place)) {
-        Ok(proof) => Some(Geometry { gap, range, proof, truncation }),
-        Err((extent, message)) => {
-            diagnostics.report(extent, message);
-            None
-        }
-    }
+    let proof = proof::prove(&gap, &wanted(&range, place));
+    let proof = proof.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
+    Some(Geometry { gap, range, proof, truncation })
+}
+
+/// The range that `max_radius` declares, where it is written; nothing if it is faulty, which is reported.
+fn declared_range(limit: Option<&Expression>, evaluator: &mut Evaluator<'_>) -> Option<Range> {
+    let Some(limit) = limit else { return Some(Range::Unbounded) };
+    let value = evaluator.coefficient(limit, "max_radius")?;
+    range(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
 }
 
 fn range(value: Coefficient) -> Result<Range, &'static str> {

@@ -5,9 +5,9 @@
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
-//! | `reading::attribute` | the attribute's tokens | expressions and options, as written |
+//! | `reading::attribute`, `entry` | the attribute's tokens | expressions and options, as written |
 //! | `reading::item` | the struct's tokens | its name, generics, and fields that can be symbols (`positive`: of known sign) |
-//! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers |
+//! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`: what is no part of the language) |
 //! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `gap::expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
 //! | `gap` | powers of r | the same, checked to be a gap |
@@ -17,7 +17,8 @@
 //! | `table` | geometry and load integral | a table from which one step leads to the contact radius (`seeds`; of one term `roots`) |
 //! | `emit` | item and geometry | the solver |
 //!
-//! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported together.
+//! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
+//! together.
 
 // Who uses the crate compiles this one: `Debug` costs time, so only what a test prints has it, and only there.
 

@@ -7,7 +7,8 @@ use std::hint::black_box;
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, gap_profile};
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use scenes::{LOAD, Paraboloid, Patellofemoral, RATE, STIFFNESS, contact, pressure_at};
 
 /// [`Paraboloid`] with a second term that counts for nothing.
@@ -24,35 +25,53 @@ struct HardlyWhole;
 
 fn skipping(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("skipping");
-    let mut pair = |name: &str, scenes: [(&str, &dyn Fn() -> f64); 2]| {
-        for (scene, run) in scenes {
-            group.bench_function(format!("{name}/{scene}"), |b| b.iter(run));
-        }
-    };
-    let joint = contact(Patellofemoral);
+    geometries(&mut group);
+    histories(&mut group);
+    questions(&mut group);
+    group.finish();
+}
 
+type Group<'a> = BenchmarkGroup<'a, WallTime>;
+
+fn pair(group: &mut Group<'_>, name: &str, scenes: [(&str, &dyn Fn() -> f64); 2]) {
+    for (scene, run) in scenes {
+        group.bench_function(format!("{name}/{scene}"), |b| b.iter(run));
+    }
+}
+
+/// What a gap does not need.
+fn geometries(group: &mut Group<'_>) {
     let (one, two) = (contact(Paraboloid), contact(HiddenParaboloid));
     pair(
+        group,
         "one term",
         [("alone", &|| radius_at(&one, 200.0)), ("with a second one", &|| radius_at(&two, 200.0))],
     );
-    let odd = contact(HiddenEven);
+    let (even, odd) = (contact(Patellofemoral), contact(HiddenEven));
     pair(
+        group,
         "even powers",
         [
-            ("in the square of r", &|| pressure_at(&joint, 200.0, 3.0)),
+            ("in the square of r", &|| pressure_at(&even, 200.0, 3.0)),
             ("in r", &|| pressure_at(&odd, 200.0, 3.0)),
         ],
     );
     let real = contact(HardlyWhole);
     pair(
+        group,
         "whole powers",
         [
             ("multiplications", &|| pressure_at(&odd, 200.0, 3.0)),
-            ("powf", &|| pressure_at(&real, 200.0, 3.0)),
+            ("exponentials", &|| pressure_at(&real, 200.0, 3.0)),
         ],
     );
+}
+
+/// What a history does not need.
+fn histories(group: &mut Group<'_>) {
+    let joint = contact(Patellofemoral);
     pair(
+        group,
         "memory",
         [
             ("t = 0: none", &|| pressure_at(&joint, 0.0, 3.0)),
@@ -61,6 +80,7 @@ fn skipping(criterion: &mut Criterion) {
     );
     if let Ok(undrained) = loaded(0.0, Constant(LOAD)) {
         pair(
+            group,
             "drainage",
             [
                 ("chi = 0: no memory", &|| pressure_at(&undrained, 200.0, 3.0)),
@@ -70,6 +90,7 @@ fn skipping(criterion: &mut Criterion) {
     }
     if let Ok(unknown) = loaded(RATE, Unknown(LOAD)) {
         pair(
+            group,
             "straight load",
             [
                 ("age by a formula", &|| pressure_at(&joint, 200.0, 3.0)),
@@ -77,8 +98,9 @@ fn skipping(criterion: &mut Criterion) {
             ],
         );
     }
-    if let Ok((short, long)) = histories() {
+    if let Ok((short, long)) = rising_loads() {
         pair(
+            group,
             "faded history",
             [
                 ("900 s of knots, the last 760 s count", &|| pressure_at(&short, 900.0, 3.0)),
@@ -86,7 +108,13 @@ fn skipping(criterion: &mut Criterion) {
             ],
         );
     }
+}
+
+/// What is not asked for.
+fn questions(group: &mut Group<'_>) {
+    let joint = contact(Patellofemoral);
     pair(
+        group,
         "outside the contact",
         [
             ("outside: zero", &|| pressure_at(&joint, 200.0, 20.0)),
@@ -94,6 +122,7 @@ fn skipping(criterion: &mut Criterion) {
         ],
     );
     pair(
+        group,
         "on demand",
         [
             ("radius only", &|| radius_at(&joint, 200.0)),
@@ -104,7 +133,6 @@ fn skipping(criterion: &mut Criterion) {
             }),
         ],
     );
-    group.finish();
 }
 
 fn radius_at<P: GapProfile<f64>>(contact: &Contact<f64, P, Constant<f64>>, t: f64) -> f64 {
@@ -133,7 +161,7 @@ fn loaded<L: Load<f64>>(rate: f64, load: L) -> Result<Joint<L>, Fault> {
 type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
 
 /// Loads that rise every 10 s up to 1000 s and 10 000 s, in a medium that forgets in 20 s.
-fn histories() -> Result<(Joint<Knots>, Joint<Knots>), Fault> {
+fn rising_loads() -> Result<(Joint<Knots>, Joint<Knots>), Fault> {
     let rising = |count: u32| {
         let knots = (0..count).map(|k| (10.0 * f64::from(k), LOAD * (1.0 + f64::from(k + k % 2) / 1000.0)));
         PiecewiseLinear::new(knots.collect())

@@ -21,8 +21,9 @@
 //! is below ε, so 8 + 2 · 63 evaluations are the most that can happen; 3 or 4 are usual.
 //!
 //! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`],
-//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term. There J is rounded once: in plain
-//! arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the result.
+//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term. There J is rounded once: in
+//! plain arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the
+//! result.
 
 use crate::Scalar;
 use crate::evaluate::binary::estimated_root_of_product;
@@ -161,6 +162,12 @@ impl<T: Scalar> Bracket<T> {
     }
 }
 
+/// So many steps are taken as they come.
+const FREE_STEPS: usize = 8;
+
+/// So many halvings of ln a make the widest bracket narrow; beside each there is one more free step.
+const HALVINGS: usize = 63;
+
 fn iterate<T: Scalar>(
     target: T,
     start: T,
@@ -171,7 +178,7 @@ fn iterate<T: Scalar>(
     let one = T::one();
     let per_target = target.recip();
     let mut a = start;
-    for step in 0..134 {
+    for step in 0..FREE_STEPS + 2 * HALVINGS {
         let (value, log_slope) = evaluate(a);
         if value < target {
             bracket.low = a;
@@ -182,7 +189,7 @@ fn iterate<T: Scalar>(
         let (near, far) = ((ratio - one) * ratio, (ratio + one) * (log_slope * per_target));
         let next = a * ((far - near) / (far + near));
         // Also false for NaN, which a slope of zero can cause.
-        if bracket.contains(next) && !(step > 8 && step % 2 == 1) {
+        if bracket.contains(next) && !(step > FREE_STEPS && step % 2 == 1) {
             a = next;
             if near.abs() <= close * far {
                 break;

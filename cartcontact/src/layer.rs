@@ -32,7 +32,8 @@ impl<T: Scalar> Layer<T> {
     ///
     /// # Errors
     ///
-    /// [`MediumError`] unless thickness and shear modulus are positive, the permeability is not negative, and −1 < ν < 1/2.
+    /// [`MediumError`] unless thickness and shear modulus are positive, the permeability is not negative, and
+    /// −1 < ν < 1/2.
     ///
     /// # Examples
     ///

@@ -44,9 +44,9 @@
 //!
 //! Layers that are thin (a ≫ h) and isotropic on rigid bones, small strains, no friction, axial symmetry, times short
 //! against the diffusion of fluid through a layer's thickness, and loads that do not fall faster than e^(−χ t), so
-//! that the contact never shrinks. For a/h = 8 linear finite elements (one layer, sealed surface, t = 0⁺) give a radius 21 %,
-//! an approach 9 % and a peak pressure 10 % away from the model; for a/h = 32 it is 5 %, 0.7 % and 0.7 %. To see where a
-//! result lies, compare [`Snapshot::radius`] with the thickness h, and the time with [`Layer::diffusion_time`].
+//! that the contact never shrinks. For a/h = 8 linear finite elements (one layer, sealed surface, t = 0⁺) give a radius
+//! 21 %, an approach 9 % and a peak pressure 10 % away from the model; for a/h = 32 it is 5 %, 0.7 % and 0.7 %. To see
+//! where a result lies, compare [`Snapshot::radius`] with the thickness h, and the time with [`Layer::diffusion_time`].
 //!
 //! # Features
 //!
@@ -66,7 +66,6 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 mod admissibility;
 mod contact;
 mod dispatch;
-mod error;
 mod evaluate;
 mod field;
 #[doc(hidden)]
@@ -87,6 +86,7 @@ pub mod printed_formulas {}
 mod profile;
 mod scalar;
 mod seeds;
+mod shown;
 mod snapshot;
 
 #[doc = include_str!("profile_language.md")]

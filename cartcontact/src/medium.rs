@@ -3,9 +3,9 @@
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
 use crate::layer::Layer;
 use crate::scalar::smallest_normal;
+use crate::shown::Shown;
 
 /// What the layers contribute to the solution: the stiffness m and the rate χ of the memory.
 ///
@@ -195,20 +195,20 @@ impl fmt::Display for MediumError {
             ),
             Self::PoissonRatio { poisson_ratio } => write!(
                 f,
-                "the Poisson's ratio of the layer's matrix is {}, but it must be above -1 and below 0.5; give that of the \
-                 drained matrix, not that of the tissue with its fluid",
+                "the Poisson's ratio of the layer's matrix is {}, but it must be above -1 and below 0.5; give that of \
+                 the drained matrix, not that of the tissue with its fluid",
                 Shown(poisson_ratio)
             ),
             Self::Stiffness { m } => write!(
                 f,
-                "the stiffness m is {}, but it must be a positive number with all its digits; check the units of thickness and \
-                 shear modulus",
+                "the stiffness m is {}, but it must be a positive number that the format holds with all its digits; \
+                 check the units of thickness and shear modulus",
                 Shown(m)
             ),
             Self::Rate { chi } => write!(
                 f,
-                "the rate chi is {}, but it must be 0 (no drainage) or a positive number with all its digits; check the units of \
-                 permeability and thickness",
+                "the rate chi is {}, but it must be 0 (no drainage) or a positive number that the format holds with \
+                 all its digits; check the units of permeability and thickness",
                 Shown(chi)
             ),
         }

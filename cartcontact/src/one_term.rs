@@ -1,17 +1,17 @@
 //! The contact radius where the gap is one term, in closed form: Eq. (18).
 //!
-//! J(a) = j a^p = y has the root a = (y/j)^(1/p) with j = C n/((n+2)(n+4)) and p = n + 4. Powers of two are taken out of
-//! y and C, with y/j = f · 2^e,
+//! J(a) = j a^p = y has the root a = (y/j)^(1/p) with j = C n/((n+2)(n+4)) and p = n + 4. Powers of two are taken out
+//! of y and C, with y/j = f · 2^e,
 //!
 //! ```text
 //! a = 2^(k ⌊e/(k p)⌋) · (f · 2^(e mod k p))^(1/p)
 //! ```
 //!
-//! so that nothing overflows before the result does, and other units by powers of two change no digit; with k = 1, 2 or 4
-//! for p in quarters the reduced number is exact.
+//! so that nothing overflows before the result does, and other units by powers of two change no digit; with k = 1, 2 or
+//! 4 for p in quarters the reduced number is exact.
 //!
-//! **Accuracy.** What the quotient and 1/p lose in rounding is put back into f. The error is that of `powf`, and ε/(2 p) from
-//! the rounding of f.
+//! **Accuracy.** What the quotient and 1/p lose in rounding is put back into f. The error is that of `powf`, and
+//! ε/(2 p) from the rounding of f.
 
 use crate::Scalar;
 use crate::evaluate::binary::{divide, scale, split};

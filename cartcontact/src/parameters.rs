@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
+use crate::shown::Shown;
 
 /// As many as a message can carry without allocation.
 const MOST: usize = 6;

@@ -55,7 +55,7 @@ pub fn constants<T: Scalar, const N: usize>(values: [f64; N]) -> [T; N] {
     values.map(T::constant)
 }
 
-/// ⌊x⌋ of a number of 20 digits at the most; dual numbers have no `floor` of their own.
+/// ⌊x⌋ of a number below 2²⁰ in size; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
     if !is_plain::<T>() {

@@ -82,7 +82,7 @@ impl LoadRecord {
         })
     }
 
-    /// Adds to an error of the contact the line in which the time is at which things go wrong.
+    /// An error of the contact with the line of the record in which it begins.
     pub fn locate(&self, error: ContactError) -> RecordError {
         let since = match error {
             ContactError::Receding { since, .. } => since,

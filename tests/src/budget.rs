@@ -1,7 +1,7 @@
 //! The one table of allowed errors.
 //!
-//! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it, with
-//! ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε, so that a
+//! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it,
+//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε, so that a
 //! relative error in units of ε may be compared with the same number.
 //!
 //! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
@@ -77,17 +77,18 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 );
 /// The inverse of J, in any form.
 ///
-/// Generated for whole powers, a few radii are above 1 ulp: up to 15 in a million if the gap begins with r, by 1.16 at the
-/// most of five million random ones each for eleven geometries; otherwise fewer than one in `f64` and up to 5 in `f32`, by
-/// 1.03. With halves among the exponents, up to 8 and 3, by 1.16. Of one term none is; by the `powf` of `libm`, 1
-/// in ten thousand of r^0.25, by 1.1.
+/// Generated for whole powers, a few radii are above 1 ulp: up to 15 in a million if the gap begins with r, by 1.16 at
+/// the most of five million random ones each for eleven geometries; otherwise fewer than one in `f64` and up to 5 in
+/// `f32`, by 1.03. With halves among the exponents, up to 8 and 3, by 1.16. Of one term none is; by the `powf` of
+/// `libm`, 1 in ten thousand of r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
     [1.0, 1.0],
     [0.75, 0.8],
     "the error of J in plain arithmetic, divided by the degree of J",
 );
-/// The inverse of J that is known at run time only, or has powers that are not all multiples of 1/2, with positive terms.
+/// The inverse of J that is known at run time only, or has powers that are not all multiples of 1/2, with positive
+/// terms.
 pub const RADIUS_OF_SUMS: Allowance = allow(
     "radius of a sum",
     [1.0, 1.0],
@@ -110,7 +111,8 @@ pub const CONTACT_APPROACH: Allowance = allow(
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst was seen between two ways to the same pressure, with a few knots and with many; against the oracle it is 1.8.
+/// The worst was seen between two ways to the same pressure, with a few knots and with many; against the oracle it is
+/// 1.8.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],

@@ -27,8 +27,8 @@ pub fn degree_of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
     a * profile.approach_slope(a) / profile.approach(a)
 }
 
-/// Σ|terms of J|/(a J′), if it is above 1, by how much errors of the terms count in a radius; `sizes` is the geometry of the
-/// sizes of the terms.
+/// Σ|terms of J|/(a J′), if it is above 1, by how much errors of the terms count in a radius; `sizes` is the geometry
+/// of the sizes of the terms.
 #[must_use]
 pub fn of_radius(profile: &dyn GapProfile<f64>, sizes: &dyn GapProfile<f64>, a: f64) -> f64 {
     let slope = a.powi(5) * profile.approach_slope(a) / 2.0;

@@ -47,8 +47,8 @@ fn pressure_carries_a_swinging_load_of_a_users_own() {
     errors_on(cases().into_iter().step_by(6), "long swing", &load, &[30.0, 1000.0]).check();
 }
 
-/// F′ + χ F, in shares of χ times the mean, is 1 + (A/mean) √(1 + (ω/χ)²) sin(ω t + φ): the edge nearly stands still where
-/// it is least, and after a long history the forces within a step are rounded more than the load that it adds.
+/// F′ + χ F, in shares of χ times the mean, is 1 + (A/mean) √(1 + (ω/χ)²) sin(ω t + φ): the edge nearly stands still
+/// where it is least, and after a long history the forces within a step are rounded more than the load that it adds.
 #[test]
 fn pressure_carries_loads_that_swing_as_much_as_they_may() {
     let mut errors = Errors::of(budget::BALANCE_OF_OTHER_LOADS);
@@ -150,8 +150,8 @@ fn errors_on(
     errors
 }
 
-/// 2π ∫₀ᵃ P r dr, in a medium in which the contact radius at `t` is [`LAST_RADIUS`], where P is smooth between the contact
-/// radii at some times.
+/// 2π ∫₀ᵃ P r dr, in a medium in which the contact radius at `t` is [`LAST_RADIUS`], where P is smooth between the
+/// contact radii at some times.
 fn carried(case: Case, load: &dyn Load<f64>, t: f64, times: Vec<f64>, rule: &Graded) -> f64 {
     let solve = || {
         let contact = planted::contact(case.double, load, CHI, LAST_RADIUS, t)?;

@@ -14,8 +14,8 @@ use crate::geometry::Geometry;
 use crate::number::{self, Rational};
 use crate::reading::item::{Field, FieldKind, Item};
 
-/// So many constants at the most are written out one by one, which compilers fold into the code around them. More stand in
-/// a table, which takes much less time to compile.
+/// So many constants at the most are written out one by one, which compilers fold into the code around them. More stand
+/// in a table, which takes much less time to compile.
 pub(super) const FEW: usize = 8;
 
 pub(super) struct Coefficients<'a> {

@@ -1,6 +1,6 @@
 //! What was derived from a profile, as documentation of the annotated item.
 
-use num_traits::One;
+use num_traits::{One, ToPrimitive, Zero};
 
 use super::operations::Operations;
 use crate::closed_forms::{ClosedForms, Factor, PowerSum};
@@ -50,7 +50,7 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
         kernel(gap),
         admissibility(item, geometry),
         truncation(geometry),
-        table(start, gap),
+        solution(start, gap),
         effort(operations, shared),
     );
     // A space, as in a comment written by hand.
@@ -123,7 +123,7 @@ fn kernel(gap: &Gap) -> String {
 
 /// Σ_{j<k} (k − j) r^(2j) a^(2(k−1−j)).
 fn tent(k: &Rational) -> String {
-    let count = num_traits::ToPrimitive::to_i32(k).unwrap_or(1);
+    let count = k.to_i32().unwrap_or(1);
     if count == 1 {
         return String::new();
     }
@@ -141,7 +141,7 @@ fn power(variable: &str, exponent: &Rational) -> String {
     if exponent.is_one() {
         return variable.to_owned();
     }
-    if num_traits::Zero::is_zero(exponent) {
+    if exponent.is_zero() {
         return String::new();
     }
     if !exponent.is_integer() {
@@ -204,7 +204,7 @@ fn truncation(geometry: &Geometry) -> String {
 }
 
 /// How the contact radius is found.
-fn table(start: Option<&Start>, gap: &Gap) -> String {
+fn solution(start: Option<&Start>, gap: &Gap) -> String {
     let Some(start) = start else { return String::new() };
     let step =
         format!("\n\nThe contact radius takes one step from a table of {} bytes", Table::size_in_bytes());

@@ -17,8 +17,7 @@ const HIGHEST_DENSE_POWER: u32 = 80;
 /// The same for the drop of J, on which what lies between two times rests; its error is half the power times ε.
 const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
-/// With a table, which stands beside the implementation, the radius is taken from it where it can be; with
-/// symbolic coefficients and no table, from the leading term.
+/// The methods that the inversion of J is, and what else is asked of J: drops, and slopes with them.
 pub(super) fn methods(
     gap: &Gap,
     forms: &ClosedForms,
@@ -29,46 +28,14 @@ pub(super) fn methods(
     let Names { krate, scalar } = names;
     let preamble = coefficients.preamble();
     let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
-    let general = match gap.terms.as_slice() {
-        [only] if (&only.exponent * integer(4)).is_integer() => {
-            let (invert, terms) = (names.generated("invert_one_term"), coefficients.terms());
-            quote!(#invert(#load_integral, #(#terms)*, #limit))
-        }
-        _ => newton(gap, forms, coefficients, names),
-    };
-    let (found, radii) = match start {
-        Some(Start::Roots(table)) => {
-            let sum = &forms.load_integral;
-            (
-                Some(roots::radius(table, sum, coefficients, names)),
-                Some(roots::radii(table, sum, coefficients, names)),
-            )
-        }
-        Some(Start::Seeds(_)) => {
-            let seeded = &forms.seeded;
-            (
-                Some(seeds::radius(seeded, coefficients, names)),
-                Some(seeds::radii(seeded, coefficients, names)),
-            )
-        }
-        None if leading_term::is_for(gap) => (
-            Some(leading_term::radius(forms, coefficients, names)),
-            leading_term::radii(forms, coefficients, names),
-        ),
-        None => (None, None),
-    };
-    // As long as what compilers take for too long: left to them, it is now a call, whose result goes through memory, and now
-    // not, which spares up to half of its time.
-    let inline = match start {
-        Some(Start::Roots(_)) => quote!(#[inline(always)]),
-        Some(Start::Seeds(_)) if !gap.is_constant() => quote!(#[inline(always)]),
-        _ => quote!(#[inline]),
-    };
+    let general = general(gap, forms, coefficients, names);
+    let (found, radii) = from_start(gap, forms, start, coefficients, names).unzip();
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
         None => general,
     };
-    let radii_within = radii.map(|radii| radii_within(&radii, coefficients, names));
+    let radii_within = radii.flatten().map(|radii| radii_within(&radii, coefficients, names));
+    let inline = inlining(gap, start);
     let dense = dense_drop(forms, coefficients, names);
     let drops = slopes_and_drops(forms, dense.as_ref(), coefficients, names);
     let drop = dense.unwrap_or_else(|| drop_by_powers(forms, coefficients, names));
@@ -89,6 +56,60 @@ pub(super) fn methods(
         fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }
 
         #drops
+    }
+}
+
+/// The radius from a table, which stands beside the implementation, or without one from the leading term where
+/// coefficients are symbols; and the radii of a slice, if they are found in a way of their own.
+fn from_start(
+    gap: &Gap,
+    forms: &ClosedForms,
+    start: Option<&Start>,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> Option<(TokenStream, Option<TokenStream>)> {
+    match start {
+        Some(Start::Roots(table)) => {
+            let sum = &forms.load_integral;
+            let radii = roots::radii(table, sum, coefficients, names);
+            Some((roots::radius(table, sum, coefficients, names), Some(radii)))
+        }
+        Some(Start::Seeds(_)) => {
+            let radii = seeds::radii(&forms.seeded, coefficients, names);
+            Some((seeds::radius(&forms.seeded, coefficients, names), Some(radii)))
+        }
+        None if leading_term::is_for(gap) => {
+            let radii = leading_term::radii(forms, coefficients, names);
+            Some((leading_term::radius(forms, coefficients, names), radii))
+        }
+        None => None,
+    }
+}
+
+/// A radius from a table is as long as what compilers take for too long: left to them, it is now a call, whose result
+/// goes through memory, and now not, which spares up to half of its time.
+fn inlining(gap: &Gap, start: Option<&Start>) -> TokenStream {
+    match start {
+        Some(Start::Roots(_)) => quote!(#[inline(always)]),
+        Some(Start::Seeds(_)) if !gap.is_constant() => quote!(#[inline(always)]),
+        _ => quote!(#[inline]),
+    }
+}
+
+/// The radius of any load integral, whatever the geometry.
+fn general(
+    gap: &Gap,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    match gap.terms.as_slice() {
+        [only] if (&only.exponent * integer(4)).is_integer() => {
+            let [load_integral, limit] = ["load_integral", "limit"].map(local);
+            let (invert, terms) = (names.generated("invert_one_term"), coefficients.terms());
+            quote!(#invert(#load_integral, #(#terms)*, #limit))
+        }
+        _ => newton(gap, forms, coefficients, names),
     }
 }
 

@@ -42,8 +42,8 @@ pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     }
 }
 
-/// The radii of a slice from the leading term, and elsewhere by `radius_within`; for whole powers only, as others are no
-/// vector code.
+/// The radii of a slice from the leading term, and elsewhere by `radius_within`; for whole powers only, as others are
+/// no vector code.
 pub(super) fn radii(
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,

@@ -161,8 +161,8 @@ fn beside_inversion(
 
 /// The run-time crate under the name that generated code has for it.
 ///
-/// All generated code reaches it by this import, as the compiler is silent about what follows from a failed one: a wrong
-/// path is one error, where it is written.
+/// All generated code reaches it by this import, as the compiler is silent about what follows from a failed one: a
+/// wrong path is one error, where it is written.
 fn import(krate: &TokenStream, root: &TokenStream) -> TokenStream {
     let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
     let generated = Ident::new("generated", Span::call_site().located_at(place));

@@ -2,9 +2,11 @@
 //!
 //! | exponents | precise | quick, below 4 ε |
 //! |---|---|---|
-//! | whole, up to 8; or of both parities without gaps, up to 16 | Horner's rule in twice the working precision | Horner's rule, written out |
-//! | all even or all odd without gaps, up to 24 | the same in r² | Horner's rule in r², corrected for the rounding of r² |
-//! | all others | every power in twice the working precision | the same, rounded before they are added |
+//! | low: whole, up to 8, or of both parities, up to 16 | Horner's rule in double words | Horner's rule, written out |
+//! | low in r²: all even or all odd, up to 24 | the same in r² | Horner's rule in r², corrected for its rounding |
+//! | all others | every power in double words | the same, rounded before they are added |
+//!
+//! Beyond the 8th, no two in turn of the powers that the rule goes through may be missing.
 //!
 //! Horner's rule in x rounds twice per step, at random; in r² it also repeats the rounding of r², in every step
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated

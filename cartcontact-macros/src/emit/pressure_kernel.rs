@@ -1,9 +1,9 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! Low even exponents and, where a kernel is one of many that are summed, low whole exponents have kernels of their own,
-//! without a division; all others go through one whose time grows with the exponent less quickly. All belong to the
-//! run-time crate: those that are asked for themselves carry every operation's rounding error along, which is too long
-//! to be written out.
+//! Low even exponents and, where a kernel is one of many that are summed, low whole exponents have kernels of their
+//! own, without a division; all others go through one whose time grows with the exponent less quickly. All belong to
+//! the run-time crate: those that are asked for themselves carry every operation's rounding error along, which is too
+//! long to be written out.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;

@@ -38,10 +38,11 @@ pub(super) fn methods(
     quote!(#max_radius #check)
 }
 
-/// Whether single precision holds a coefficient with all its digits, and the kernels' multiples of it.
+/// Whether single precision certainly holds a coefficient with all its digits, and the kernels' multiples of it.
 fn fits_every_format(term: &Term) -> bool {
     let size = term.coefficient.as_constant().and_then(|value| value.abs().to_f32());
-    // From C n/(2 (n+2)²) to 2 C; n is 1024 at most, and rarely below 1.
+    // The multiples are from C n/(2 (n+2)²), with n up to 1024, to 2 C. Below n = 1 the first has no least: `check`
+    // tells.
     size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
 }
 

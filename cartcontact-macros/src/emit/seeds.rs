@@ -92,7 +92,8 @@ fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
 /// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.
 ///
 /// Its coefficient is then 1 in a J′, which spares a multiplication; in J it would be one that rounds, as the load
-/// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no bound.
+/// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
+/// bound.
 fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let Seeded { scaled: Scaled { load_integral, .. }, is_of_square_root } = seeded;
     let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
@@ -125,8 +126,8 @@ fn unit(load_integral: &PowerSum) -> Option<Rational> {
     Some(*constants?.last()? * exponent)
 }
 
-/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, of which a processor
-/// does more at a time than of Horner's rule.
+/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, of which a
+/// processor does more at a time than of Horner's rule.
 ///
 /// Where both derivatives had the same form, compilers would put them side by side into one vector, and its halves had
 /// to wait for each other.

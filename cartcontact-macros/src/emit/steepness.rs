@@ -32,9 +32,9 @@ pub(super) fn function(
     }
 }
 
-/// The value at `a` of powers that are whole, from J and its derivatives as sums in the [`variable`](Whole::variable), divided
-/// by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square. Of a square root the power comes with what
-/// it lacks: it is twice as high as that of a radius, and would round as often again.
+/// The value at `a` of powers that are whole, from J and its derivatives as sums in the [`variable`](Whole::variable),
+/// divided by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square. Of a square root the
+/// power comes with what it lacks: it is twice as high as that of a radius, and would round as often again.
 pub(super) fn value(
     (whole, is_of_square_root): (&Whole, bool),
     a: &Ident,

@@ -103,7 +103,10 @@ impl<'a> Evaluator<'a> {
                     self.mistyped.push(name.clone());
                     self.diagnostics.add(syn::Error::new_spanned(
                         ty,
-                        format!("the field `{name}` must be a real number to stand in a gap; give it the type `f64`, `f32` or a type parameter"),
+                        format!(
+                            "the field `{name}` must be a real number to stand in a gap; \
+                             give it the type `f64`, `f32` or a type parameter"
+                        ),
                     ));
                 }
                 None
@@ -182,7 +185,8 @@ impl<'a> Evaluator<'a> {
     }
 }
 
-const EXPONENT: &str = "an exponent must be a number: which powers a gap has is fixed when it is compiled; write it out, as in `r^2`";
+const EXPONENT: &str = "an exponent must be a number: which powers a gap has is fixed when it is compiled; \
+                        write it out, as in `r^2`";
 
 fn constant(value: Coefficient, extent: Extent) -> Shape {
     Polynomial::constant(value, extent).into()

@@ -6,11 +6,12 @@
 use num_traits::{One, ToPrimitive};
 
 use crate::diagnostics::Extent;
+use crate::gap::MAXIMUM_EXPONENT;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::polynomial::{Monomial, Polynomial};
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
-use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
+use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected, three_digits};
 use crate::geometry::Range;
 use crate::number::{Rational, decimal, integer, nearest};
 use crate::reading::attribute::Attribute;
@@ -211,7 +212,7 @@ impl Wanted<'_> {
 
 /// Other exponents are reported when the gap is checked, and would take long to raise a radius to.
 fn is_of_a_gap(exponent: &Rational) -> bool {
-    exponent.is_positive() && *exponent <= integer(1024)
+    exponent.is_positive() && *exponent <= integer(MAXIMUM_EXPONENT)
 }
 
 const NO_RANGE: &str = "a tolerance is met up to some radius; say which, as in `max_radius = 6.0`";
@@ -223,7 +224,7 @@ const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compile
                                write a number there";
 
 fn beyond_rim(rim: f64) -> String {
-    let shown = three_digits(rim);
+    let shown = three_digits(rim).map_or_else(|| rim.to_string(), |rim| decimal(&rim));
     format!("max_radius must lie below r = {shown}, where the series of a surface ends; write a smaller one")
 }
 
@@ -244,11 +245,6 @@ fn too_low(order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<St
     };
     let tolerance = decimal(tolerance);
     Ok(format!("order {order} neglects {size}, more than the tolerance of {tolerance}; {remedy}"))
-}
-
-fn three_digits(value: f64) -> String {
-    crate::reading::literal::number(&format!("{value:.2e}"))
-        .map_or_else(|_| value.to_string(), |value| decimal(&value))
 }
 
 fn expanded(shape: Shape, order: u32) -> Result<Polynomial, Fault> {

@@ -18,7 +18,7 @@ use crate::number::{self, Rational};
 use coefficient::Coefficient;
 use polynomial::{Monomial, Polynomial};
 
-const MAXIMUM_EXPONENT: u32 = 1024;
+pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
 const MAXIMUM_TERMS: usize = 256;
 
 /// The gap between the undeformed surfaces, a sum of terms `coefficient * r^exponent`.

@@ -155,8 +155,8 @@ impl Polynomial {
         }
     }
 
-    /// Of the coefficients, if all of them are numbers: multiplied as integers these have no common factors to look for,
-    /// which takes most of the time of multiplying out.
+    /// Of the coefficients, if all of them are numbers: multiplied as integers these have no common factors to look
+    /// for, which takes most of the time of multiplying out.
     fn common_denominator(&self) -> Option<Rational> {
         let numbers = self.terms().iter().map(|(_, monomial)| monomial.coefficient.as_constant());
         let numbers: Vec<_> = numbers.collect::<Option<_>>()?;

@@ -255,6 +255,6 @@ fn unreduced_sum(terms: impl Iterator<Item = Rational>) -> Rational {
 }
 
 /// The number rounded to three digits, as the exact value of the `f64` that they are read as.
-fn three_digits(value: f64) -> Option<Rational> {
+pub(crate) fn three_digits(value: f64) -> Option<Rational> {
     format!("{value:.2e}").parse::<f64>().ok().and_then(Rational::from_float)
 }

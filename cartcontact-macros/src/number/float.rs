@@ -64,8 +64,8 @@ impl Float {
 
     /// value^(`q`/`k`) within 2⁻¹¹⁰, for k up to 2¹².
     ///
-    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It begins with ten digits at least;
-    /// of an error e it leaves k e²/2.
+    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It begins with ten digits at
+    /// least; of an error e it leaves k e²/2.
     pub(crate) fn root(value: &Rational, (q, k): (u32, u32)) -> Option<Self> {
         let inverse = Self::of(&value.recip())?.power(q);
         let mut root = Self::power_of_two(-inverse.log2() / f64::from(k));
@@ -91,8 +91,8 @@ impl Float {
         Self { mantissa, exponent: self.exponent + 1 }.normal()
     }
 
-    /// The number as a sum of three of single precision, in descending order, of which the first two make one of 48 digits,
-    /// so that f64 adds them without rounding; none if not all of them are in range.
+    /// The number as a sum of three of single precision, in descending order, of which the first two make one of 48
+    /// digits, so that f64 adds them without rounding; none if not all of them are in range.
     pub(crate) fn in_parts(self) -> Option<[f32; 3]> {
         let all = (self.mantissa >> 48) as i128;
         let whole = (all + HALF_UNIT) & !(2 * HALF_UNIT - 1);

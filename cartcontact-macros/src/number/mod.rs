@@ -61,8 +61,8 @@ pub(crate) fn literal(value: &Rational) -> Literal {
     format!("{nearest:?}f64").parse().unwrap_or_else(|_| Literal::f64_suffixed(nearest))
 }
 
-/// Numbers, tuples and arrays of them as code, which is what `Debug` writes, in shortest literals: one text is quicker for
-/// the compiler to read than its tokens one by one.
+/// Numbers, tuples and arrays of them as code, which is what `Debug` writes, in shortest literals: one text is quicker
+/// for the compiler to read than its tokens one by one.
 pub(crate) fn code(numbers: impl Debug) -> TokenStream {
     format!("{numbers:?}").parse().unwrap_or_default()
 }
@@ -111,7 +111,8 @@ pub(crate) fn root(base: &Rational, index: &BigInt) -> Option<Rational> {
     exact.then_some(root)
 }
 
-/// The largest number of `digits` binary digits, or one more, that is not above a value; a fraction need not be reduced.
+/// The largest number of `digits` binary digits, or one more, that is not above a value; a fraction need not be
+/// reduced.
 pub(crate) fn floor(value: &Rational, digits: u64) -> Rational {
     let (numerator, denominator) = (value.numer(), value.denom());
     let excess = numerator.bits().saturating_sub(denominator.bits() + digits);

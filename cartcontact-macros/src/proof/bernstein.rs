@@ -151,9 +151,9 @@ impl Cluster {
         if self.agreement > 2 * width + 16 { None } else { self.piece(self.agreement) }
     }
 
-    /// A longer one, of `most_bits` bits at most. If the roots of the cluster are up to s away from their mean, s itself
-    /// cancels in the estimates, and they differ by about s² only; so a piece as long as s is found by half of the bits
-    /// in which they agree.
+    /// A longer one, of `most_bits` bits at most. If the roots of the cluster are up to s away from their mean, s
+    /// itself cancels in the estimates, and they differ by about s² only; so a piece as long as s is found by half of
+    /// the bits in which they agree.
     pub(crate) fn long_piece(&self, most_bits: u64) -> Option<(BigInt, u64)> {
         self.piece((self.agreement / 2).min(most_bits))
     }

@@ -26,15 +26,15 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use crate::number::common_factor::common_factor;
 use crate::proof::integer_polynomial::IntegerPolynomial;
 
-/// Primes are taken upward from here. They stay far below 2^32, so that a product of two residues fits into a `u64`, and
-/// below 3 215 031 751, so that [`is_prime`] is exact: up to there are 4 · 10^7 of them, enough for 10^9 bits.
+/// Primes are taken upward from here. They stay far below 2^32, so that a product of two residues fits into a `u64`,
+/// and below 3 215 031 751, so that [`is_prime`] is exact: up to there are 4 · 10^7 of them, enough for 10^9 bits.
 const FIRST_PRIME_ABOVE: u64 = 1 << 31;
 
 /// The polynomial with the same roots, each of them simple, and the same sign at 0.
 ///
 /// It, or what is divided out, is joined from images: the one of the lower degree, as it is likely to have the shorter
-/// coefficients. If p is s times d, and d divides the derivative, no root is one of d as often as of p, so that s has all of
-/// them; and it has each once, as its degree is not too high where that of d is not too low.
+/// coefficients. If p is s times d, and d divides the derivative, no root is one of d as often as of p, so that s has
+/// all of them; and it has each once, as its degree is not too high where that of d is not too low.
 pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
     let slope = polynomial.derivative();
     let image = |prime: u64| {

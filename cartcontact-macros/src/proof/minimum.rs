@@ -264,7 +264,8 @@ mod tests {
         }
     }
 
-    /// x^64 - 2^60 x + 2^60 - height: the curvature grows by 2^62 over the interval, so that Newton's method leads astray.
+    /// x^64 - 2^60 x + 2^60 - height: the curvature grows by 2^62 over the interval, so that Newton's method leads
+    /// astray.
     #[test]
     fn steps_that_lead_astray_are_not_taken() {
         let steep = |constant: i64| {

@@ -98,7 +98,8 @@ fn too_large(end: &mut End) -> String {
     let remedy = largest
         .map_or_else(|| "a larger unit of length".to_owned(), |largest| format!("at most `{largest}`"));
     format!(
-        "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc; write {remedy}"
+        "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc; \
+         write {remedy}"
     )
 }
 

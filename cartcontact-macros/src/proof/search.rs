@@ -201,7 +201,8 @@ impl<'a> Search<'a> {
         Ok(next)
     }
 
-    /// The digits of the unit at which the value at an end of a part begins, and some more; nothing if so many show none.
+    /// The digits of the unit at which the value at an end of a part begins, and some more; nothing if so many show
+    /// none.
     fn digits_at(&self, part: &Part, end: u32, most: u64) -> Option<u64> {
         let source = Source::whole(self.whole);
         let [error, _] = source.errors();

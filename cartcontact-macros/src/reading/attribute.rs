@@ -63,13 +63,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 attribute.set(&name, equals.unwrap_or(name.span()), value, &entry, diagnostics);
                 names.push(name);
             }
-            None => match entry
-                .without_equals()
-                .inspect(|_| attribute.miss_option(&entry))
-                .or_else(|| attribute.decimals(&entry, before))
-                .or_else(|| attribute.named(&entry).inspect(|_| attribute.fail_at(&entry)))
-                .or_else(|| attribute.no_room_for(&entry))
-            {
+            None => match attribute.mistake(&entry, before) {
                 Some(message) => diagnostics.report(entry.extent(), message),
                 None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
             },
@@ -158,6 +152,22 @@ impl Attribute {
             };
             diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
         }
+    }
+
+    /// What to say about an entry that is no option, unless it is the gap; what it takes from gap and options is noted.
+    fn mistake(&mut self, entry: &Entry, before: Option<Whole>) -> Option<String> {
+        if let Some(message) = entry.without_equals() {
+            self.miss_option(entry);
+            return Some(message);
+        }
+        if let Some(message) = self.decimals(entry, before) {
+            return Some(message);
+        }
+        if let Some(message) = self.named(entry) {
+            self.fail_at(entry);
+            return Some(message);
+        }
+        self.no_room_for(entry)
     }
 
     /// What to say about the digits behind a comma that is meant as a decimal point. The number that they belong to

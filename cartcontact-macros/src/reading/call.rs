@@ -1,4 +1,5 @@
-//! What stands like a call, a name with arguments in parentheses: `sphere(R)` and `conic(R, k)`, or what is none of them.
+//! What stands like a call, a name with arguments in parentheses: `sphere(R)` and `conic(R, k)`, or what is none of
+//! them.
 
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 

@@ -90,7 +90,8 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
             ),
         },
         Data::Enum(data) => diagnostics
-            .report(data.enum_token.span, "a gap profile belongs on a struct, not an enum; use one struct for each geometry"),
+            .report(data.enum_token.span, "a gap profile belongs on a struct, not an enum; \
+                                           use one struct for each geometry"),
         Data::Union(data) => {
             diagnostics.report(data.union_token.span, "a gap profile belongs on a struct, not a union; use a struct");
         }

@@ -2,9 +2,9 @@
 
 use core::fmt;
 
-use crate::error::Shown;
 use crate::load::LoadError;
 use crate::profile::{ProfileError, RadiusError};
+use crate::shown::Shown;
 
 /// Why a contact cannot be set up or evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,14 +88,15 @@ impl fmt::Display for ContactError {
             Self::InvalidTime { time } => {
                 write!(
                     f,
-                    "the time is {}, but it must be a finite number from 0; give the time since the load was \
+                    "the time is {}, but it must be finite and not negative; give the time since the load was \
                      applied, in s",
                     Shown(time)
                 )
             }
             Self::InvalidRadius { index, radius } => write!(
                 f,
-                "radius {index} is {}, but radii must be finite numbers from 0; give distances from the axis",
+                "the radius at index {index} is {}, but it must be finite and not negative; give distances from the \
+                 axis",
                 Shown(radius)
             ),
             Self::BeyondRange { leaves_at: 0.0, max_radius, .. } => write!(
@@ -123,8 +124,8 @@ impl fmt::Display for ContactError {
             ),
             Self::OutOfRange { time, force } => write!(
                 f,
-                "the force at time {} is {}, for which the numbers of the contact leave the range in which they have \
-                 all their digits; choose units of force and length in which they are nearer to 1",
+                "at time {}, where the force is {}, a number that the result depends on is too small or too large for \
+                 the format to hold all its digits; choose units in which force, length and time are nearer to 1",
                 Shown(time),
                 Shown(force)
             ),
@@ -135,7 +136,8 @@ impl fmt::Display for ContactError {
             }
             Self::Unsorted { index, time } => write!(
                 f,
-                "time {index} is {}, before the time that precedes it; sort the times in ascending order",
+                "the time at index {index} is {}, which is before the one in front of it; sort the times in ascending \
+                 order",
                 Shown(time)
             ),
         }

@@ -1,6 +1,6 @@
 //! A contact: a geometry, a medium and a load.
 
-mod common;
+mod common_sizes;
 mod error;
 mod loading;
 mod radii;
@@ -124,8 +124,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # References
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
-    // As large as what compilers take for too large: left to them, it is now compiled into a loop over times and now not,
-    // which makes 40 % of its instructions.
+    // As large as what compilers take for too large: left to them, it is now compiled into a loop over times and now
+    // not, which makes 40 % of its instructions.
     #[inline(always)]
     pub fn at(&self, t: T) -> Result<Snapshot<'_, T, P, L>, ContactError> {
         Ok(Snapshot::new(self, t, self.radius_at(t)?))

@@ -4,7 +4,7 @@
 //! that begins unloaded, is held to the conditions themselves; and where one of these fails, times are taken one by
 //! one, until the first without a radius names its fault.
 
-use super::common::CommonSizes;
+use super::common_sizes::CommonSizes;
 use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::dispatch::wide;

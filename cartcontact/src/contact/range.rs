@@ -1,6 +1,6 @@
 //! The contact radius at a time, and what keeps a contact from having one.
 
-use super::common::CommonSizes;
+use super::common_sizes::CommonSizes;
 use super::loading::Loading;
 use super::{Contact, ContactError};
 use crate::Scalar;

@@ -4,7 +4,7 @@
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use super::power::{double_term, term};
-use super::real_exponent;
+use super::real_exponent_kernel;
 use crate::Scalar;
 
 /// What numbers made of words of type `T` can do.
@@ -55,7 +55,7 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
     }
     #[inline(always)]
     fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
-        Self(real_exponent::quick_kernel(inset.0, ratio.0, n.value()))
+        Self(real_exponent_kernel::quick_kernel(inset.0, ratio.0, n.value()))
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
@@ -110,7 +110,7 @@ impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
     }
     #[inline]
     fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
-        real_exponent::kernel(inset, ratio, n.double())
+        real_exponent_kernel::kernel(inset, ratio, n.double())
     }
     #[inline]
     fn plus(self, other: Self) -> Self {

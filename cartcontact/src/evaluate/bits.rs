@@ -1,6 +1,7 @@
 //! What the bits of f64 and f32 say, without branches, so that it becomes vector code.
 //!
-//! Each format from its own bits: a microcontroller's f32 never passes through f64.
+//! Each format from its own bits: a microcontroller's f32 never passes through f64. Digits are binary, here and
+//! wherever a number is said to have all of its own, half of them or a few.
 
 use core::any::Any;
 
@@ -32,8 +33,8 @@ pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
 
 /// 2⁸ log₂ x and a constant, for positive x, less 23 at most.
 ///
-/// Exponent and first digits, read as an integer. Its conversion takes no instruction of that name, which would wait for
-/// what its register held before.
+/// Exponent and first digits, read as an integer. Its conversion takes no instruction of that name, which would wait
+/// for what its register held before.
 #[inline(always)]
 pub(crate) fn logarithm<T: Scalar>(x: T) -> T {
     let any: &dyn Any = &x;

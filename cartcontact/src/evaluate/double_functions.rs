@@ -1,10 +1,11 @@
 //! ln x, e^x − 1 and x^φ with some digits more than a word has, for results that are rounded once.
 //!
-//! The functions of a library are off by up to 1 ulp, which grows where powers cancel. Here the first terms of each series
-//! are double words, and all that follow, 500 times smaller at least, are words: relative errors are below ε/200.
+//! The functions of a library are off by up to 1 ulp, which grows where powers cancel. Here the first terms of each
+//! series are double words, and all that follow, 500 times smaller at least, are words: relative errors are below
+//! ε/200.
 //!
-//! ln x = k ln 2 + ln f with 1/√2 ≤ f < √2 and ln f = 2 artanh t, t = (f − 1)/(f + 1), |t| ≤ 0.172. e^x = 2^k e^g with the
-//! whole k next to x/ln 2 and |g| ≤ ln 2/2.
+//! ln x = k ln 2 + ln f with 1/√2 ≤ f < √2 and ln f = 2 artanh t, t = (f − 1)/(f + 1), |t| ≤ 0.172. e^x = 2^k e^g with
+//! the whole k next to x/ln 2 and |g| ≤ ln 2/2.
 
 use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
 

@@ -5,9 +5,9 @@
 //! of every operation carried along, only those of the coefficients and of the result are left.
 //!
 //! Sources: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
-//! (1971), doi 10.1007/BF01397083 (split, product, sum of unequal words); M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous
-//! error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017),
-//! doi 10.1145/3121432 (product of double words, relative error below 7 · 2^-2p).
+//! (1971), doi 10.1007/BF01397083 (split, product, sum of unequal words); M. Joldes, J.-M. Muller, V. Popescu, "Tight
+//! and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017), doi
+//! 10.1145/3121432 (product of double words, relative error below 7 · 2^-2p).
 
 use crate::Scalar;
 use crate::scalar::is_single;

@@ -11,7 +11,8 @@ use super::series::inverse_factorials;
 use crate::Scalar;
 use crate::scalar::{is, is_plain};
 
-/// e^(−x) for x above −700, or −80 in single precision, within ε; less than the smallest normal number counts as nothing.
+/// e^(−x) for x above −700, or −80 in single precision, within ε; less than the smallest normal number counts as
+/// nothing.
 #[inline(always)]
 pub(crate) fn decay<T: Scalar>(x: T) -> T {
     if !is_plain::<T>() {

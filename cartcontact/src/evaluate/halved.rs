@@ -7,8 +7,8 @@
 //! ```
 //!
 //! the first part is exact, and the second, a share of 2⁻²⁴ or 2⁻¹¹ in single precision, is rounded: it is off by less
-//! than 2⁻⁷⁵ of the product, or 2⁻³³, which is ε/1000. That is less than a [`DoubleWord`](super::double_word::DoubleWord)
-//! has and takes a third of its operations.
+//! than 2⁻⁷⁵ of the product, or 2⁻³³, which is ε/1000. That is less than a
+//! [`DoubleWord`](super::double_word::DoubleWord) has and takes a third of its operations.
 
 use super::bits::with_half_its_digits;
 use crate::Scalar;

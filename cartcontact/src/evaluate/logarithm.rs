@@ -46,7 +46,8 @@ const ARTANH: [[f64; 4]; 3] = odd_reciprocals(1);
 mod tests {
     use super::*;
 
-    /// The largest error of ln(1 − size) and ln(size) over sizes from 1e-18 to 1, of which ln is not zero, in units of ε.
+    /// The largest error of ln(1 − size) and ln(size) over sizes from 1e-18 to 1, of which ln is not zero, in units of
+    /// ε.
     fn largest_error<T: Scalar>(smallest: f64) -> f64 {
         let (one, epsilon) = (T::one(), T::default_epsilon().value());
         let mut largest = 0.0_f64;

@@ -12,7 +12,7 @@ pub(crate) mod horner;
 pub(crate) mod logarithm;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;
-pub(crate) mod real_exponent;
+pub(crate) mod real_exponent_kernel;
 mod series;
 pub(crate) mod slopes_and_drops;
 pub(crate) mod steepness;

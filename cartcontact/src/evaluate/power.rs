@@ -21,8 +21,8 @@ pub fn integer_power<T: Scalar>(x: T, k: u32) -> T {
     if rest == 1 { power * square } else { power }
 }
 
-/// x^k, k ≥ 8, of a number with half its digits, and how much that is too large: what the fourth power loses, so that as few
-/// products round as in the power k/2 of a number.
+/// x^k, k ≥ 8, of a number with half its digits, and how much that is too large: what the fourth power loses, so that
+/// as few products round as in the power k/2 of a number.
 #[inline(always)]
 pub fn power_of_half_digits<T: Scalar>(x: T, k: u32) -> (T, T) {
     let square = x * x;
@@ -67,7 +67,7 @@ pub(crate) fn weighted_power_sum<T: Scalar>(
 #[inline]
 pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> (T, T) {
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
-        let value = quick_term(c, x, n.whole, n.fraction);
+        let value = quick_term(c, x, n);
         (sum + value, slope + n.value() * value)
     })
 }
@@ -85,8 +85,7 @@ pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     } else {
         ratio.powf(order.recip())
     };
-    let p = Exponent::of(p);
-    (x, quick_term(c, x, p.whole, p.fraction))
+    (x, quick_term(c, x, Exponent::of(p)))
 }
 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
@@ -104,26 +103,19 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
 /// c x^n within 12 ε at the most, which is what a drop takes: powers up to the 24th with every product rounded.
 #[inline]
 pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
-    let form = if n.value() <= T::constant(24.0) { quick_term } else { whole_and_fraction };
-    form(c, x, n.whole, n.fraction)
+    if n.value() <= T::constant(24.0) { quick_term(c, x, n) } else { term(c, x, n) }
 }
 
 /// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
+///
+/// With n = k + φ the power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉: the middle value is the geometric mean of c
+/// and the result, so it is in range whenever both of them are.
 #[inline]
 pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
-    whole_and_fraction(c, x, n.whole, n.fraction)
-}
-
-/// c x^(k+φ) as [`term`].
-///
-/// The power is formed in halves, (c · x^⌊k/2⌋) · x^⌈k/2⌉: the middle value is the geometric mean of c and the result, so
-/// it is in range whenever both of them are.
-#[inline]
-fn whole_and_fraction<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
-    if whole < 0 || x.is_zero() {
-        return quick_term(c, x, whole, fraction);
+    if n.whole < 0 || x.is_zero() {
+        return quick_term(c, x, n);
     }
-    let degree = whole as u32;
+    let degree = n.whole as u32;
     let power = if degree < 4 {
         integer_power(x, degree) * c
     } else {
@@ -132,12 +124,12 @@ fn whole_and_fraction<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
         if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if power.is_finite() { power * fractional_power(x, fraction) } else { quick_term(c, x, whole, fraction) }
+    if power.is_finite() { power * fractional_power(x, n.fraction) } else { quick_term(c, x, n) }
 }
 
 /// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 to some digits more than a word's.
 pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
-    let quick = || DoubleWord::of(quick_term(c.rounded(), x, n.whole, n.fraction));
+    let quick = || DoubleWord::of(quick_term(c.rounded(), x, n));
     if x.is_zero() {
         return quick();
     }
@@ -166,20 +158,20 @@ fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_tw
     (n.whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)))
 }
 
-/// c x^(k+φ) with every product rounded, in halves as [`whole_and_fraction`] does it.
-fn quick_term<T: Scalar>(c: T, x: T, whole: i32, fraction: T) -> T {
+/// [`term`] with every product rounded.
+fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     // The power may be out of range; a zero that carries a derivative is no zero.
     if c.is_zero() && is_plain::<T>() {
         return c;
     }
-    if whole < 0 && x.is_zero() {
+    if n.whole < 0 && x.is_zero() {
         return c / x;
     }
-    if whole < 0 {
+    if n.whole < 0 {
         // Only slopes of gaps with an exponent below 1. Turning the sign of the exponent would round its fraction.
-        return quick_term(c, x, whole + 1, fraction) / x;
+        return quick_term(c, x, n.plus(1)) / x;
     }
-    quick_whole_term(c, x, whole as u32) * fractional_power(x, fraction)
+    quick_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction)
 }
 
 /// c x^k with every product rounded, in halves.
@@ -304,7 +296,7 @@ mod tests {
     #[test]
     fn nothing_times_a_power_out_of_range_is_nothing() {
         let [first, high] = [1.0, 48.0].map(Exponent::of);
-        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, 52, 0.0)), (0.0, 0.0));
+        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, Exponent::whole(52))), (0.0, 0.0));
         assert_eq!(power_sum(1e20, [(2.0, first), (0.0, high)]), 2e20);
     }
 

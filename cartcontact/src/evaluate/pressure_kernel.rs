@@ -14,7 +14,7 @@
 //!
 //! a polynomial whose coefficients rise along one line and fall along another: a tent, all positive.
 //!
-//! **Other exponents.** Through logarithms: see [`real_exponent`](super::real_exponent).
+//! **Other exponents.** Through logarithms: see [`real_exponent_kernel`](super::real_exponent_kernel).
 //!
 //! Source of K: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (26), (28), doi 10.1016/j.mechrescom.2010.11.006.
 
@@ -89,7 +89,8 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
     })
 }
 
-/// (a² − r²)² Σ_k w_k Σ_{j<k} (k−j) R^j A^(k−1−j) without a division, with A = a² and R = r². The sum over the power of R is
+/// (a² − r²)² Σ_k w_k Σ_{j<k} (k−j) R^j A^(k−1−j) without a division, with A = a² and R = r². The sum over the
+/// power of R is
 ///
 /// ```text
 /// Σ_j R^j D_j,    D_j = E_j + A D_{j+1},    E_j = w_{j+1} + A E_{j+1},
@@ -216,7 +217,7 @@ fn tent<T: Scalar, A: Arithmetic<T>>(alpha: u32, beta: u32, p: A) -> A {
 
 #[cfg(test)]
 mod tests {
-    use super::super::real_exponent;
+    use super::super::real_exponent_kernel;
     use super::*;
 
     /// K(q) in exact integers for whole n: q = x/y gives K y^(n+2) = n y^(n+2) − (n+2) x² y^n + 2 x^(n+2).
@@ -260,7 +261,8 @@ mod tests {
         }
     }
 
-    /// The largest differences between a tent and the forms of any exponent, in units of ε: of the quick, and of the other.
+    /// The largest differences between a tent and the forms of any exponent, in units of ε: of the quick one, and of
+    /// the other.
     fn largest_differences<T: Scalar>() -> [f64; 2] {
         let [mut quick, mut precise] = [0.0_f64; 2];
         for quarters in 1..=48 {
@@ -274,10 +276,13 @@ mod tests {
                     let share = found.plus(-tent).high() / tent.high();
                     share.abs().value() / T::default_epsilon().value()
                 };
-                let word = real_exponent::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
+                let word = real_exponent_kernel::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
                 quick = quick.max(difference(DoubleWord::of(word)));
-                precise =
-                    precise.max(difference(real_exponent::kernel(edge.inset, edge.ratio, DoubleWord::of(n))));
+                precise = precise.max(difference(real_exponent_kernel::kernel(
+                    edge.inset,
+                    edge.ratio,
+                    DoubleWord::of(n),
+                )));
             }
         }
         [quick, precise]

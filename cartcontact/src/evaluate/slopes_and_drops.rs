@@ -1,10 +1,10 @@
 //! δ₀′ and drops of the load integral at many radii: what a memory integral asks for at its nodes.
 //!
-//! **Sums of any real powers.** Of the load integral J(a) = Σ j, where the term j has the power p, the share ρ of the radius
-//! leaves Σ j ρ^p. With x = −ln ρ the drop is Σ j (1 − e^(−p x)), without cancellation, and, because J′ = a⁴ δ₀′/2,
-//! δ₀′(ρ a) = Σ (2 p j/a⁵) e^(−(p−5) x). A relative error of x counts as p x e^(−p x) in a slope, which is 0.37 at the
-//! most, and no more than it is in a drop. The powers at a are formed once for all radii; what is left for each radius is
-//! one logarithm, and two exponentials for each term, in vector code.
+//! **Sums of any real powers.** Of the load integral J(a) = Σ j, where the term j has the power p, the share ρ of the
+//! radius leaves Σ j ρ^p. With x = −ln ρ the drop is Σ j (1 − e^(−p x)), without cancellation, and, because
+//! J′ = a⁴ δ₀′/2, δ₀′(ρ a) = Σ (2 p j/a⁵) e^(−(p−5) x). A relative error of x counts as p x e^(−p x) in a slope, which
+//! is 0.37 at the most, and no more than it is in a drop. The powers at a are formed once for all radii; what is left for each
+//! radius is one logarithm, and two exponentials for each term, in vector code.
 
 use super::exponent::Exponent;
 use super::exponential::{decay, loss};

@@ -1,10 +1,11 @@
 //! The load integral Σ c x^p with its derivatives: what a step to the contact radius is taken from.
 //!
-//! What matters of its error is that of J itself, which the step divides by the degree p = a J′/J > 4. In plain arithmetic it
-//! is three or four ε, so that a radius is now and then off by more than 1 ulp. In the last step the powers are
-//! [`Halved`] numbers, and what their sum loses is carried along.
+//! What matters of its error is that of J itself, which the step divides by the degree p = a J′/J > 4. In plain
+//! arithmetic it is three or four ε, so that a radius is now and then off by more than 1 ulp. In the last step the
+//! powers are [`Halved`] numbers, and what their sum loses is carried along.
 //!
-//! **What is left.** k roundings of J, each of ε/2, move a radius by k/p ulp at the most, to which its own 1/2 ulp is added.
+//! **What is left.** k roundings of J, each of ε/2, move a radius by k/p ulp at the most, to which its own 1/2 ulp is
+//! added.
 //!
 //! ```text
 //! coefficients   0  of a polynomial known at run time if its exponents have half the digits of a word, otherwise 1.3,
@@ -32,7 +33,8 @@ pub fn power_sum_steepness<T: Scalar>(
     scaled_power_sum_steepness(x, T::one(), terms).in_units_of_its_slope()
 }
 
-/// `scale` Σ c x^p with its derivatives, and how much it is too large; they may leave the format if they are not scaled.
+/// `scale` Σ c x^p with its derivatives, and how much it is too large; they may leave the format if they are not
+/// scaled.
 #[inline]
 pub fn scaled_power_sum_steepness<T: Scalar>(
     x: T,

@@ -10,7 +10,7 @@ mod sum;
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
+use crate::shown::Shown;
 
 pub use constant::Constant;
 pub use piece::Piece;
@@ -26,8 +26,8 @@ pub(crate) use sum::Sum;
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of √ε of the
 /// hereditary load over χ, 1.5e-8 in f64, is never taken for more than that. An impulse that no force through the
 /// samples can have without receding is refused, [`LoadError::ContradictoryImpulse`]. One that is off by a
-/// few hundredths or less, or is right at the time asked for, may not be noticed: the radius is then that of the impulse,
-/// the pressure lies between the two.
+/// few hundredths or less, or is right at the time asked for, may not be noticed: the radius is then that of the
+/// impulse, the pressure lies between the two.
 ///
 /// # Examples
 ///
@@ -89,8 +89,8 @@ pub trait Load<T: Scalar> {
         count
     }
 
-    /// The time up to `t` from which the history is not one that the solution covers, if there is one: the hereditary load
-    /// F + χ ∫F falls, so that the edge recedes, or the load is not what it says, a
+    /// The time up to `t` from which the history is not one that the solution covers, if there is one: the hereditary
+    /// load F + χ ∫F falls, so that the edge recedes, or the load is not what it says, a
     /// [`contradiction`](Self::contradiction).
     ///
     /// The provided method follows the force between knots as closely as it varies, and finds every fall by more than
@@ -226,8 +226,8 @@ impl fmt::Display for LoadError {
             }
             Self::InvalidForce { time, force } => write!(
                 f,
-                "the force at time {} is {}, but a contact needs a finite force from 0; a negative force would \
-                 pull the surfaces apart",
+                "the force at time {} is {}, but it must be finite and not negative, as tension would pull the \
+                 surfaces apart; give compression as a positive force",
                 Shown(time),
                 Shown(force)
             ),

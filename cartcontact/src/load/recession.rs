@@ -129,28 +129,15 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             if fault.is_some() {
                 return fault;
             }
-            // Half of it is no less than `short`.
-            let is_short = step <= short + short;
-            if self.misses(&force, (stop, impulse), is_short) {
-                step *= half;
-                continue;
-            }
-            let hereditary = self.load.force_before(stop) + self.chi * impulse;
-            let rounding = hereditary * epsilon * T::constant(8.0);
-            let finding = self.examine(&force, stop, rounding);
-            let is_vague = match finding {
-                // A rough series does not tell since when.
-                Finding::Falls(_) => force.is_rough() && !is_short,
-                Finding::Unclear(..) => !is_short || (step > least + least && self.doubts()),
-                Finding::Rises(..) => false,
-            };
-            if is_vague {
-                step *= half;
-                continue;
-            }
-            (self.highest, self.fallen) = match finding {
-                Finding::Falls(since) => return Some(Fault::Falls(since)),
-                Finding::Rises(highest, fallen) | Finding::Unclear(highest, fallen) => (highest, fallen),
+            (self.highest, self.fallen) = match self.finding(&force, (stop, impulse), step, (short, least)) {
+                None => {
+                    step *= half;
+                    continue;
+                }
+                Some(Finding::Falls(since)) => return Some(Fault::Falls(since)),
+                Some(Finding::Rises(highest, fallen) | Finding::Unclear(highest, fallen)) => {
+                    (highest, fallen)
+                }
             };
             (self.time, self.impulse) = (stop, impulse);
             // Also where no knot tells of a jump.
@@ -163,6 +150,32 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step += step;
         }
         None
+    }
+
+    /// What a panel tells; none if it is to be halved. Lengths are `short` where only a limited number of panels is
+    /// halved, and `least` where none is.
+    fn finding(
+        &mut self,
+        force: &ForceSeries<T>,
+        (stop, impulse): (T, T),
+        step: T,
+        (short, least): (T, T),
+    ) -> Option<Finding<T>> {
+        // Half of it is no less than `short`.
+        let is_short = step <= short + short;
+        if self.misses(force, (stop, impulse), is_short) {
+            return None;
+        }
+        let hereditary = self.load.force_before(stop) + self.chi * impulse;
+        let rounding = hereditary * T::default_epsilon() * T::constant(8.0);
+        let finding = self.examine(force, stop, rounding);
+        let is_vague = match finding {
+            // A rough series does not tell since when.
+            Finding::Falls(_) => force.is_rough() && !is_short,
+            Finding::Unclear(..) => !is_short || (step > least + least && self.doubts()),
+            Finding::Rises(..) => false,
+        };
+        (!is_vague).then_some(finding)
     }
 
     /// The first force of a panel that is none, or its impulse at the end if that is none.

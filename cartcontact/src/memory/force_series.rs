@@ -1,15 +1,15 @@
 //! A force over a step of time as a sum of Chebyshev polynomials, and how the hereditary load rose during the step.
 //!
 //! A load that is not straight tells its force and its impulse. The impulse grows without end, so that after a long
-//! history the difference of two has lost the digits of what lies between: at χ t = 1000 the hereditary load of the last
-//! e-folding is off by 500 ε. So what drains in a step follows from the forces within it.
+//! history the difference of two has lost the digits of what lies between: at χ t = 1000 the hereditary load of the
+//! last e-folding is off by 500 ε. So what drains in a step follows from the forces within it.
 //!
 //! Let ξ go from −1 at the start of the step to 1 at its end, and F − F(1) = Σ cₖ Tₖ(ξ) interpolate the forces at
 //! cos(π j/N), which include both ends; no error of a force is multiplied by more than 3. In a step of h e-foldings the
 //! hereditary load grows at dY/dξ = F′ + (h/2) F, and its mean growth M from ξ to the end gives what it still gains,
-//! (1 − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits also where
-//! the time to the end is short; and the force comes in only by how it differs from that at the end, so that the many
-//! small gains of a long history do not round as the force does.
+//! (1 − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits also
+//! where the time to the end is short; and the force comes in only by how it differs from that at the end, so that the
+//! many small gains of a long history do not round as the force does.
 //!
 //! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
@@ -24,7 +24,8 @@ pub(crate) struct ForceSeries<T> {
     folds: T,
     /// The forces at the nodes, from the end to the start.
     forces: Coefficients<T>,
-    /// The size of the largest force, and of the last coefficients, which is more than that of all behind them if they fall.
+    /// The size of the largest force, and of the last coefficients, which is more than that of all behind them if they
+    /// fall.
     size: T,
     rest: T,
     /// How many coefficients are more than rounding.
@@ -76,9 +77,9 @@ impl<T: Scalar> ForceSeries<T> {
     /// Leaves out the coefficients that are noise, where the step ends at `end`.
     ///
     /// After a long history the times of the nodes are rounded by a share of the step, and so is what a load makes of
-    /// them. Coefficients then no longer fall but from some degree on are as large as the last. They count N² times in F′,
-    /// of which no rule expects such waves. The series still has the forces at both ends, so that steps join, and what
-    /// a pressure gains and loses during them remains that of one history.
+    /// them. Coefficients then no longer fall but from some degree on are as large as the last. They count N² times in
+    /// F′, of which no rule expects such waves. The series still has the forces at both ends, so that steps join, and
+    /// what a pressure gains and loses during them remains that of one history.
     fn denoised(mut self, end: T) -> Self {
         let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
         self.length = length_above(&self.variation[..self.length], noise).max(2);
@@ -169,8 +170,8 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// By how much the hereditary load grows from each node to the end.
     ///
-    /// The forces at the nodes are taken as they are, so that what a step between nodes does to the series counts only in
-    /// what drains.
+    /// The forces at the nodes are taken as they are, so that what a step between nodes does to the series counts only
+    /// in what drains.
     pub(crate) fn growth_since_nodes(&self) -> Coefficients<T> {
         let mean = mean_to_the_end(&self.variation[..self.length]);
         core::array::from_fn(|node| {

@@ -166,7 +166,8 @@ impl<T: Scalar> Increment<T> {
         Self { offset, slope }
     }
 
-    /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided by s⁴.
+    /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided
+    /// by s⁴.
     #[inline(always)]
     fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
         for (weight, &s) in weights.iter_mut().zip(radii) {

@@ -77,8 +77,8 @@ impl Rule {
         self.count.min(MOST_NODES)
     }
 
-    /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the nodes
-    /// ±x of each pair.
+    /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the
+    /// nodes ±x of each pair.
     #[inline(always)]
     pub(super) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
         let (nodes, weights) = self.tables();

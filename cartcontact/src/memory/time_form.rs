@@ -93,8 +93,8 @@ where
     L: Load<T>,
     S: Fn(T) -> (T, T),
 {
-    /// When the hereditary load would have been zero, if it rose at `rate` at the `longest` age, and before at one that was
-    /// higher by `rise` per e-folding.
+    /// When the hereditary load would have been zero, if it rose at `rate` at the `longest` age, and before at one that
+    /// was higher by `rise` per e-folding.
     fn age_of_nothing(&self, (rate, rise): (T, T), longest: T) -> T {
         let two = T::constant(2.0);
         // In shares of what there was: the squares of forces may be out of range.

@@ -3,8 +3,8 @@
 use core::fmt;
 
 use crate::Scalar;
-use crate::error::Shown;
 use crate::parameters::Parameters;
+use crate::shown::Shown;
 
 /// Why there is no contact radius for a load integral.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,8 +44,8 @@ impl fmt::Display for RadiusError {
         match *self {
             Self::InvalidLoadIntegral { load_integral } => write!(
                 f,
-                "the load integral is {}, but only finite values from 0 have a contact radius; \
-                 check the load and the medium",
+                "the load integral is {}, but it must be finite and not negative to have a contact radius; check the \
+                 load and the medium",
                 Shown(load_integral)
             ),
             Self::BeyondRange { load_integral, largest, max_radius } => write!(
@@ -148,34 +148,24 @@ impl fmt::Display for ProfileError {
                 f,
                 "{parameters}the coefficient of r^{exponent} is {}, but {}",
                 Shown(coefficient),
-                if coefficient == 0.0 {
-                    "only because the format rounds it to that; use a unit of length that brings it nearer to 1, or a \
-                     format with more exponents"
-                } else if !coefficient.is_finite() {
-                    "it must be a finite number; check the geometry's parameters for zero, overflow and NaN"
-                } else if coefficient.abs() > 1.0 {
-                    "twice its size must be a finite number; use a unit of length that brings it nearer to 1, or a \
-                     format with more exponents"
-                } else {
-                    "it must be 0 or large enough to keep its digits; use a unit of length that brings it nearer to \
-                     1, or a format with more exponents"
-                }
+                rule_for_coefficient(coefficient)
             ),
             Self::InvalidExponent { exponent } => write!(
                 f,
-                "the exponent {} is outside (0, 1024]; a gap that vanishes at r = 0 needs positive powers",
+                "the exponent is {}, but it must be above 0, as the gap vanishes at r = 0, and at most 1024; check \
+                 that pairs are (coefficient, exponent)",
                 Shown(exponent)
             ),
             Self::InvalidMaxRadius { max_radius, parameters } => write!(
                 f,
-                "{parameters}the largest contact radius is {}, but it must be a positive number; leave it out if there is \
-                 no limit",
+                "{parameters}the largest contact radius is {}, but it must be a positive number; leave it out if there \
+                 is no limit",
                 Shown(max_radius)
             ),
             Self::NotOpening { exponent, coefficient, parameters } => write!(
                 f,
-                "{parameters}the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power needs a \
-                 positive coefficient",
+                "{parameters}the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power \
+                 needs a positive coefficient",
                 Shown(coefficient)
             ),
             Self::BeyondSurface { max_radius, rim, parameters } => write!(
@@ -188,13 +178,29 @@ impl fmt::Display for ProfileError {
             ),
             Self::NotAdmissible { max_radius, fails_at, parameters } => write!(
                 f,
-                "{parameters}the gap does not exceed its mean over the contact disc at r = {}, inside the requested range \
-                 up to {}; choose `max_radius` below {}",
+                "{parameters}the gap does not exceed its mean over the contact disc at r = {}, inside the requested \
+                 range up to {}; choose `max_radius` below {}",
                 Shown(fails_at),
                 Shown(max_radius),
                 Shown(fails_at)
             ),
         }
+    }
+}
+
+/// What a refused coefficient must be, and what to do; the rest of a sentence that ends in "but".
+fn rule_for_coefficient(coefficient: f64) -> &'static str {
+    if coefficient == 0.0 {
+        "only because the format rounds it to that; use a unit of length that brings it nearer to 1, or a format with \
+         more exponents"
+    } else if !coefficient.is_finite() {
+        "it must be a finite number; check the geometry's parameters for zero, overflow and NaN"
+    } else if coefficient.abs() > 1.0 {
+        "twice its size must be a finite number; use a unit of length that brings it nearer to 1, or a format with \
+         more exponents"
+    } else {
+        "it must be 0 or large enough to keep its digits; use a unit of length that brings it nearer to 1, or a \
+         format with more exponents"
     }
 }
 

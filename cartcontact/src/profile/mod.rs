@@ -15,8 +15,13 @@ use crate::memory::quadrature::Rule;
 /// [`Polynomial`](crate::Polynomial) for one known at run time. Lengths are in the user's unit, mm throughout
 /// this documentation.
 ///
-/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means nothing.
-/// [`Contact`](crate::Contact) checks what it is given before it calls them.
+/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means
+/// nothing. [`Contact`](crate::Contact) checks what it is given before it calls them.
+///
+/// Results are [`gap`](Self::gap), [`approach`](Self::approach), [`radius`](Self::radius) and what else there is up to
+/// [`max_radius`](Self::max_radius). The methods after it are what the solver asks a geometry for on the way to
+/// pressures, and [`check`](Self::check) what [`Contact::new`](crate::Contact::new) asks. A program has little use for
+/// them; a profile of its own may leave them as they are, unless it has powers above the 64th.
 ///
 /// # Accuracy
 ///
@@ -133,8 +138,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a positive
-    /// number is one below every radius.
+    /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a
+    /// positive number is one below every radius.
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
 
     /// The contact radii of many load integrals, in mm; `radii[i]` belongs to `load_integrals[i]`.
@@ -178,7 +183,8 @@ pub trait GapProfile<T: Scalar> {
     /// The end of the admissible range of contact radii, in mm; infinity if there is none.
     fn max_radius(&self) -> T;
 
-    /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵.
+    /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: how long ago the
+    /// edge of the contact passed a radius follows from it.
     ///
     /// Its relative error does not grow as the depth becomes small; the difference of two values of J, or of
     /// two rounded radii, would lose what they share.
@@ -194,7 +200,8 @@ pub trait GapProfile<T: Scalar> {
         })
     }
 
-    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth: what a memory integral asks for at its nodes.
+    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth. For the solver: what
+    /// a memory integral takes at its nodes.
     ///
     /// The four slices have one length. `radii` and `depths` say the same, each rounded to its own digits; the drops,
     /// and slopes of high powers, keep the digits of the depths.
@@ -208,20 +215,20 @@ pub trait GapProfile<T: Scalar> {
         fill_one_by_one(self, a, (radii, depths), (slopes, drops));
     }
 
-    /// The largest exponent n of the gap, from which quadrature rules are chosen; 64 if a profile does not say. A lower one
-    /// is quicker, and a profile with higher powers loses digits without its own.
+    /// The largest exponent n of the gap, 64 if a profile does not say. For the solver, which chooses quadrature rules
+    /// by it: a lower one is quicker, and a profile with higher powers loses digits without its own.
     fn highest_exponent(&self) -> T {
         T::constant(64.0)
     }
 
-    /// Whether all exponents are whole, so that the profile is smooth at r = 0; where it is not, integrals
-    /// that begin there are taken in a variable that makes it so.
+    /// Whether all exponents are whole, so that the profile is smooth at r = 0. For the solver: where it is not,
+    /// integrals that begin there are taken in a variable that makes it so.
     fn is_smooth_at_centre(&self) -> bool {
         false
     }
 
-    /// Whether no coefficient is negative. Where one may be, integrals look out for radii at which δ₀′ nearly
-    /// vanishes.
+    /// Whether no coefficient is negative. For the solver: where one may be, integrals look out for radii at which δ₀′
+    /// nearly vanishes.
     fn has_only_positive_terms(&self) -> bool {
         false
     }
@@ -230,7 +237,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if a coefficient is not finite or so small that it loses digits, or the geometry is not admissible.
+    /// [`ProfileError`] if a coefficient is not finite or so small that it loses digits, or the geometry is not
+    /// admissible.
     fn check(&self) -> Result<(), ProfileError> {
         Ok(())
     }

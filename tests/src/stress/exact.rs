@@ -146,8 +146,8 @@ impl Profile {
 }
 
 impl Profile {
-    /// The radius up to `a` at which a J′ is smallest beside the sizes of the terms of J, where the gap has terms of both
-    /// signs: the contact passes it in no time, and rounding moves it most.
+    /// The radius up to `a` at which a J′ is smallest beside the sizes of the terms of J, where the gap has terms of
+    /// both signs: the contact passes it in no time, and rounding moves it most.
     #[must_use]
     pub fn flattest_radius(&self, a: Wide) -> Option<Wide> {
         if self.terms.iter().all(|(c, _)| c.is_positive()) {

@@ -176,8 +176,8 @@ impl History {
 
 /// ∫₀^length by Gauss–Legendre rules on panels that halve towards both ends.
 ///
-/// Next to an end where the integrand is a power of the distance, a panel is as long as its distance, and 16 nodes leave
-/// 5.8^-32; the innermost panel, 2^-36 of the length, leaves less than that of roots of the distance.
+/// Next to an end where the integrand is a power of the distance, a panel is as long as its distance, and 16 nodes
+/// leave 5.8^-32; the innermost panel, 2^-36 of the length, leaves less than that of roots of the distance.
 fn graded(length: Wide, integrand: impl Fn(Wide) -> Wide) -> Wide {
     const PANELS: i64 = 36;
     let panel = |from: Wide, to: Wide| {

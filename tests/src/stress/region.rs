@@ -349,7 +349,8 @@ fn falls(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)
     knots
 }
 
-/// A measured load: pieces alike or very unlike in length, which rise, are held, jump, or fall, some as fast as e^(−χ t).
+/// A measured load: pieces alike or very unlike in length, which rise, are held, jump, or fall, some as fast as
+/// e^(−χ t).
 fn record(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)> {
     let most = stream.one_of(&[1.0, 1.0, 1.0, 1.3, 1.6, 2.3]);
     let count = stream.magnitude(0.6, most) as usize;

@@ -1,4 +1,5 @@
-//! Whatever the input: no panic, nothing that is not a number, no negative pressure, and a pressure that carries the load.
+//! Whatever the input: no panic, nothing that is not a number, no negative pressure, and a pressure that carries the
+//! load.
 //!
 //! The fuzz target and a seeded test draw their input from the same words, so that either reaches what the other does.
 

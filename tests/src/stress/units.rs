@@ -9,8 +9,8 @@ use super::solver::{contact, solver};
 impl<T: Precision> Examination<'_, T> {
     /// Lengths, forces and times in units that differ by powers of two: the same bits.
     pub(super) fn units(&mut self, now: &Now<'_, '_, T>) {
-        // Coefficients of constant geometries have no other units; the end of a range that is searched for is the zero of a
-        // sum of exponentials of ln r, and rounded as such.
+        // Coefficients of constant geometries have no other units; the end of a range that is searched for is the zero
+        // of a sum of exponentials of ln r, and rounded as such.
         let is_bound = matches!(self.scene.form, Form::Constant(_))
             || self.scene.terms.iter().any(|(c, _)| *c < T::zero());
         let lengths = if is_bound { 0 } else { 4 };

@@ -1,9 +1,9 @@
 //! Numbers of common size, which leave the format in no formula.
 //!
-//! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two are J/a⁵ and
-//! J but for a factor of the exponents. If rate, force, load integral and radius lie between 1/b and b, all of these lie
-//! between b⁻⁶ and b⁶ but for that factor, which are normal numbers: a few comparisons with constants stand for a
-//! division and a dozen of them. What is not so common is asked the conditions themselves.
+//! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two are J/a⁵
+//! and J but for a factor of the exponents. If rate, force, load integral and radius lie between 1/b and b, all of
+//! these lie between b⁻⁶ and b⁶ but for that factor, which are normal numbers: a few comparisons with constants stand
+//! for a division and a dozen of them. What is not so common is asked the conditions themselves.
 
 use super::Loading;
 use crate::Scalar;
