@@ -31,7 +31,7 @@ fn fields_that_set_units_only_have_one_table() {
         ("k*(r^2 + r^3/R + r^4/R^2), positive", &[1.0, 1.0, 1225.0 / 1296.0]),
         ("k*(r^2 + r^2.5/R + r^3/R^2), positive", &[1.0, 1.0, 36.0 / 35.0 * 0.975 * 0.975]),
     ] {
-        let found = factors(text).unwrap_or_else(|| panic!("{text} has none"));
+        let found = factors(text).unwrap_or_default();
         let is_near = |(found, expected): (&f64, &f64)| (found / expected - 1.0).abs() < 1e-14;
         assert!(
             found.len() == expected.len() && found.iter().zip(expected).all(is_near),
