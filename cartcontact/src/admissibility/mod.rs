@@ -244,6 +244,79 @@ mod tests {
         }
     }
 
+    /// No range reaches `zero`, of δ₀′, nor ends long before, and neither do ranges that were requested.
+    fn assert_ends_at(terms: &[(f64, f64)], zero: f64, tolerance: f64) {
+        let end = range(terms);
+        assert!(end <= zero && end > zero * (1.0 - tolerance), "{terms:?}: {end:e} instead of {zero:e}");
+        let request = |radius| checked_range(terms.iter().copied(), Some(radius));
+        assert!(request(zero).is_err(), "{terms:?} up to {zero:e}");
+        assert!(request(zero * (1.0 - tolerance)).is_ok(), "{terms:?} up to nearly {zero:e}");
+    }
+
+    /// 2 C n/(n+2) is the same for C = 4 + h of r^(2+h) as for C = 4 + 2 h of r².
+    #[test]
+    fn ranges_of_two_terms_do_not_reach_the_zero() {
+        for h in (1..64).map(|j| f64::from(j) / 256.0) {
+            for k in 1..50 {
+                let k = f64::from(k);
+                // Multiples of what has few digits are exact; of coefficients just below 1 the logarithms are near 0.
+                for scale in [k.powi(16) * 1e-25, (1.0 - 1e-6 * k) / (4.0 + 2.0 * h)] {
+                    let scale = f64::from(scale as f32);
+                    let terms = [((4.0 + 2.0 * h) * scale, 2.0), (-(4.0 + h) * scale, 2.0 + h)];
+                    assert_ends_at(&terms, 1.0, 2e-13 * (1.0 + 1.0 / h));
+                }
+            }
+        }
+    }
+
+    /// Of r³ remains a part δ, whose slope is that of 3 δ/4 of r⁸.
+    #[test]
+    fn ranges_of_terms_that_cancel_do_not_reach_the_zero() {
+        let delta = 2f64.powi(-30);
+        for k in 1..200 {
+            let c = f64::from(k) / 7.0;
+            let (first, least) = (c, c - delta);
+            let rest = first - least;
+            let split = (0.25 * least, least - 0.25 * least);
+            let last = (-0.75 * rest, 8.0);
+            assert_ends_at(&[(first, 3.0), (-least, 3.0), last], 1.0, 1e-4);
+            assert_ends_at(&[(first, 3.0), (-split.0, 3.0), (-split.1, 3.0), last], 1.0, 1e-4);
+        }
+    }
+
+    /// Of r², r⁴ and r⁶ with 2 C n/(n+2) = a + 3 b, −a and −3 b in units of any length and force.
+    #[test]
+    fn ranges_in_extreme_units_do_not_reach_the_zero() {
+        for k in 1..40 {
+            let (a, b) = (f64::from(k), f64::from(41 - k));
+            for (length, force) in [(0, 0), (30, 0), (-40, 200), (100, -300), (-150, -400), (140, 500)] {
+                let unit = |power: i32| 2f64.powi(force - power * length);
+                let terms =
+                    [((a + 3.0 * b) * unit(0), 2.0), (-0.75 * a * unit(2), 4.0), (-2.0 * b * unit(4), 6.0)];
+                assert_ends_at(&terms, 2f64.powi(length), 1e-11);
+            }
+        }
+    }
+
+    #[test]
+    fn powers_below_the_format_are_not_taken_for_nothing() {
+        // The zero is at 1e-300, and at 1e-25.
+        assert!(checked_range([(1e-300, 2.0), (-1e300, 4.0)].into_iter(), Some(1e-200)).is_err());
+        assert!(checked_range([(1e-20_f32, 2.0), (-1e30, 4.0)].into_iter(), Some(1e-23)).is_err());
+    }
+
+    /// Rounded, the slopes add up to less than nothing.
+    #[test]
+    fn a_leading_coefficient_that_is_all_rounding_gives_no_range() {
+        for k in 1..1000 {
+            let c = 1.0 + f64::from(k) * f64::EPSILON;
+            let end = range(&[(c, 3.5), (-0.3, 3.5), (-0.7, 3.5), (-1.0, 4.0)]);
+            // As numbers, 0.3 and 0.7 are a quarter of an ε less than 1.
+            let left = c - 1.0 + 0.25 * f64::EPSILON;
+            assert!(end <= left * left, "{c}: {end:e}");
+        }
+    }
+
     #[test]
     fn faults_are_named() {
         assert_eq!(admissible_range([].into_iter().map(|x: (f64, f64)| x), None), Err(ProfileError::Empty));

@@ -19,8 +19,12 @@
 //! the distance shrinks by a constant factor; elsewhere f is bounded below on the compact interval and so is
 //! h. The march ends where f is positive by less than its own rounding. If it should still run after
 //! `MOST_STEPS`, the range is cut where it stands: never too long, at worst too short.
+//!
+//! **Rounding.** Each d has three roundings, each k one. What they and all others may add to a result is taken from it, so
+//! that a range never ends behind the zero; terms that cancel may leave none.
 
 use crate::Scalar;
+use crate::scalar::smallest_normal;
 
 const MOST_STEPS: u32 = 20_000;
 
@@ -36,12 +40,11 @@ pub(super) struct Slope<I, T> {
     pub(super) smallest: T,
 }
 
-/// f, f′ and a bound of |f″| on [x, x + ρ], and the sum of the sizes of the terms of f, in a common scale.
+/// What f and f′ are at least and |f″| at most on [x, x + ρ], in a common scale.
 struct Expansion<T> {
     value: T,
     slope: T,
     curvature: T,
-    size: T,
 }
 
 impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
@@ -52,40 +55,54 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
         self.terms.clone().map(shifted).filter(|(d, _)| !d.is_zero())
     }
 
+    fn count(&self) -> T {
+        T::constant(self.exponentials().count() as f64)
+    }
+
+    /// What the coefficient d of an exponent is at least: terms of the same exponent may cancel.
+    fn least_coefficient(&self, exponent: T) -> T {
+        let rounding = T::default_epsilon() * (T::constant(4.0) + self.count());
+        let terms = self.exponentials().filter(|&(_, k)| k == exponent);
+        terms.fold(T::zero(), |sum, (d, _)| sum + (d - d.abs() * rounding))
+    }
+
     /// Whether the first term alone outweighs all negative ones at a radius, and hence at all before it.
     pub(super) fn first_outweighs_negative_up_to(&self, radius: T) -> bool {
-        let zero = T::zero();
-        let rounding = T::default_epsilon() * T::constant(16.0);
-        let (margin, negative) = self.exponentials().fold((zero, zero), |(margin, negative), (d, k)| {
-            if k.is_zero() {
-                (margin + (d - d.abs() * rounding), negative)
-            } else if d < zero {
-                (margin, negative - d * radius.powf(k))
-            } else {
-                (margin, negative)
-            }
-        });
-        negative < margin
+        let (zero, one) = (T::zero(), T::one());
+        let rounding = T::default_epsilon() * (T::constant(8.0) + self.count());
+        // The rounding of k, in the power.
+        let per_exponent = T::default_epsilon() * radius.ln().abs();
+        let negative =
+            self.exponentials().filter(|&(d, k)| d < zero && !k.is_zero()).fold(zero, |sum, (d, k)| {
+                // The power may be too small for its format.
+                sum - d * radius.powf(k).max(smallest_normal()) * (one + rounding + per_exponent * k)
+            });
+        negative < self.least_coefficient(zero)
     }
 
     pub(super) fn first_zero(&self) -> T {
-        let span = self.exponentials().fold(T::zero(), |most, (_, k)| most.max(k));
+        let (zero, one) = (T::zero(), T::one());
+        let first = self.least_coefficient(zero);
+        if first <= zero {
+            return zero;
+        }
+        let span = self.exponentials().fold(zero, |most, (_, k)| most.max(k));
         if self.is_positive_by_its_ends(span) {
             return T::infinity();
         }
-        if let Some(zero) = self.zero_of_two_terms() {
+        if let Some(zero) = self.zero_of_two_terms(first) {
             return zero;
         }
         let step = span.recip();
         let rounding = T::default_epsilon() * T::constant(4.0);
         let end = self.last_term_dominates_from(span);
-        let mut x = self.first_term_dominates_up_to();
+        let mut x = self.first_term_dominates_up_to(first);
         for _ in 0..MOST_STEPS {
             if end.is_some_and(|end| x >= end) {
                 return T::infinity();
             }
             let here = self.expansion(x, step);
-            if here.value <= here.size * rounding {
+            if here.value <= zero {
                 break;
             }
             let safe = here.safe_step().min(step);
@@ -94,15 +111,15 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
             }
             x += safe;
         }
-        x.exp()
+        x.exp() * (one - rounding)
     }
 
     /// The zero of a term and a negative one: x = ln(d₁/|d₂|)/k, and a little less.
-    fn zero_of_two_terms(&self) -> Option<T> {
+    fn zero_of_two_terms(&self, first: T) -> Option<T> {
         let mut others = self.exponentials().filter(|&(_, k)| k > T::zero());
         let (Some((d, k)), None) = (others.next(), others.next()) else { return None };
-        let (first, last) = (coefficient_of(self.exponentials(), T::zero()).ln(), d.abs().ln());
-        let rounding = T::default_epsilon() * T::constant(4.0) * (first.abs() + last.abs() + k);
+        let (first, last) = (first.ln(), d.abs().ln());
+        let rounding = T::default_epsilon() * T::constant(4.0) * (first.abs() + last.abs() + k + T::one());
         (d < T::zero()).then(|| ((first - last - rounding) / k).exp())
     }
 
@@ -111,14 +128,11 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
     /// Compared as logarithms; what is too close for them to tell is left to the march.
     fn is_positive_by_its_ends(&self, span: T) -> bool {
         let (zero, one) = (T::zero(), T::one());
-        let ends = (zero, zero, zero);
-        let (first, last, count) = self.exponentials().fold(ends, |(first, last, count), (d, k)| {
-            let at = |exponent| if k == exponent { d } else { zero };
-            (first + at(zero), last + at(span), count + if d < zero { one } else { zero })
-        });
+        let (first, last) = (self.least_coefficient(zero), self.least_coefficient(span));
         if last <= zero {
             return false;
         }
+        let count = T::constant(self.exponentials().filter(|&(d, _)| d < zero).count() as f64);
         let (log_first, log_last, log_count) = (first.ln(), last.ln(), count.ln());
         let rounding = T::default_epsilon() * T::constant(16.0);
         self.exponentials().filter(|&(d, _)| d < zero).all(|(d, k)| {
@@ -132,9 +146,8 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
     }
 
     /// x₀: every other term is below 1/N of the first.
-    fn first_term_dominates_up_to(&self) -> T {
-        let first = coefficient_of(self.exponentials(), T::zero());
-        let count = T::constant(self.exponentials().count() as f64);
+    fn first_term_dominates_up_to(&self, first: T) -> T {
+        let count = self.count();
         self.exponentials()
             .filter(|&(_, k)| k > T::zero())
             .fold(T::infinity(), |x, (d, k)| x.min((first.ln() - count.ln() - d.abs().ln()) / k))
@@ -142,8 +155,7 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
 
     /// x₁: every other term is below 1/N of the last; none if the last coefficient is not positive.
     fn last_term_dominates_from(&self, span: T) -> Option<T> {
-        let last = coefficient_of(self.exponentials(), span);
-        let count = T::constant(self.exponentials().count() as f64);
+        let (last, count) = (self.least_coefficient(span), self.count());
         (last > T::zero()).then(|| {
             self.exponentials()
                 .filter(|&(_, k)| k < span)
@@ -154,17 +166,20 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
     fn expansion(&self, x: T, step: T) -> Expansion<T> {
         let log_size = |(d, k): (T, T)| d.abs().ln() + k * x;
         let scale = self.exponentials().map(log_size).fold(-T::infinity(), T::max);
-        let zero = T::zero();
-        let mut sum = Expansion { value: zero, slope: zero, curvature: zero, size: zero };
+        let (zero, four) = (T::zero(), T::constant(4.0));
+        let (mut value, mut slope, mut curvature, mut error) = (zero, zero, zero, zero);
         for (d, k) in self.exponentials() {
             let size = (log_size((d, k)) - scale).exp();
-            let value = size.copysign(d);
-            sum.value += value;
-            sum.slope += k * value;
-            sum.curvature += k * k * size * (k * step).exp();
-            sum.size += size;
+            let term = size.copysign(d);
+            value += term;
+            slope += k * term;
+            curvature += k * k * size * (k * step).exp();
+            // In units of ε: that of the logarithms, and of the sum so far.
+            let of_logarithms = d.abs().ln().abs() + (k * x).abs();
+            error += size * (four + T::constant(1.5) * of_logarithms) + value.abs();
         }
-        sum
+        let error = error * T::default_epsilon();
+        Expansion { value: value - error, slope: slope - error / step, curvature }
     }
 }
 
