@@ -1,5 +1,6 @@
 //! Terms c · x^n and their sums, for any real exponent.
 
+use super::binary::{divide, scale, split};
 use super::bits::with_half_its_digits;
 use super::double_functions;
 use super::double_word::DoubleWord;
@@ -83,9 +84,22 @@ pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     } else if order == T::constant(4.0) {
         ratio.sqrt().sqrt()
     } else {
-        ratio.powf(order.recip())
+        root(ratio, order)
     };
     (x, quick_term(c, x, Exponent::of(p)))
+}
+
+/// x^(1/p) of a positive number, from which whole periods of octaves are taken out first: other units by powers of two
+/// change no digit.
+fn root<T: Scalar>(x: T, p: T) -> T {
+    let inverse = p.recip();
+    // Neither has octaves, and both have to be noticed.
+    if !(x > T::zero() && x.is_finite()) {
+        return x.powf(inverse);
+    }
+    let (fraction, octaves) = split(x);
+    let (whole, rest) = divide(octaves, p, inverse);
+    scale(((fraction.log2() + rest) * inverse).exp2(), whole)
 }
 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
@@ -291,6 +305,26 @@ mod tests {
             let error = (f64::from(sum) / exact - 1.0).abs() / f64::from(f32::EPSILON);
             assert!(error < 0.51, "{x}: {error} ε");
         }
+    }
+
+    /// Lengths times 16, so that quarters are whole, too.
+    #[test]
+    fn terms_are_equal_at_the_same_place_in_other_units() {
+        for (p, q) in [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75), (6.0, 7.0)] {
+            for k in 1..200 {
+                let (c, d) = (f64::from(k) / 7.0, 0.3 + f64::from(k % 17));
+                let (x, value) = equal_terms((c, p), (d, q));
+                let share = |j: f64, p: f64| (value / (j * x.powf(p)) - 1.0).abs();
+                assert!(share(c, p) < 1e-12 && share(d, q) < 1e-12, "{c} {p} {d} {q}");
+                for octaves in [-8, -4, 4, 8] {
+                    let unit = |p: f64| 2f64.powf(-p * f64::from(octaves));
+                    let found = equal_terms((c * unit(p), p), (d * unit(q), q));
+                    assert_eq!(found, (x * 2f64.powi(octaves), value), "{c} {p} {d} {q}");
+                }
+            }
+        }
+        let [turned, none] = [(1.0_f64, -1.0), (f64::NAN, 1.0)].map(|(c, d)| equal_terms((c, 6.0), (d, 9.0)));
+        assert!(turned.0.is_nan() && none.0.is_nan());
     }
 
     #[test]
