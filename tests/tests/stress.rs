@@ -21,11 +21,13 @@ fn errors_are_within_their_bounds_everywhere() {
 }
 
 /// The least share of the scenes of a region that have results to compare: some leave the format, and of those of
-/// subnormal numbers most do.
+/// subnormal numbers most do. Of geometries that are nearly inadmissible, single precision cannot tell 3 in 10 from such as
+/// are: what rounding may add to δ₀′ is more than is left of it.
 fn least_share(region: Region) -> f64 {
     match region {
         Region::Subnormal => 0.15,
         Region::Steps => 0.5,
+        Region::NearlyAdmissible => 0.6,
         _ => 0.7,
     }
 }

@@ -66,11 +66,13 @@ impl<T: Scalar> EqualTerms<T> {
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (radius, load_integral) = equal_terms(low, high);
-        // Terms of different sign have NaN for a unit: as the first it stays, and no comparison holds for it.
-        let extreme = |choose: fn(T, T) -> T| {
-            others.into_iter().fold(choose(choose(load_integral, low.0), high.0), choose)
-        };
-        let has_table = (T::constant(least) <= extreme(lesser)) & (extreme(greater) <= T::constant(most));
+        let [least, most] = [least, most].map(T::constant);
+        // Terms of different sign have NaN for a unit: as the first of three it stays, and no comparison holds for it.
+        let sizes = [load_integral, low.0, high.0];
+        let (smallest, largest) =
+            (sizes.into_iter().fold(sizes[0], lesser), sizes.into_iter().fold(sizes[0], greater));
+        let others_have_table = others.iter().fold(true, |all, &j| all & (least <= j) & (j <= most));
+        let has_table = (least <= smallest) & (largest <= most) & others_have_table;
         // Zero lies in no table.
         Self {
             radius,
