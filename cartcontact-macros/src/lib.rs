@@ -14,7 +14,7 @@
 //! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `search`, `first_root`, `end`) |
 //! | `geometry` | attribute and item | gap, range and proof together |
 //! | `closed_forms` | a gap | approach, load integral and log kernel as sums of powers |
-//! | `table` | geometry and load integral | a table from which one step leads to the contact radius (`seeds`; of one term `roots`) |
+//! | `start` | geometry and closed forms | what leads to the contact radius: a `table` (`seeds`, of symbols in `own_units`; of one term `roots`) or the leading term |
 //! | `emit` | item and geometry | the solver |
 //!
 //! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
@@ -33,6 +33,7 @@ mod proof;
 mod reading;
 mod roots;
 mod seeds;
+mod start;
 mod table;
 #[cfg(test)]
 mod tests;

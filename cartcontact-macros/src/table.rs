@@ -1,4 +1,4 @@
-//! [`Geometry`] -> [`Start`]: a table by octaves of the load integral, from which one step leads to the contact radius.
+//! [`Geometry`] -> [`Table`]: rows by octaves of the load integral, from which one step leads to the contact radius.
 //!
 //! Rows of four numbers in single precision stand for quarters of octaves; 256 of them, 4 KiB, span 64 octaves.
 //!
@@ -11,10 +11,8 @@
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::ClosedForms;
 use crate::gap::Gap;
 use crate::geometry::{Geometry, Range};
-use crate::{roots, seeds};
 
 /// Rows per octave of the load integral.
 pub(crate) const ROWS_PER_OCTAVE: i32 = 4;
@@ -28,27 +26,6 @@ const FLATTEST: f64 = 1.0 / 1024.0;
 /// exponents are beside it; and products with what J is off by at the seed keep as many digits as that has.
 pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
 pub(crate) const LARGEST_SINGLE: f64 = 100.0;
-
-/// What the step begins with.
-pub(crate) enum Start {
-    /// The radius to six digits.
-    Seeds(Table),
-    /// The radius in the middle of a row, where the gap is one term.
-    Roots(roots::Roots),
-}
-
-impl Start {
-    /// None where there is no table.
-    pub(crate) fn of(geometry: &Geometry, forms: &ClosedForms) -> Option<Self> {
-        match forms.load_integral.summands.as_slice() {
-            // A step with whole powers is the quickest.
-            [only] if !(roots::has_window(only) && only.exponent.is_integer()) => {
-                roots::roots(geometry, only).map(Start::Roots)
-            }
-            _ => seeds::seeds(geometry, &forms.seeded).map(Start::Seeds),
-        }
-    }
-}
 
 /// Rows for y = u · 2^e, 1 ≤ u < 2, by k = 4 e + ⌊4 (u − 1)⌋ − first.
 pub(crate) struct Table {

@@ -11,7 +11,8 @@ use crate::geometry::{Geometry, Range};
 use crate::number::{Rational, decimal, integer};
 use crate::proof::Proof;
 use crate::reading::item::Item;
-use crate::table::{Start, Table};
+use crate::start::Start;
+use crate::table::Table;
 
 /// The lines of the documentation, to stand behind the item's own.
 pub(super) fn lines(
@@ -212,6 +213,7 @@ fn solution(start: Option<&Start>, gap: &Gap) -> String {
         Start::Roots(roots) if roots.periods_of.is_some() => return format!("{step}."),
         Start::Roots(roots) => &roots.table,
         Start::Seeds(table) => table,
+        Start::LeadingTerm => return String::new(),
     };
     let [from, to] = table.range();
     let unit = if gap.is_constant() { "" } else { " in units of the geometry's own" };

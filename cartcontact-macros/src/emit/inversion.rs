@@ -9,7 +9,7 @@ use super::{Names, leading_term, local, roots, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::{Gap, Term};
 use crate::number::{integer, literal};
-use crate::table::Start;
+use crate::start::Start;
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -29,7 +29,7 @@ pub(super) fn methods(
     let preamble = coefficients.preamble();
     let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
     let general = general(gap, forms, coefficients, names);
-    let (found, radii) = from_start(gap, forms, start, coefficients, names).unzip();
+    let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
         None => general,
@@ -59,30 +59,27 @@ pub(super) fn methods(
     }
 }
 
-/// The radius from a table, which stands beside the implementation, or without one from the leading term where
-/// coefficients are symbols; and the radii of a slice, if they are found in a way of their own.
+/// The radius from what it starts with, and the radii of a slice, if they are found in a way of their own.
 fn from_start(
-    gap: &Gap,
     forms: &ClosedForms,
-    start: Option<&Start>,
+    start: &Start,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
-) -> Option<(TokenStream, Option<TokenStream>)> {
+) -> (TokenStream, Option<TokenStream>) {
     match start {
-        Some(Start::Roots(table)) => {
+        Start::Roots(table) => {
             let sum = &forms.load_integral;
             let radii = roots::radii(table, sum, coefficients, names);
-            Some((roots::radius(table, sum, coefficients, names), Some(radii)))
+            (roots::radius(table, sum, coefficients, names), Some(radii))
         }
-        Some(Start::Seeds(_)) => {
+        Start::Seeds(_) => {
             let radii = seeds::radii(&forms.seeded, coefficients, names);
-            Some((seeds::radius(&forms.seeded, coefficients, names), Some(radii)))
+            (seeds::radius(&forms.seeded, coefficients, names), Some(radii))
         }
-        None if leading_term::is_for(gap) => {
+        Start::LeadingTerm => {
             let radii = leading_term::radii(forms, coefficients, names);
-            Some((leading_term::radius(forms, coefficients, names), radii))
+            (leading_term::radius(forms, coefficients, names), radii)
         }
-        None => None,
     }
 }
 

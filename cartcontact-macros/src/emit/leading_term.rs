@@ -8,18 +8,10 @@ use super::coefficients::Coefficients;
 use super::power_sum::{Whole, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
-use crate::gap::coefficient::Sign;
-use crate::gap::{Gap, Term};
 use crate::number::{Rational, integer, literal};
 
 /// Beyond, 2^p leaves single precision in the products of a step.
 const HIGHEST_POWER: u32 = 80;
-
-/// Whether a geometry without a table is solved so: it has no use for a coefficient that is negative.
-pub(super) fn is_for(gap: &Gap) -> bool {
-    let is_negative = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotPositive);
-    !gap.is_constant() && gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
-}
 
 /// The radius from the leading term, if that leads to it.
 pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {

@@ -22,7 +22,7 @@ use syn::ext::IdentExt;
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
 use crate::reading::item::{FieldKind, Item};
-use crate::table::Start;
+use crate::start::Start;
 use coefficients::Coefficients;
 use operations::Operations;
 
@@ -71,7 +71,7 @@ pub(crate) fn solver(
     let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
     let start = Start::of(geometry, &forms);
     let inversion = inversion::methods(&geometry.gap, &forms, start.as_ref(), &coefficients, &names);
-    let beside_inversion = beside_inversion(geometry, &forms, start.as_ref(), &coefficients, &names);
+    let beside_inversion = beside_inversion(&forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let shape = shape(geometry, &coefficients, &names);
@@ -143,19 +143,15 @@ fn evaluators(
 
 /// What the inversion calls that is no method: a table and the step from it, or the step alone.
 fn beside_inversion(
-    geometry: &Geometry,
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> Option<TokenStream> {
-    match start {
-        Some(Start::Roots(roots)) => Some(roots::item(roots, names)),
-        Some(Start::Seeds(table)) => Some(seeds::items(table, &forms.seeded, coefficients, names)),
-        None if leading_term::is_for(&geometry.gap) => {
-            leading_term::items(&forms.stepped.load_integral, names)
-        }
-        None => None,
+    match start? {
+        Start::Roots(roots) => Some(roots::item(roots, names)),
+        Start::Seeds(table) => Some(seeds::items(table, &forms.seeded, coefficients, names)),
+        Start::LeadingTerm => leading_term::items(&forms.stepped.load_integral, names),
     }
 }
 

@@ -1,0 +1,38 @@
+//! [`Geometry`] -> [`Start`]: what leads to the contact radius before the general solution has to.
+
+use crate::closed_forms::ClosedForms;
+use crate::gap::coefficient::Sign;
+use crate::gap::{Gap, Term};
+use crate::geometry::Geometry;
+use crate::roots::{self, Roots};
+use crate::seeds;
+use crate::table::Table;
+
+pub(crate) enum Start {
+    /// A step from the radius to six digits, in a table.
+    Seeds(Table),
+    /// A series from the radius in the middle of a row, where the gap is one term.
+    Roots(Roots),
+    /// Steps from the radius that one term has alone, where coefficients are symbols and no table holds them all.
+    LeadingTerm,
+}
+
+impl Start {
+    /// None where only the general solution leads to the radius.
+    pub(crate) fn of(geometry: &Geometry, forms: &ClosedForms) -> Option<Self> {
+        let table = match forms.load_integral.summands.as_slice() {
+            // A step with whole powers is the quickest.
+            [only] if !(roots::has_window(only) && only.exponent.is_integer()) => {
+                roots::roots(geometry, only).map(Start::Roots)
+            }
+            _ => seeds::seeds(geometry, &forms.seeded).map(Start::Seeds),
+        };
+        table.or_else(|| may_have_leading_term(&geometry.gap).then_some(Start::LeadingTerm))
+    }
+}
+
+/// Steps from a leading term have no use for a coefficient that is negative.
+fn may_have_leading_term(gap: &Gap) -> bool {
+    let is_negative = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotPositive);
+    !gap.is_constant() && gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
+}
