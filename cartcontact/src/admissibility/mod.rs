@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::parameters::Parameters;
 use crate::profile::ProfileError;
 use crate::scalar::smallest_normal;
-use slope::{Slope, coefficient_of};
+use slope::Slope;
 
 /// Checks the terms (C, n) of a gap and returns the end of its admissible range, or infinity if that is known to lie
 /// beyond the radius up to which the geometry is `requested`.
@@ -66,6 +66,11 @@ fn searched_range<T: Scalar>(
     let slope = Slope { terms, smallest };
     let is_beyond = requested.is_some_and(|radius| slope.first_outweighs_negative_up_to(radius));
     Ok(if is_beyond { T::infinity() } else { slope.first_zero() })
+}
+
+/// The sum of all coefficients of r^n, which a caller may have given in several terms.
+fn coefficient_of<T: Scalar>(terms: impl Iterator<Item = (T, T)>, n: T) -> T {
+    terms.filter(|&(_, exponent)| exponent == n).fold(T::zero(), |sum, (c, _)| sum + c)
 }
 
 #[inline(always)]

@@ -28,11 +28,6 @@ use crate::scalar::smallest_normal;
 
 const MOST_STEPS: u32 = 20_000;
 
-/// The sum of all coefficients of r^n, which a caller may have given in several terms.
-pub(super) fn coefficient_of<T: Scalar>(terms: impl Iterator<Item = (T, T)>, n: T) -> T {
-    terms.filter(|&(_, exponent)| exponent == n).fold(T::zero(), |sum, (c, _)| sum + c)
-}
-
 /// δ₀′ as a sum of exponentials of x = ln r.
 pub(super) struct Slope<I, T> {
     pub(super) terms: I,

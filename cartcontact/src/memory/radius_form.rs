@@ -177,11 +177,7 @@ where
     let (n, length) = (contact.profile().highest_exponent(), high - stretch.low);
     let powers = (n + T::one()) * length;
     let fading = stretch.course.folds(contact.medium().chi()) * (high + (n + T::constant(4.0)) * length);
-    let centre = if contact.profile().is_smooth_at_centre() {
-        T::zero()
-    } else {
-        T::constant(FOLDS_AT_DISTANCE) * length
-    };
+    let centre = folds_at_centre(contact.profile()) * length;
     // Everything times the radius, and nothing divided.
     T::constant(MARGIN) * (powers + fading) + centre <= Rule::EIGHT.folds::<T>() * high
 }
@@ -205,8 +201,11 @@ where
     let fading = chi * (stretch.age_at(depth + step) - age) / step;
     let of_singularity =
         stretch.singularity(top).map_or(T::zero(), |distance| T::constant(FOLDS_AT_DISTANCE) / distance);
-    // s^(n−1) next to s = 0, which a short rule notices from far away.
-    let of_centre =
-        if profile.is_smooth_at_centre() { T::zero() } else { T::constant(FOLDS_AT_DISTANCE) / top };
+    let of_centre = folds_at_centre(profile) / top;
     (powers * T::constant(MARGIN) + of_singularity + of_centre, fading * T::constant(MARGIN))
+}
+
+/// What the centre counts as, over its distance: s^(n−1) next to s = 0 is noticed by a short rule from far away.
+fn folds_at_centre<T: Scalar, P: GapProfile<T>>(profile: &P) -> T {
+    if profile.is_smooth_at_centre() { T::zero() } else { T::constant(FOLDS_AT_DISTANCE) }
 }
