@@ -9,6 +9,7 @@ pub mod oracle;
 pub mod planted;
 pub mod profiles;
 pub mod quadrature;
+pub mod radii;
 pub mod random;
 pub mod reference;
 pub mod stress;

@@ -7,6 +7,7 @@ use tests::budget;
 use tests::condition::degree;
 use tests::measure::relative_error;
 use tests::profiles::{case, cases};
+use tests::radii::assert_same_one_by_one;
 use tests::random::{self, magnitude, positive_sums};
 
 /// In units of ε; J is rounded twice, and its error divided by its degree.
@@ -160,12 +161,8 @@ fn many_radii_are_those_of_single_ones() {
         for ratio in [0.99_f64, 0.9] {
             let falling = (0..1000).map(|k| largest * ratio.powi(k * 37 % 1000));
             let load_integrals: Vec<f64> = falling.chain([0.0, largest]).collect();
-            for length in [1, 15, 16, 17, 127, 128, 129, 1002] {
-                let load_integrals = &load_integrals[..length];
-                let mut radii = vec![0.0; length];
-                assert_eq!(case.double.radii(load_integrals, &mut radii), Ok(()), "{case:?}");
-                let single = |&load_integral| case.double.radius(load_integral).unwrap_or(f64::NAN);
-                assert!(load_integrals.iter().map(single).eq(radii), "{case:?}, {ratio}, {length}");
+            for length in [1, 15, 16, 17, 63, 64, 65, 127, 128, 129, 1002] {
+                assert_same_one_by_one(case.double, &load_integrals[..length], &(case, ratio, length));
             }
         }
     }

@@ -4,7 +4,7 @@
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact};
-use tests::oracle::{Profile, double};
+use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 
 #[gap_profile(b * r^2 + c * r^3 + d * r^4)]
@@ -74,7 +74,7 @@ impl Kind {
 
     fn exact(&self, coefficients: [f64; 3], load_integral: f64) -> Exact {
         let terms: Vec<(f64, f64)> = coefficients.into_iter().zip(self.exponents).collect();
-        Exact::from(&Profile::of(&terms).radius(&double(load_integral)))
+        exact_radius(&terms, load_integral)
     }
 }
 
@@ -136,11 +136,9 @@ fn slices_have_the_same_radii() {
         // Which the leading term does not lead to.
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
-        let mut radii = vec![f64::NAN; load_integrals.len()];
-        assert_eq!(profile.radii(&load_integrals, &mut radii), Ok(()));
-        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
-        assert!(load_integrals.iter().map(single).eq(radii.iter().copied()), "{:?}", kind.exponents);
+        assert_same_one_by_one(&*profile, &load_integrals, &kind.exponents);
 
+        let mut radii = vec![f64::NAN; load_integrals.len()];
         load_integrals[150] = -1.0;
         let refused = profile.radii(&load_integrals, &mut radii);
         assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: -1.0 }));

@@ -3,7 +3,7 @@
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact};
-use tests::oracle::{Profile, double};
+use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 
 macro_rules! terms {
@@ -44,7 +44,7 @@ struct Kind {
 
 impl Kind {
     fn exact(&self, c: f64, load_integral: f64) -> Exact {
-        Exact::from(&Profile::of(&[(c, self.exponent)]).radius(&double(load_integral)))
+        exact_radius(&[(c, self.exponent)], load_integral)
     }
 
     /// A coefficient and a load integral of any size that leaves the radius within 10^±`decades`.
@@ -129,11 +129,9 @@ fn slices_have_the_same_radii() {
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         load_integrals[72] = f64::MAX;
-        let mut radii = vec![f64::NAN; load_integrals.len()];
-        assert_eq!(profile.radii(&load_integrals, &mut radii), Ok(()), "{}", kind.exponent);
-        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
-        assert!(load_integrals.iter().map(single).eq(radii.iter().copied()), "{}", kind.exponent);
+        assert_same_one_by_one(&*profile, &load_integrals, &kind.exponent);
 
+        let mut radii = vec![f64::NAN; load_integrals.len()];
         for bad in [-1.0, f64::INFINITY] {
             load_integrals[300] = bad;
             let refused = profile.radii(&load_integrals, &mut radii);

@@ -3,8 +3,8 @@
 
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
-use tests::measure::{Errors, Exact};
-use tests::oracle::{Profile, double};
+use tests::measure::Errors;
+use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 
 #[gap_profile(sphere(radius), order = 6)]
@@ -67,12 +67,6 @@ const KINDS: [Kind; 6] = [
     kind!(|k, radius| Turned { k, radius: -radius }),
 ];
 
-/// The contact radius of terms as they are.
-fn exact(terms: impl Iterator<Item = (f64, f64)>, load_integral: f64) -> Exact {
-    let terms: Vec<(f64, f64)> = terms.collect();
-    Exact::from(&Profile::of(&terms).radius(&double(load_integral)))
-}
-
 #[test]
 fn radii_are_exact_for_fields_of_any_size() {
     let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
@@ -86,15 +80,15 @@ fn radii_are_exact_for_fields_of_any_size() {
             let load_integral = profile.load_integral(size);
             let found = profile.radius(load_integral).unwrap_or(f64::NAN);
             let place = format!("{index}: {k:e}, {radius:e}, {load_integral:e}");
-            errors.add(found, exact(terms.into_iter(), load_integral), 1.0, &place);
+            errors.add(found, exact_radius(&terms, load_integral), 1.0, &place);
 
             let (k, radius, size) = (k.sqrt() as f32, radius.sqrt() as f32, (size / radius.sqrt()) as f32);
             let (terms, profile) = (kind.single)(k, radius);
             let load_integral = profile.load_integral(size);
             let found = profile.radius(load_integral).unwrap_or(f32::NAN);
-            let terms = terms.into_iter().map(|(c, n)| (f64::from(c), f64::from(n)));
+            let terms: Vec<(f64, f64)> = terms.into_iter().map(|(c, n)| (c.into(), n.into())).collect();
             let place = format!("{index}: {k:e}, {radius:e}, {load_integral:e}");
-            errors_of_single.add(f64::from(found), exact(terms, f64::from(load_integral)), 1.0, &place);
+            errors_of_single.add(f64::from(found), exact_radius(&terms, load_integral.into()), 1.0, &place);
         }
     }
     errors.check();
@@ -123,9 +117,6 @@ fn slices_have_the_same_radii() {
         let (_, profile) = (kind.double)(0.3, 20.0);
         let sizes = (0..500).map(|_| 20.0 * stream.magnitude(-3.5, 1.0));
         let load_integrals: Vec<f64> = sizes.map(|size| profile.load_integral(size)).collect();
-        let mut radii = vec![f64::NAN; load_integrals.len()];
-        assert_eq!(profile.radii(&load_integrals, &mut radii), Ok(()));
-        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
-        assert!(load_integrals.iter().map(single).eq(radii.iter().copied()), "{index}");
+        assert_same_one_by_one(&*profile, &load_integrals, &index);
     }
 }

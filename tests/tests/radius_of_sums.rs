@@ -2,8 +2,8 @@
 
 use cartcontact::{GapProfile, Polynomial, Scalar};
 use tests::budget;
-use tests::measure::{Errors, Exact};
-use tests::oracle::{Profile, double};
+use tests::measure::Errors;
+use tests::radii::exact_radius;
 use tests::random::Stream;
 
 /// Exponents that have all the digits of a number, of which powers round once more.
@@ -27,10 +27,6 @@ fn radius<T: Scalar>(terms: &[(T, T)], load_integral: T) -> T {
     radius.ok().and_then(Result::ok).unwrap_or_else(|| unreachable!("{terms:?}, {load_integral}"))
 }
 
-fn exact(terms: &[(f64, f64)], load_integral: f64) -> Exact {
-    Exact::from(&Profile::of(terms).radius(&double(load_integral)))
-}
-
 #[test]
 fn radii_of_sums_are_next_to_the_exact_ones() {
     let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
@@ -41,13 +37,13 @@ fn radii_of_sums_are_next_to_the_exact_ones() {
             let terms = terms(&mut stream, exponent);
             let load_integral = stream.magnitude(-6.0, 6.0);
             let found = radius(&terms, load_integral);
-            errors.add(found, exact(&terms, load_integral), 1.0, &(&terms, load_integral));
+            errors.add(found, exact_radius(&terms, load_integral), 1.0, &(&terms, load_integral));
 
             let single: Vec<(f32, f32)> = terms.iter().map(|&(c, n)| (c as f32, n as f32)).collect();
             let load_integral = load_integral as f32;
             let found = radius(&single, load_integral);
             let terms: Vec<(f64, f64)> = single.iter().map(|&(c, n)| (c.into(), n.into())).collect();
-            let expected = exact(&terms, load_integral.into());
+            let expected = exact_radius(&terms, load_integral.into());
             errors_of_single.add(found.into(), expected, 1.0, &(&terms, load_integral));
         }
     }

@@ -1,0 +1,26 @@
+//! What the tests ask of radii: the exact one, and that many at once are those of one after the other.
+
+use core::fmt::Debug;
+
+use cartcontact::GapProfile;
+
+use crate::measure::Exact;
+use crate::oracle::{Profile, double};
+
+/// The radius at which J of the terms (C, n) is `load_integral`.
+#[must_use]
+pub fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
+    Exact::from(&Profile::of(terms).radius(&double(load_integral)))
+}
+
+/// Holds the radii of a slice to those of its load integrals one by one, to the last bit.
+///
+/// # Panics
+///
+/// If one differs, or the slice is refused.
+pub fn assert_same_one_by_one(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
+    let mut radii = vec![f64::NAN; load_integrals.len()];
+    assert_eq!(profile.radii(load_integrals, &mut radii), Ok(()), "{place:?}");
+    let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
+    assert!(load_integrals.iter().map(single).eq(radii), "{place:?}");
+}
