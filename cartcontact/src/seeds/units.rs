@@ -4,7 +4,7 @@ use super::Target;
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
 use crate::evaluate::power::equal_terms;
-use crate::scalar::{greater, is, lesser};
+use crate::scalar::is;
 
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
@@ -65,14 +65,13 @@ impl<T: Scalar> EqualTerms<T> {
     #[inline(always)]
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
-        let (radius, load_integral) = equal_terms(low, high);
         let [least, most] = [least, most].map(T::constant);
-        // Terms of different sign have NaN for a unit: as the first of three it stays, and no comparison holds for it.
-        let sizes = [load_integral, low.0, high.0];
-        let (smallest, largest) =
-            (sizes.into_iter().fold(sizes[0], lesser), sizes.into_iter().fold(sizes[0], greater));
-        let others_have_table = others.iter().fold(true, |all, &j| all & (least <= j) & (j <= most));
-        let has_table = (least <= smallest) & (largest <= most) & others_have_table;
+        let (radius, load_integral) = equal_terms(low, high);
+        // Terms of different sign have NaN for a unit, for which no comparison holds.
+        let has_table = [load_integral, low.0, high.0]
+            .iter()
+            .chain(&others)
+            .fold(true, |all, &j| all & (least <= j) & (j <= most));
         // Zero lies in no table.
         Self {
             radius,
