@@ -129,6 +129,8 @@ pub trait GapProfile<T: Scalar> {
     /// # Errors
     ///
     /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius).
+    // Left to compilers, it is a call with its result in memory in one program and not in the next, see `radius_within`.
+    #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
         self.radius_within(load_integral, self.max_radius())
     }
