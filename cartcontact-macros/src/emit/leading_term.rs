@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, terms};
+use super::power_sum::{Whole, power, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
 use crate::number::{Rational, integer, literal};
@@ -109,9 +109,8 @@ fn nested(
         nested = match above {
             None => own,
             Some(above) => {
-                let step = Literal::u32_unsuffixed((above - exponent) / whole.stride());
-                let power = names.generated("integer_power");
-                quote!(#own + (#nested) * #power(#variable, #step))
+                let power = power(variable, (above - exponent) / whole.stride(), names);
+                quote!(#own + (#nested) * #power)
             }
         };
         above = Some(exponent);

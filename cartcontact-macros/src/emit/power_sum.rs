@@ -22,6 +22,9 @@ use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
 use crate::number::{Rational, code, rounded};
 
+/// The highest power that is written out as a product.
+const LONGEST_PRODUCT: u32 = 3;
+
 /// The whole exponents of a sum of powers.
 pub(super) struct Whole {
     pub(super) exponents: Vec<u32>,
@@ -117,7 +120,7 @@ pub(super) fn quick_value(
     names: &Names<'_>,
 ) -> TokenStream {
     match Whole::of(sum) {
-        Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
+        Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients, names),
         Some(whole) if whole.is_low_in_square() => {
             let odd = whole.lowest() % 2;
             let (even_sum, dense) = (names.generated("even_sum"), whole.dense((odd, 2), sum, coefficients));
@@ -129,10 +132,16 @@ pub(super) fn quick_value(
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
-fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+fn horner(
+    sum: &PowerSum,
+    whole: &Whole,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
-    let nested = nested(sum, whole, &variable, factors);
+    let nested = nested(sum, whole, &variable, factors, names);
     let lowest = whole.lowest();
     let powers = (0..lowest / whole.stride()).map(|_| &variable);
     let odd = (lowest % whole.stride() == 1).then(|| quote!(* #x));
@@ -146,6 +155,7 @@ pub(super) fn nested(
     whole: &Whole,
     variable: &Ident,
     factors: Vec<TokenStream>,
+    names: &Names<'_>,
 ) -> TokenStream {
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
@@ -155,15 +165,24 @@ pub(super) fn nested(
         nested = match above {
             None => own,
             Some(above) => {
-                let steps = (above - exponent) / whole.stride();
-                let further = (1..steps).map(|_| variable);
+                let power = power(variable, (above - exponent) / whole.stride(), names);
                 let first = (!core::mem::take(&mut is_one)).then(|| quote!((#nested) *));
-                quote!(#own + #first #variable #(* #further)*)
+                quote!(#own + #first #power)
             }
         };
         above = Some(exponent);
     }
     nested
+}
+
+/// The variable's power of `exponent`, with as few products as there are for a high one.
+pub(super) fn power(variable: &Ident, exponent: u32, names: &Names<'_>) -> TokenStream {
+    if exponent > LONGEST_PRODUCT {
+        let (integer_power, exponent) = (names.generated("integer_power"), Literal::u32_unsuffixed(exponent));
+        return quote!(#integer_power(#variable, #exponent));
+    }
+    let further = (1..exponent).map(|_| variable);
+    quote!(#variable #(* #further)*)
 }
 
 fn by_powers(

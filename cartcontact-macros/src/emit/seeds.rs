@@ -5,14 +5,11 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, nested, terms};
+use super::power_sum::{Whole, nested, power, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
 use crate::number::{Rational, integer, literal};
 use crate::table::Table;
-
-/// The widest gap between powers that is written out as a product.
-const WIDEST_GAP: u32 = 8;
 
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(
@@ -96,8 +93,7 @@ fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
 /// bound.
 fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let Seeded { scaled: Scaled { load_integral, .. }, is_of_square_root } = seeded;
-    let whole = Whole::of(load_integral).filter(|whole| whole.largest_gap() <= WIDEST_GAP);
-    let Some(whole) = whole else {
+    let Some(whole) = Whole::of(load_integral) else {
         let (function, terms) =
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
         return quote!(#function(#a, #terms));
@@ -110,9 +106,9 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let sums = |variable: &Ident| {
         [
-            nested(load_integral, &whole, variable, of_value),
-            nested(&first, &whole, variable, of_first),
-            paired(&whole, variable, of_half_second),
+            nested(load_integral, &whole, variable, of_value, names),
+            nested(&first, &whole, variable, of_first, names),
+            paired(&whole, variable, of_half_second, names),
         ]
     };
     let steepness = steepness::value((&whole, *is_of_square_root), a, sums, &unit, names);
@@ -131,22 +127,19 @@ fn unit(load_integral: &PowerSum) -> Option<Rational> {
 ///
 /// Where both derivatives had the same form, compilers would put them side by side into one vector, and its halves had
 /// to wait for each other.
-fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>) -> TokenStream {
+fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>, names: &Names<'_>) -> TokenStream {
     // The variable's power from one exponent to another.
-    let power = |from: u32, to: u32| {
-        let further = (1..(to - from) / whole.stride()).map(|_| variable);
-        quote!(#variable #(* #further)*)
-    };
+    let between = |from: u32, to: u32| power(variable, (to - from) / whole.stride(), names);
     let is_odd = factors.len() % 2 == 1;
     let mut summands = factors.into_iter().zip(whole.exponents.iter().copied()).rev();
     let mut paired = if is_odd { summands.next() } else { None };
     while let (Some((high, upper)), Some((low, lower))) = (summands.next(), summands.next()) {
-        let step = power(lower, upper);
+        let step = between(lower, upper);
         let pair = quote!(#low + (#high) * #step);
         let pair = match paired {
             None => pair,
             Some((above, exponent)) => {
-                let step = power(lower, exponent);
+                let step = between(lower, exponent);
                 quote!((#pair) + (#above) * (#step))
             }
         };
