@@ -350,6 +350,48 @@ const _: () = {
                 }
             }
         }
+        #[inline(always)]
+        fn radius(
+            &self,
+            __load_integral: S,
+        ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let __limit = <S as __cartcontact::Scalar>::infinity();
+            match {
+                let __units = __cartcontact::generated::Squared(
+                    __cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                            <S as __cartcontact::Scalar>::constant(12.0f64),
+                        ),
+                        (
+                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                            <S as __cartcontact::Scalar>::constant(13.0f64),
+                        ),
+                        [],
+                        <S as __cartcontact::Scalar>::constant(1.828125f64),
+                    ),
+                );
+                __TABLE
+                    .radius(
+                        __load_integral,
+                        __limit,
+                        __units,
+                        |__a| __steepness(__a, [__c0, __c1]),
+                    )
+            } {
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
+                ::core::option::Option::None => {
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::GapProfile::radius_within(
+                            self,
+                            __load_integral,
+                            __cartcontact::GapProfile::max_radius(self),
+                        )
+                    })
+                }
+            }
+        }
         fn radii_within(
             &self,
             __load_integrals: &[S],

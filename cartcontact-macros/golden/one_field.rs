@@ -191,6 +191,39 @@ const _: () = {
                 }
             }
         }
+        #[inline(always)]
+        fn radius(
+            &self,
+            __load_integral: T,
+        ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let __limit = <T as __cartcontact::Scalar>::infinity();
+            match __TABLE
+                .radius(
+                    __load_integral,
+                    __limit,
+                    __cartcontact::generated::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                    >::of(
+                        __c0,
+                        <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                    ),
+                )
+            {
+                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
+                ::core::option::Option::None => {
+                    __cartcontact::generated::elsewhere(move || {
+                        __cartcontact::GapProfile::radius_within(
+                            self,
+                            __load_integral,
+                            __cartcontact::GapProfile::max_radius(self),
+                        )
+                    })
+                }
+            }
+        }
         fn radii_within(
             &self,
             __load_integrals: &[T],

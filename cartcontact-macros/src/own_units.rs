@@ -1,13 +1,17 @@
 //! [`Gap`] -> the terms of J in units of its own: where fields set no more than those, one table holds all radii.
 //!
-//! Let ℓ be the radius at which the first two terms of J = Σ j a^p are equal. With x = a/ℓ and J in units of j₁ ℓ^p₁,
+//! Let ℓ be the radius at which the first two terms of J = Σ j a^p have the same size. With x = a/ℓ and J in units of
+//! j₁ ℓ^p₁,
 //!
 //! ```text
-//! J = x^p₁ + x^p₂ + Σ κ x^p,    κ = (j/j₁) (j₂/j₁)^(−(p − p₁)/(p₂ − p₁))
+//! J = x^p₁ ± x^p₂ + Σ κ x^p,    κ = (j/j₁) |j₂/j₁|^(−(p − p₁)/(p₂ − p₁))
 //! ```
 //!
 //! Two terms have no κ at all. Of more, it is a number for gaps such as that of a ball, whatever its radius is, and of one
 //! that is multiplied by a field.
+//!
+//! **Signs.** A table is for one sign of each term. Where that of the second of two is not certain, it is the one that goes
+//! with positive fields: `c * r^2 - d * r^4` has a table for an oblate gap. Other values have none.
 
 use num_traits::ToPrimitive;
 
@@ -16,26 +20,34 @@ use crate::gap::Gap;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::number::integer;
 
-/// 1, 1 and every κ; none if one of them depends on fields, or is perhaps not positive.
+/// 1, ±1 and every κ; none if one of them depends on fields, or perhaps has another sign.
 pub(crate) fn factors(gap: &Gap, load_integral: &PowerSum) -> Option<Vec<f64>> {
     let [first, second, others @ ..] = load_integral.summands.as_slice() else { return None };
-    let mut factors = vec![1.0, 1.0];
     if others.is_empty() {
-        return Some(factors);
+        let [first, second] = [first, second].map(|summand| coefficient(gap, summand).usual_sign());
+        let is_oblate = first == Some(Sign::NotNegative) && second == Some(Sign::NotPositive);
+        return Some(vec![1.0, if is_oblate { -1.0 } else { 1.0 }]);
     }
     let per_first = coefficient(gap, first).power(&integer(-1)).ok()?;
-    let over_first = |summand: &Summand| {
-        let ratio = coefficient(gap, summand).multiply(&per_first);
-        (ratio.certain_sign() == Some(Sign::NotNegative)).then_some(ratio)
-    };
-    let of_second = over_first(second)?;
+    let over_first = |summand| with_sign(coefficient(gap, summand).multiply(&per_first));
+    let (sign, of_second) = over_first(second)?;
+    let mut factors = vec![1.0, sign];
     for summand in others {
         let order = (&summand.exponent - &first.exponent) / (&second.exponent - &first.exponent);
         let [above, below] = [order.numer(), order.denom()].map(|number| integer(number.clone()));
-        let power = over_first(summand)?.power(&below).ok()?.multiply(&of_second.power(&-above).ok()?);
-        factors.push(power.as_constant()?.to_f64()?.powf(below.recip().to_f64()?));
+        let (sign, ratio) = over_first(summand)?;
+        let power = ratio.power(&below).ok()?.multiply(&of_second.power(&-above).ok()?);
+        factors.push(sign * power.as_constant()?.to_f64()?.powf(below.recip().to_f64()?));
     }
     Some(factors)
+}
+
+/// The certain sign of a coefficient, and its size.
+fn with_sign(value: Coefficient) -> Option<(f64, Coefficient)> {
+    Some(match value.certain_sign()? {
+        Sign::NotNegative => (1.0, value),
+        Sign::NotPositive => (-1.0, value.negated()),
+    })
 }
 
 /// j.

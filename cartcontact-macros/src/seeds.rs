@@ -1,4 +1,4 @@
-//! [`Geometry`] -> [`Table`]: the contact radius to six digits as a table of cubics.
+//! [`Geometry`] -> [`Seeds`]: the contact radius to six digits as a table of cubics.
 //!
 //! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4,
 //! a(y) is so smooth within a quarter of an octave of y that a cubic meets it to 5 · 10⁻⁷. Rows of single precision
@@ -13,6 +13,8 @@
 //! evaluated as the solver will, in single precision, between its points and at an end, and with what it loses where
 //! single precision is all there is; the longest run of rows that stay below ε/8 is kept, and none if it is shorter than
 //! eight octaves.
+
+use core::ops::Range;
 
 use num_traits::ToPrimitive;
 
@@ -36,17 +38,24 @@ const CUT_OFF: f64 = 1.0 / 4096.0;
 /// Beyond the measured error, for what lies between the points of the check.
 const MARGIN: f64 = 1.25;
 
+/// A table, and the J that it is of.
+pub(crate) struct Seeds {
+    pub(crate) table: Table,
+    /// The coefficients of J, in units of its own where they are symbols.
+    pub(crate) factors: Vec<f64>,
+}
+
 /// The table of a geometry, if its rows are near enough to the radius; to its square root, if J has whole powers of that only.
-pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Table> {
+pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
     let load_integral = &seeded.scaled.load_integral;
-    let factors = if is_constant {
-        load_integral.summands.iter().map(|summand| summand.constant()?.to_f64()).collect()
+    let factors: Vec<f64> = if is_constant {
+        load_integral.summands.iter().map(|summand| summand.constant()?.to_f64()).collect::<Option<_>>()?
     } else {
-        own_units::factors(&geometry.gap, load_integral)
+        own_units::factors(&geometry.gap, load_integral)?
     };
     let exponents = load_integral.summands.iter().map(|summand| summand.exponent.to_f64());
-    let terms = factors?.into_iter().zip(exponents).map(|(factor, exponent)| Some((factor, exponent?)));
+    let terms = factors.iter().zip(exponents).map(|(&factor, exponent)| Some((factor, exponent?)));
     let terms: Vec<(f64, f64)> = terms.collect::<Option<_>>()?;
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
     let root = if seeded.is_of_square_root { 2.0 } else { 1.0 };
@@ -56,7 +65,23 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Table> {
     } else {
         sum.octaves_above_equality()
     };
-    sum.seeds(top?)
+    let top = top? * ROWS_PER_OCTAVE;
+    let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
+    let rows = sum.rows(bottom..top);
+    let table = if is_constant { Table::of(bottom, rows) } else { Table::of(bottom, before_first_gap(rows)) };
+    let table = table.filter(|table| table.rows.len() >= FEWEST_ROWS)?;
+    Some(Seeds { table, factors })
+}
+
+/// The rows as far as they come without a gap. Behind one, J may have turned back, and no radius be admissible: with
+/// constants, the range ends there.
+fn before_first_gap(rows: impl Iterator<Item = Option<Row>>) -> impl Iterator<Item = Option<Row>> {
+    let mut has_begun = false;
+    rows.take_while(move |row| {
+        let is_gap = has_begun && row.is_none();
+        has_begun |= row.is_some();
+        !is_gap
+    })
 }
 
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
@@ -96,25 +121,26 @@ impl LoadIntegral {
     ///
     /// The second is mostly the correction. Where its power is little more, it is one already many octaves of the radius
     /// before, and the window goes far down; where it is much more, both sides have radii that are 2.5 octaves away, or nearly.
+    /// Where the second is negative, J turns back before.
     fn octaves_above_equality(&self) -> Option<i32> {
-        let [(_, first), (_, second), ..] = self.terms[..] else { return None };
+        let [(_, first), (sign, second), ..] = self.terms[..] else { return None };
+        if sign < 0.0 {
+            return Some(0);
+        }
         let octaves_of_radius = (2.0 * (second - first) / self.root).min(2.5);
         Some((second / self.root * octaves_of_radius).min(MOST_OCTAVES_ABOVE_EQUALITY) as i32)
     }
 
-    /// The table of the octaves up to y = 2^`top`.
-    fn seeds(&self, top: i32) -> Option<Table> {
-        let top = top * ROWS_PER_OCTAVE;
-        let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
-        let mut low = self.radius(lower_end(bottom));
-        let rows = (bottom..top).map(|index| {
+    /// The rows with these indices, where they pass the check.
+    fn rows(&self, indices: Range<i32>) -> impl Iterator<Item = Option<Row>> {
+        let mut low = self.radius(lower_end(indices.start));
+        let rows = indices.map(move |index| {
             let high = low.and_then(|low| self.radius_near(low, lower_end(index + 1)));
             let ends = core::mem::replace(&mut low, high).zip(high)?;
             self.row(index, ends)
         });
         // In the order that the solver has them in.
-        let rows = rows.map(|row| row.map(|([c0, c1, c2, c3], is_held)| ([c0, c2, c1, c3], is_held)));
-        Table::of(bottom, rows).filter(|table| table.rows.len() >= FEWEST_ROWS)
+        rows.map(|row| row.map(|([c0, c1, c2, c3], is_held)| ([c0, c2, c1, c3], is_held)))
     }
 
     fn at(&self, a: f64) -> Derivatives {

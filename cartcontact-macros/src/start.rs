@@ -5,12 +5,11 @@ use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
 use crate::roots::{self, Roots};
-use crate::seeds;
-use crate::table::Table;
+use crate::seeds::{self, Seeds};
 
 pub(crate) enum Start {
     /// A step from the radius to six digits, in a table.
-    Seeds(Table),
+    Seeds(Seeds),
     /// A series from the radius in the middle of a row, where the gap is one term.
     Roots(Roots),
     /// Steps from the radius that one term has alone, where coefficients are symbols and no table holds them all.

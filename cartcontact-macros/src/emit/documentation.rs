@@ -212,7 +212,7 @@ fn solution(start: Option<&Start>, gap: &Gap) -> String {
     let table = match start {
         Start::Roots(roots) if roots.periods_of.is_some() => return format!("{step}."),
         Start::Roots(roots) => &roots.table,
-        Start::Seeds(table) => table,
+        Start::Seeds(seeds) => &seeds.table,
         Start::LeadingTerm => return String::new(),
     };
     let [from, to] = table.range();

@@ -8,7 +8,9 @@ use super::power_sum::{self, Whole, terms};
 use super::{Names, leading_term, local, roots, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::{Gap, Term};
+use crate::geometry::{Geometry, Range};
 use crate::number::{integer, literal};
+use crate::proof::Proof;
 use crate::start::Start;
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
@@ -19,17 +21,19 @@ const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
 /// The methods that the inversion of J is, and what else is asked of J: drops, and slopes with them.
 pub(super) fn methods(
-    gap: &Gap,
+    geometry: &Geometry,
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let Names { krate, scalar } = names;
+    let (gap, Names { krate, scalar }) = (&geometry.gap, names);
     let preamble = coefficients.preamble();
     let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
     let general = general(gap, forms, coefficients, names);
     let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
+    let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
+    let unlimited = unlimited.map(|found| unlimited_radius(found, coefficients, names));
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
         None => general,
@@ -49,6 +53,8 @@ pub(super) fn methods(
             #preamble
             #radius
         }
+
+        #unlimited
 
         #radii_within
 
@@ -72,9 +78,9 @@ fn from_start(
             let radii = roots::radii(table, sum, coefficients, names);
             (roots::radius(table, sum, coefficients, names), Some(radii))
         }
-        Start::Seeds(_) => {
-            let radii = seeds::radii(&forms.seeded, coefficients, names);
-            (seeds::radius(&forms.seeded, coefficients, names), Some(radii))
+        Start::Seeds(table) => {
+            let radii = seeds::radii(table, &forms.seeded, coefficients, names);
+            (seeds::radius(table, &forms.seeded, coefficients, names), Some(radii))
         }
         Start::LeadingTerm => {
             let radii = leading_term::radii(forms, coefficients, names);
@@ -90,6 +96,33 @@ fn inlining(gap: &Gap, start: Option<&Start>) -> TokenStream {
         Some(Start::Roots(_)) => quote!(#[inline(always)]),
         Some(Start::Seeds(_)) if !gap.is_constant() => quote!(#[inline(always)]),
         _ => quote!(#[inline]),
+    }
+}
+
+/// Whether the values of fields end the range, and it does not end where the table has rows: in units of its own all radii
+/// of the table are admissible.
+fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
+    matches!(geometry.range, Range::Unbounded)
+        && matches!(geometry.proof, Proof::AtRunTime)
+        && geometry.truncation.is_none()
+        && matches!(start, Some(Start::Seeds(_) | Start::Roots(_)))
+}
+
+/// The radius without a limit that is asked for, from the table before the range is searched for its end.
+fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+    let (Names { krate, scalar }, preamble) = (names, coefficients.preamble());
+    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    let general = quote! {
+        #krate::GapProfile::radius_within(self, #load_integral, #krate::GapProfile::max_radius(self))
+    };
+    let radius = found_or_general(found, &general, names);
+    quote! {
+        #[inline(always)]
+        fn radius(&self, #load_integral: #scalar) -> ::core::result::Result<#scalar, #krate::RadiusError> {
+            #preamble
+            let #limit = <#scalar as #krate::Scalar>::infinity();
+            #radius
+        }
     }
 }
 

@@ -70,7 +70,7 @@ pub(crate) fn solver(
     let coefficients = Coefficients::new(item, geometry, &names);
     let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
     let start = Start::of(geometry, &forms);
-    let inversion = inversion::methods(&geometry.gap, &forms, start.as_ref(), &coefficients, &names);
+    let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients, &names);
     let beside_inversion = beside_inversion(&forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
@@ -150,7 +150,7 @@ fn beside_inversion(
 ) -> Option<TokenStream> {
     match start? {
         Start::Roots(roots) => Some(roots::item(roots, names)),
-        Start::Seeds(table) => Some(seeds::items(table, &forms.seeded, coefficients, names)),
+        Start::Seeds(found) => Some(seeds::items(found, &forms.seeded, coefficients, names)),
         Start::LeadingTerm => leading_term::items(&forms.stepped.load_integral, names),
     }
 }

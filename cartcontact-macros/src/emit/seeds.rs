@@ -9,25 +9,30 @@ use super::power_sum::{Whole, nested, power, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
 use crate::number::{Rational, integer, literal};
-use crate::table::Table;
+use crate::seeds::Seeds;
 
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(
-    table: &Table,
+    seeds: &Seeds,
     seeded: &Seeded,
     coefficients: &Coefficients<'_>,
     names: &Names<'_>,
 ) -> TokenStream {
-    let (table, a) = (table::item(table, names), local("a"));
+    let (table, a) = (table::item(&seeds.table, names), local("a"));
     let body = body(seeded, &a, coefficients, names);
     let function = steepness::function(&a, coefficients.variables(), &body, names);
     quote!(#table #function)
 }
 
 /// The radius from the table, if it is there.
-pub(super) fn radius(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn radius(
+    seeds: &Seeds,
+    seeded: &Seeded,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
     let (variables, _) = coefficients.variables();
-    let binding = units(seeded, coefficients, names);
+    let binding = units(seeds, seeded, coefficients, names);
     let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let (table, steepness) = (table::name(), steepness::name());
     quote!({
@@ -37,9 +42,14 @@ pub(super) fn radius(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &N
 }
 
 /// The radii of a slice from the table, and elsewhere by `radius_within`.
-pub(super) fn radii(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn radii(
+    seeds: &Seeds,
+    seeded: &Seeded,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
     let (krate, (variables, _)) = (names.krate, coefficients.variables());
-    let binding = units(seeded, coefficients, names);
+    let binding = units(seeds, seeded, coefficients, names);
     let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     let (table, steepness) = (table::name(), steepness::name());
@@ -58,25 +68,13 @@ pub(super) fn radii(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Na
 }
 
 /// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.
-fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
     let units = local("units");
-    let constant = |value: &Rational| {
-        let (constant, literal) = (names.constant(), literal(value));
-        quote!(#constant(#literal))
-    };
-    let Seeded { scaled, is_of_square_root } = seeded;
-    let (summands, per_unit) = (scaled.load_integral.summands.as_slice(), constant(&scaled.per_unit));
-    let own = match summands {
-        [low, high, others @ ..] if !summands.iter().all(|summand| summand.constant().is_some()) => {
-            let equal_terms = names.generated("EqualTerms");
-            let [low, high] = [low, high].map(|summand| {
-                let (coefficient, exponent) = (coefficients.factor(summand), constant(&summand.exponent));
-                quote!((#coefficient, #exponent))
-            });
-            let others = others.iter().map(|summand| coefficients.factor(summand));
-            quote!(#equal_terms::of(#low, #high, [#(#others),*], #per_unit))
-        }
-        _ => names.generated("OwnUnits"),
+    let Seeded { scaled: Scaled { load_integral, per_unit }, is_of_square_root } = seeded;
+    let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
+        names.generated("OwnUnits")
+    } else {
+        equal_terms(seeds, load_integral, per_unit, coefficients, names)
     };
     if *is_of_square_root {
         let squared = names.generated("Squared");
@@ -84,6 +82,31 @@ fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
     } else {
         quote!(let #units = #own;)
     }
+}
+
+/// The units in which the first two terms have the same size, from the sizes of all: a coefficient with another sign than
+/// in the table is negative there.
+fn equal_terms(
+    seeds: &Seeds,
+    load_integral: &PowerSum,
+    per_unit: &Rational,
+    coefficients: &Coefficients<'_>,
+    names: &Names<'_>,
+) -> TokenStream {
+    let constant = |value: &Rational| {
+        let (constant, literal) = (names.constant(), literal(value));
+        quote!(#constant(#literal))
+    };
+    let sizes = load_integral.summands.iter().zip(&seeds.factors).map(|(summand, &factor)| {
+        let coefficient = coefficients.factor(summand);
+        if factor < 0.0 { quote!(-(#coefficient)) } else { coefficient }
+    });
+    let sizes: Vec<TokenStream> = sizes.collect();
+    let exponents = load_integral.summands.iter().map(|summand| constant(&summand.exponent));
+    let first_two = sizes.iter().zip(exponents).take(2).map(|(size, exponent)| quote!((#size, #exponent)));
+    let others = sizes.iter().skip(2);
+    let (equal_terms, per_unit) = (names.generated("EqualTerms"), constant(per_unit));
+    quote!(#equal_terms::of(#(#first_two,)* [#(#others),*], #per_unit))
 }
 
 /// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.

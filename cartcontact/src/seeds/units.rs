@@ -46,8 +46,8 @@ impl<T: Scalar> Units<T> for OwnUnits {
     }
 }
 
-/// Those in which J = j aᵖ + j′ aᵖ′ + … is xᵖ + xᵖ′ + …, so that all such J have the same table if other terms have the same
-/// factors there: the radius at which the first two are equal, and the value that they have there.
+/// Those in which J = j aᵖ ± j′ aᵖ′ + … is xᵖ ± xᵖ′ + …, so that all such J have the same table if other terms have the same
+/// factors there: the radius at which the first two have the same size, and that size.
 #[derive(Clone, Copy, Debug)]
 pub struct EqualTerms<T> {
     radius: T,
@@ -56,8 +56,8 @@ pub struct EqualTerms<T> {
 }
 
 impl<T: Scalar> EqualTerms<T> {
-    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, the coefficients of all others, and what load integrals are
-    /// multiplied by, see `Target`.
+    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, the coefficients of all others, each with its sign in the table
+    /// taken from it, and what load integrals are multiplied by, see `Target`.
     ///
     /// If all j and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±71 b, J′/a^(p−1) within as much,
     /// and aᵖ within 2^±64 b²: none of their products in a step leaves the format. In single precision all these are 20 octaves
@@ -67,7 +67,7 @@ impl<T: Scalar> EqualTerms<T> {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let [least, most] = [least, most].map(T::constant);
         let (radius, load_integral) = equal_terms(low, high);
-        // Terms of different sign have NaN for a unit, for which no comparison holds.
+        // A term with another sign than in the table has a negative size; the unit may be NaN then, or not.
         let has_table = [load_integral, low.0, high.0]
             .iter()
             .chain(&others)

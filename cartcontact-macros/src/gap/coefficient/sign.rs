@@ -17,23 +17,33 @@ pub(crate) enum Sign {
 impl Coefficient {
     /// Nothing if the sign depends on the fields.
     pub(crate) fn certain_sign(&self) -> Option<Sign> {
-        let mut signs = self.products.iter().map(Product::certain_sign);
+        self.sign(|is_positive| is_positive)
+    }
+
+    /// The sign that goes with positive fields, as those are which measure something; nothing if it depends on their values.
+    pub(crate) fn usual_sign(&self) -> Option<Sign> {
+        self.sign(|_| true)
+    }
+
+    /// The sign if those fields are positive of which `is_positive` says so, from whether they are declared to be.
+    fn sign(&self, is_positive: fn(bool) -> bool) -> Option<Sign> {
+        let mut signs = self.products.iter().map(|product| product.sign(is_positive));
         let first = signs.next()??;
         signs.all(|sign| sign == Some(first)).then_some(first)
     }
 }
 
 impl Product {
-    fn certain_sign(&self) -> Option<Sign> {
+    fn sign(&self, is_positive: fn(bool) -> bool) -> Option<Sign> {
         let mut negative = self.number.is_negative();
         for (atom, exponent) in self.powers.iter() {
             if !exponent.is_integer() || exponent.numer().is_even() {
                 continue;
             }
             match atom {
-                Atom::Field { is_positive: true, .. } => {}
+                Atom::Field { is_positive: is_declared, .. } if is_positive(*is_declared) => {}
                 Atom::Field { .. } => return None,
-                Atom::Whole(inner) => negative ^= inner.certain_sign()? == Sign::NotPositive,
+                Atom::Whole(inner) => negative ^= inner.sign(is_positive)? == Sign::NotPositive,
             }
         }
         Some(if negative { Sign::NotPositive } else { Sign::NotNegative })
@@ -73,5 +83,7 @@ mod tests {
         assert_eq!(cubed.negated().certain_sign(), Some(Sign::NotPositive));
         assert_eq!(a.multiply(&b).certain_sign(), None);
         assert_eq!(a.add(&Coefficient::constant(-Rational::one())).certain_sign(), None);
+        assert_eq!(a.multiply(&b).negated().usual_sign(), Some(Sign::NotPositive));
+        assert_eq!(a.add(&b.negated()).usual_sign(), None);
     }
 }

@@ -1,0 +1,166 @@
+//! Contact radii of gaps whose first term is positive and the second negative for positive fields, as those of oblate
+//! surfaces are: the same table holds them up to where they are admissible no more.
+
+use cartcontact::{GapProfile, Polynomial, RadiusError, gap_profile};
+use tests::budget;
+use tests::condition::of_radius;
+use tests::measure::Errors;
+use tests::radii::{assert_same_one_by_one, exact_radius};
+use tests::random::Stream;
+
+#[gap_profile(c * r^2 - d * r^4)]
+struct Oblate<T> {
+    c: T,
+    d: T,
+}
+
+#[gap_profile(c * r^2 - d * r^12)]
+struct Rimmed<T> {
+    c: T,
+    d: T,
+}
+
+#[gap_profile(c * r^1.5 - d * r^2.5)]
+struct Halves<T> {
+    c: T,
+    d: T,
+}
+
+#[gap_profile(c * (0.02 * r^2 - r^3 / (100 * d)), positive)]
+struct Scaled<T> {
+    c: T,
+    d: T,
+}
+
+/// With three terms in one unit, of which the last turns J upwards again.
+#[gap_profile(c * (r^2 / d - 0.4 * r^4 / d^3 + 0.02 * r^6 / d^5), positive)]
+struct Turning<T> {
+    c: T,
+    d: T,
+}
+
+/// So many times its condition a radius may be off as one of positive terms is: J is a difference, and its slope less than
+/// the fourfold value by which that of positive terms divides errors of J.
+const OF_DIFFERENCES: f64 = 2.0;
+
+type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
+
+/// A geometry of two fields, with its terms as they are in the arithmetic of the scalar.
+struct Kind {
+    double: fn(f64, f64) -> Found<f64>,
+    single: fn(f32, f32) -> Found<f32>,
+}
+
+macro_rules! kinds {
+    ($($name:ident),*) => {
+        [$(Kind {
+            double: |c, d| ($name { c, d }.terms().to_vec(), Box::new($name { c, d })),
+            single: |c, d| ($name { c, d }.terms().to_vec(), Box::new($name { c, d })),
+        }),*]
+    };
+}
+
+const KINDS: [Kind; 5] = kinds![Oblate, Rimmed, Halves, Scaled, Turning];
+
+/// The geometry with all terms positive.
+fn of_sizes(terms: &[(f64, f64)]) -> Polynomial<f64, Vec<(f64, f64)>> {
+    let sizes = terms.iter().map(|&(c, n)| (c.abs(), n)).collect();
+    Polynomial::new(sizes).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+#[test]
+fn radii_are_exact_up_to_their_condition() {
+    let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
+    for (index, kind) in (0..).zip(&KINDS) {
+        let mut stream = Stream::of_case(1, index);
+        for _ in 0..300 {
+            let share = stream.one_of(&[1e-4, 1e-2, 0.3, 0.6, 0.9, 0.99]) * stream.between(0.5, 1.0);
+            let (c, d) = (stream.magnitude(-3.0, 3.0), stream.magnitude(-3.0, 3.0));
+            let (terms, profile) = (kind.double)(c, d);
+            let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
+            let found = profile.radius(load_integral).unwrap_or(f64::NAN);
+            let condition = OF_DIFFERENCES * of_radius(&*profile, &of_sizes(&terms), found);
+            let place = (index, c, d, share);
+            errors.add(found, exact_radius(&terms, load_integral), condition, &place);
+
+            // Smaller ones have fewer digits for J.
+            let share = share.max(0.05) as f32;
+            let (terms, profile) = (kind.single)(c.sqrt() as f32, d.sqrt() as f32);
+            let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
+            let found = f64::from(profile.radius(load_integral).unwrap_or(f32::NAN));
+            let terms: Vec<(f64, f64)> = terms.into_iter().map(|(c, n)| (c.into(), n.into())).collect();
+            let same = Polynomial::new(&terms[..]).unwrap_or_else(|error| unreachable!("{error}"));
+            let condition = OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
+            errors_of_single.add(found, exact_radius(&terms, load_integral.into()), condition, &place);
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+/// The table is asked before the range, and has to agree with it.
+#[test]
+fn no_radius_lies_beyond_the_range() {
+    for (index, kind) in (0..).zip(&KINDS) {
+        let mut stream = Stream::of_case(2, index);
+        for _ in 0..100 {
+            let (_, profile) = (kind.double)(stream.magnitude(-3.0, 3.0), stream.magnitude(-3.0, 3.0));
+            let limit = profile.max_radius();
+            if limit == f64::INFINITY {
+                continue;
+            }
+            let largest = profile.load_integral(limit);
+            for share in [0.5, 0.99, 0.999_999, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.000_001, 1.1, 2.0, 1e3] {
+                let load_integral = share * largest;
+                let found = profile.radius(load_integral);
+                assert_eq!(found, profile.radius_within(load_integral, limit), "{index}: {share}");
+                let is_inside = found.is_ok_and(|radius| radius <= limit);
+                assert_eq!(is_inside, share <= 1.0, "{index}: {share}, {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn fields_of_other_signs_have_their_own_radii() {
+    for (c, d) in [(0.02, -1e-4), (0.02, 0.0), (3.0, -1e3)] {
+        let polynomial =
+            Polynomial::new([(c, 2.0), (-d, 4.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+        for load_integral in [1e-6, 1.0, 1e5] {
+            let found = Oblate { c, d }.radius(load_integral).unwrap_or(f64::NAN);
+            let expected = polynomial.radius(load_integral).unwrap_or(f64::NAN);
+            assert!((found / expected - 1.0).abs() <= 2.0 * f64::EPSILON, "{c}, {d}: {found}, {expected}");
+        }
+    }
+    for (c, d) in [(-0.02, 1e-4), (-0.02, -1e-4), (f64::NAN, 1e-4), (0.02, f64::NAN)] {
+        let profile = Oblate { c, d };
+        assert!(profile.check().is_err(), "{c}, {d}");
+        assert!(matches!(profile.radius(1.0), Err(RadiusError::BeyondRange { .. })), "{c}, {d}");
+    }
+}
+
+#[test]
+fn other_units_change_no_digit() {
+    let mut stream = Stream::of_case(3, 0);
+    for _ in 0..1000 {
+        let (c, d) = (stream.magnitude(-3.0, 3.0), stream.magnitude(-3.0, 3.0));
+        let load_integral = stream.between(1e-9, 1.0) * Oblate { c, d }.load_integral((0.7 * c / d).sqrt());
+        // Coefficients stay between 1e-60 and 1e60, for which there is a table.
+        let [length, size] = [15, 100].map(|range| 2f64.powi(stream.below(2 * range) as i32 - range as i32));
+        let scaled = Oblate { c: c * size / length.powi(2), d: d * size / length.powi(4) };
+        let radius = Oblate { c, d }.radius(load_integral).unwrap_or(f64::NAN);
+        let found = scaled.radius(load_integral * size * length.powi(4)).unwrap_or(f64::NAN);
+        assert_eq!(found, radius * length, "{c:e}, {d:e}, {load_integral:e}, {length:e}, {size:e}");
+    }
+}
+
+#[test]
+fn slices_have_the_same_radii() {
+    for (index, kind) in (0..).zip(&KINDS) {
+        let (_, profile) = (kind.double)(0.3, 20.0);
+        let largest = profile.load_integral(profile.max_radius().min(50.0));
+        let mut stream = Stream::of_case(4, index);
+        let load_integrals: Vec<f64> = (0..300).map(|_| largest * stream.magnitude(-9.0, 0.0)).collect();
+        assert_same_one_by_one(&*profile, &load_integrals, &index);
+    }
+}
