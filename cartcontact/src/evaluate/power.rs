@@ -73,20 +73,25 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
     })
 }
 
-/// Where the terms c x^p and d x^q, p < q, are equal, and their value there, both within some digits.
-#[inline]
+/// Where the terms c x^p and d x^q, 0 < p < q, are equal, and the reciprocal of their value there, both within some digits.
+///
+/// The reciprocal is one of powers of d/c, if that is x or x²: it does not wait for x. Compiled to where exponents are
+/// constants, of which only products are left.
+#[inline(always)]
 pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
-    let (ratio, order) = (c / d, q - p);
-    let x = if order == T::one() {
-        ratio
-    } else if order == T::constant(2.0) {
-        ratio.sqrt()
-    } else if order == T::constant(4.0) {
-        ratio.sqrt().sqrt()
-    } else {
-        root(ratio, order)
-    };
-    (x, quick_term(c, x, Exponent::of(p)))
+    let (ratio, inverse, order) = (c / d, d / c, q - p);
+    let Exponent { whole, fraction, .. } = Exponent::of(p);
+    let is_whole = fraction.is_zero();
+    if order == T::one() && is_whole {
+        return (ratio, c.recip() * integer_power(inverse, whole as u32));
+    }
+    if order == T::constant(2.0) && is_whole {
+        let even = c.recip() * integer_power(inverse, whole as u32 / 2);
+        return (ratio.sqrt(), if whole & 1 == 1 { even * inverse.sqrt() } else { even });
+    }
+    let x = if order == T::constant(4.0) { ratio.sqrt().sqrt() } else { root(ratio, order) };
+    let whole_term = quick_whole_term(c, x, whole as u32);
+    (x, (if is_whole { whole_term } else { whole_term * fractional_power(x, fraction) }).recip())
 }
 
 /// x^(1/p) of a positive number, from which whole periods of octaves are taken out first: other units by powers of two
@@ -310,16 +315,19 @@ mod tests {
     /// Lengths times 16, so that quarters are whole, too.
     #[test]
     fn terms_are_equal_at_the_same_place_in_other_units() {
-        for (p, q) in [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75), (6.0, 7.0)] {
+        let exponents = [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75)];
+        for (p, q) in
+            exponents.into_iter().chain([(6.0, 7.0), (6.0, 8.0), (7.0, 9.0), (6.0, 10.0), (5.5, 7.5)])
+        {
             for k in 1..200 {
                 let (c, d) = (f64::from(k) / 7.0, 0.3 + f64::from(k % 17));
-                let (x, value) = equal_terms((c, p), (d, q));
-                let share = |j: f64, p: f64| (value / (j * x.powf(p)) - 1.0).abs();
+                let (x, per_value) = equal_terms((c, p), (d, q));
+                let share = |j: f64, p: f64| (per_value * (j * x.powf(p)) - 1.0).abs();
                 assert!(share(c, p) < 1e-12 && share(d, q) < 1e-12, "{c} {p} {d} {q}");
                 for octaves in [-8, -4, 4, 8] {
                     let unit = |p: f64| 2f64.powf(-p * f64::from(octaves));
                     let found = equal_terms((c * unit(p), p), (d * unit(q), q));
-                    assert_eq!(found, (x * 2f64.powi(octaves), value), "{c} {p} {d} {q}");
+                    assert_eq!(found, (x * 2f64.powi(octaves), per_value), "{c} {p} {d} {q}");
                 }
             }
         }

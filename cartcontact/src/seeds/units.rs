@@ -66,18 +66,14 @@ impl<T: Scalar> EqualTerms<T> {
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let [least, most] = [least, most].map(T::constant);
-        let (radius, load_integral) = equal_terms(low, high);
+        let (radius, per_size) = equal_terms(low, high);
         // A term with another sign than in the table has a negative size; the unit may be NaN then, or not.
-        let has_table = [load_integral, low.0, high.0]
+        let has_table = [per_size, low.0, high.0]
             .iter()
             .chain(&others)
             .fold(true, |all, &j| all & (least <= j) & (j <= most));
         // Zero lies in no table.
-        Self {
-            radius,
-            per_load_integral: if has_table { per_unit / load_integral } else { T::zero() },
-            per_unit,
-        }
+        Self { radius, per_load_integral: if has_table { per_unit * per_size } else { T::zero() }, per_unit }
     }
 }
 
