@@ -3,7 +3,6 @@
 use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use syn::ext::IdentExt;
 
 use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
@@ -13,6 +12,7 @@ use crate::geometry::{Geometry, Range};
 use crate::number::{integer, literal};
 use crate::proof::Proof;
 use crate::reading::item::{Field, Item};
+use crate::reading::name::unraw;
 
 pub(super) fn methods(
     item: &Item,
@@ -193,10 +193,6 @@ impl Checked<'_> {
     fn named(&self, wanted: fn(&Field) -> bool) -> (TokenStream, Vec<String>, Vec<Ident>) {
         let bindings = self.coefficients.fields(&quote!(self), &wanted);
         let fields = self.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
-        (
-            bindings,
-            fields.clone().map(|field| field.unraw().to_string()).collect(),
-            fields.map(field_variable).collect(),
-        )
+        (bindings, fields.clone().map(unraw).collect(), fields.map(field_variable).collect())
     }
 }
