@@ -2,7 +2,7 @@
 //!
 //! Style of a message: lowercase, the rule first, the remedy after `;`, in the words of the field.
 
-use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream};
+use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 
 /// A stretch of source: the first and the last token of what a message points at.
@@ -20,10 +20,12 @@ impl Extent {
     }
 
     /// The extent of some tokens, or `otherwise` if there are none.
-    pub(crate) fn of(tokens: impl IntoIterator<Item = impl Into<Span>>, otherwise: Span) -> Self {
-        let mut spans = tokens.into_iter().map(Into::into);
-        let first = spans.next().unwrap_or(otherwise);
-        Extent { first, last: spans.last().unwrap_or(first) }
+    pub(crate) fn of(tokens: &[TokenTree], otherwise: Span) -> Self {
+        match tokens {
+            [] => otherwise.into(),
+            [only] => only.span().into(),
+            [first, .., last] => Extent { first: first.span(), last: last.span() },
+        }
     }
 }
 
@@ -50,7 +52,9 @@ impl Diagnostics {
 
     /// One `compile_error!` for each fault.
     pub(crate) fn into_compile_errors(self) -> TokenStream {
-        self.faults.into_iter().map(|(extent, message)| compile_error(extent, &message)).collect()
+        let errors = self.faults.iter().map(|(extent, message)| compile_error(*extent, message));
+        let errors: Vec<TokenStream> = errors.collect();
+        quote!(#(#errors)*)
     }
 
     #[cfg(test)]

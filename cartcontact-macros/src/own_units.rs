@@ -31,7 +31,7 @@ pub(crate) fn factors(gap: &Gap, load_integral: &PowerSum) -> Option<Vec<f64>> {
     let of_second = over_first(second)?;
     for summand in others {
         let order = (&summand.exponent - &first.exponent) / (&second.exponent - &first.exponent);
-        let [above, below] = [order.numer(), order.denom()].map(|number| integer(number.clone()));
+        let (above, below) = (integer(order.numer().clone()), integer(order.denom().clone()));
         let power = over_first(summand)?.power(&below).ok()?.multiply(&of_second.power(&-above).ok()?);
         factors.push(power.as_constant()?.to_f64()?.powf(below.recip().to_f64()?));
     }

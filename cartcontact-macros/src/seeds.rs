@@ -45,9 +45,10 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Table> {
     } else {
         own_units::factors(&geometry.gap, load_integral)
     };
-    let exponents = load_integral.summands.iter().map(|summand| summand.exponent.to_f64());
-    let terms = factors?.into_iter().zip(exponents).map(|(factor, exponent)| Some((factor, exponent?)));
-    let terms: Vec<(f64, f64)> = terms.collect::<Option<_>>()?;
+    let mut terms = Vec::new();
+    for (factor, summand) in factors?.into_iter().zip(&load_integral.summands) {
+        terms.push((factor, summand.exponent.to_f64()?));
+    }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
     let root = if seeded.is_of_square_root { 2.0 } else { 1.0 };
     let sum = LoadIntegral::new(terms, root, largest_single);
@@ -110,11 +111,11 @@ impl LoadIntegral {
         let rows = (bottom..top).map(|index| {
             let high = low.and_then(|low| self.radius_near(low, lower_end(index + 1)));
             let ends = core::mem::replace(&mut low, high).zip(high)?;
-            self.row(index, ends)
+            let ([c0, c1, c2, c3], is_held) = self.row(index, ends)?;
+            // In the order that the solver has them in.
+            Some(([c0, c2, c1, c3], is_held))
         });
-        // In the order that the solver has them in.
-        let rows = rows.map(|row| row.map(|([c0, c1, c2, c3], is_held)| ([c0, c2, c1, c3], is_held)));
-        Table::of(bottom, rows).filter(|table| table.rows.len() >= FEWEST_ROWS)
+        Table::of(bottom, &rows.collect::<Vec<_>>()).filter(|table| table.rows.len() >= FEWEST_ROWS)
     }
 
     fn at(&self, a: f64) -> Derivatives {

@@ -84,11 +84,10 @@ pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
     let whole = whole(sum)?;
     let (count, a) = (whole.exponents.len(), local("a"));
     let variables: Vec<Ident> = (0..count).map(|index| local(&format!("j{index}"))).collect();
-    let sums = |variable: &Ident| {
-        let weighted = |weight: fn(u32) -> u32| nested(&whole, variable, &variables, weight, names);
-        [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)]
-    };
-    let body = steepness::value((&whole, false), &a, sums, &Rational::one(), names);
+    let (_, variable) = whole.variable(&a);
+    let weighted = |weight: fn(u32) -> u32| nested(&whole, &variable, &variables, weight, names);
+    let sums = [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)];
+    let body = steepness::value((&whole, false), &a, &sums, &Rational::one(), names);
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }
 
@@ -97,7 +96,7 @@ fn nested(
     whole: &Whole,
     variable: &Ident,
     coefficients: &[Ident],
-    weight: impl Fn(u32) -> u32,
+    weight: fn(u32) -> u32,
     names: &Names<'_>,
 ) -> TokenStream {
     let mut nested = TokenStream::new();

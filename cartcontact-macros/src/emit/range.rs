@@ -138,8 +138,8 @@ impl Checked<'_> {
         let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
         let truncation = self.geometry.truncation.iter();
         let surfaces = truncation.flat_map(|truncation| &truncation.unchecked).map(|surface| {
-            let [radius, shape] =
-                [&surface.radius, &surface.shape].map(|value| in_fields(value, self.coefficients));
+            let radius = in_fields(&surface.radius, self.coefficients);
+            let shape = in_fields(&surface.shape, self.coefficients);
             quote!((#radius, #shape))
         });
         let surfaces: Vec<TokenStream> = surfaces.collect();

@@ -72,10 +72,11 @@ fn units(seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) ->
     let own = match summands {
         [low, high, others @ ..] if !summands.iter().all(|summand| summand.constant().is_some()) => {
             let equal_terms = names.generated("EqualTerms");
-            let [low, high] = [low, high].map(|summand| {
+            let term = |summand: &Summand| {
                 let (coefficient, exponent) = (coefficients.factor(summand), constant(&summand.exponent));
                 quote!((#coefficient, #exponent))
-            });
+            };
+            let (low, high) = (term(low), term(high));
             let others = others.iter().map(|summand| coefficients.factor(summand));
             quote!(#equal_terms::of(#low, #high, [#(#others),*], #per_unit))
         }
@@ -108,14 +109,13 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     let (values, of_value) = coefficients.bound("value", load_integral);
     let (firsts, of_first) = coefficients.bound("first", &first);
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
-    let sums = |variable: &Ident| {
-        [
-            nested(load_integral, &whole, variable, of_value),
-            nested(&first, &whole, variable, of_first),
-            paired(&whole, variable, of_half_second),
-        ]
-    };
-    let steepness = steepness::value((&whole, *is_of_square_root), a, sums, &unit, names);
+    let (_, variable) = whole.variable(a);
+    let sums = [
+        nested(load_integral, &whole, &variable, of_value),
+        nested(&first, &whole, &variable, of_first),
+        paired(&whole, &variable, of_half_second),
+    ];
+    let steepness = steepness::value((&whole, *is_of_square_root), a, &sums, &unit, names);
     quote!(#values #firsts #half_seconds #steepness)
 }
 

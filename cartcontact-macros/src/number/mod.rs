@@ -33,7 +33,10 @@ pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigI
 
 /// Of fractions; the long ones come first, as the others are likely to divide these.
 pub(crate) fn common_denominator<'a>(fractions: impl Iterator<Item = &'a Rational>) -> BigInt {
-    let mut denominators: Vec<&BigInt> = fractions.map(Rational::denom).collect();
+    common_multiple(fractions.map(Rational::denom).collect())
+}
+
+fn common_multiple(mut denominators: Vec<&BigInt>) -> BigInt {
     denominators.sort_by_key(|denominator| core::cmp::Reverse(denominator.bits()));
     let mut common = BigInt::one();
     for denominator in denominators {

@@ -138,7 +138,7 @@ impl Attribute {
             if last_of_path(&path).is_some() {
                 self.crate_path = Some(quote!(#(#path)*));
             } else {
-                let place = Extent::of(path.iter().map(TokenTree::span), equals);
+                let place = Extent::of(&path, equals);
                 diagnostics
                     .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`");
             }

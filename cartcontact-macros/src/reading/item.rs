@@ -51,7 +51,7 @@ pub(crate) fn with_one_profile(input: TokenStream, diagnostics: &mut Diagnostics
     let mut tokens: Vec<TokenTree> = input.into_iter().collect();
     while let Some(position) = tokens.windows(2).position(is_gap_profile) {
         let attribute: Vec<TokenTree> = tokens.drain(position..position + 2).collect();
-        let place = Extent::of(attribute.iter().map(TokenTree::span), Span::call_site());
+        let place = Extent::of(&attribute, Span::call_site());
         diagnostics
             .report(place, "a struct has one gap profile; remove this one, or write another struct for it");
     }
@@ -71,7 +71,7 @@ fn is_gap_profile(pair: &[TokenTree]) -> bool {
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
     let tokens = ungrouped(input);
     let Some(Declaration { keyword, ident, generics, content }) = Declaration::of(&tokens) else {
-        let place = Extent::of(tokens.iter().map(TokenTree::span), Span::call_site());
+        let place = Extent::of(&tokens, Span::call_site());
         diagnostics
             .report(place, "a gap profile belongs on a struct; write `#[gap_profile(...)] struct Name;`");
         return None;
@@ -114,7 +114,7 @@ impl Item {
         let ident = ident.clone();
         match kind(ty, &self.generics) {
             Some(kind) => self.fields.push(Field { ident, kind, is_positive: false, used: false }),
-            None => self.others.push((ident, Extent::of(ty.iter().map(TokenTree::span), colon.span()))),
+            None => self.others.push((ident, Extent::of(ty, colon.span()))),
         }
     }
 

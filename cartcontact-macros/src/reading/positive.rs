@@ -80,7 +80,7 @@ fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
 fn name(tokens: &[TokenTree], place: Span) -> Result<Ident, Extent> {
     match tokens {
         [TokenTree::Ident(name)] if name != "true" && name != "false" => Ok(name.clone()),
-        _ => Err(Extent::of(tokens.iter().map(TokenTree::span), place)),
+        _ => Err(Extent::of(tokens, place)),
     }
 }
 
