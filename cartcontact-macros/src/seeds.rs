@@ -87,8 +87,11 @@ impl LoadIntegral {
     fn new(terms: Vec<(f64, f64)>, root: f64, largest_single: f64) -> Self {
         let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
         let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
-        let in_units = |term| [0.0, 1.0, 2.0].map(|times| logarithm(term) - times * unit);
-        let largest_coefficient = terms.iter().flat_map(in_units).fold(0.0, largest_size);
+        let in_units = |term| {
+            let size = logarithm(term);
+            size.abs().max((size - unit).abs()).max((size - 2.0 * unit).abs())
+        };
+        let largest_coefficient = terms.iter().map(in_units).fold(0.0, f64::max);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
         Self { terms, root, largest_single, largest_coefficient, unit, lowest, highest }
     }

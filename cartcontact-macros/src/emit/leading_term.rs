@@ -19,9 +19,9 @@ pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     if let Some(powers) = whole_powers(&forms.stepped, coefficients, names) {
         return quote!((#powers).radius(#load_integral, #limit));
     }
-    let [radius, quick, precise] =
-        ["radius_of_real_powers", "quick_power_sum_steepness", "scaled_power_sum_steepness"]
-            .map(|name| names.generated(name));
+    let radius = names.generated("radius_of_real_powers");
+    let quick = names.generated("quick_power_sum_steepness");
+    let precise = names.generated("scaled_power_sum_steepness");
     let terms = terms(&forms.load_integral, coefficients, names);
     quote! {
         #radius(

@@ -113,32 +113,30 @@ fn evaluators(
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
         }
     };
-    let mut operations: Vec<Operations> = Vec::new();
-    let precise = [
+    let (mut methods, mut operations) = (Vec::new(), Vec::new());
+    for (name, variable, sum) in [
         ("gap", "r", &forms.gap),
         ("approach", "a", &forms.approach),
         ("approach_slope", "a", &forms.approach_slope),
         ("load_integral", "a", &forms.load_integral),
         ("log_kernel", "x", &forms.log_kernel),
-    ]
-    .map(|(name, variable, sum)| {
+    ] {
         let variable = local(variable);
         let value = power_sum::value(sum, &variable, coefficients, names);
         operations.push(value.operations);
-        method(name, &variable, value.code)
-    });
-    let quick = [
+        methods.push(method(name, &variable, value.code));
+    }
+    for (name, sum) in [
         ("quick_approach", &forms.approach),
         ("quick_approach_slope", &forms.approach_slope),
         ("quick_load_integral", &forms.load_integral),
-    ]
-    .map(|(name, sum)| {
+    ] {
         let a = local("a");
-        method(name, &a, power_sum::quick_value(sum, &a, coefficients, names))
-    });
+        methods.push(method(name, &a, power_sum::quick_value(sum, &a, coefficients, names)));
+    }
     let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));
-    (quote!(#(#precise)* #(#quick)* #(#pressure_kernels)*), operations)
+    (quote!(#(#methods)* #(#pressure_kernels)*), operations)
 }
 
 /// What the inversion calls that is no method: a table and the step from it, or the step alone.

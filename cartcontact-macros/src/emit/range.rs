@@ -136,8 +136,9 @@ impl Checked<'_> {
         };
         let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
         let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
-        let truncation = self.geometry.truncation.iter();
-        let surfaces = truncation.flat_map(|truncation| &truncation.unchecked).map(|surface| {
+        let truncation = self.geometry.truncation.as_ref();
+        let unchecked = truncation.map_or(&[][..], |truncation| &truncation.unchecked);
+        let surfaces = unchecked.iter().map(|surface| {
             let radius = in_fields(&surface.radius, self.coefficients);
             let shape = in_fields(&surface.shape, self.coefficients);
             quote!((#radius, #shape))

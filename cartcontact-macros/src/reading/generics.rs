@@ -32,8 +32,10 @@ impl Parameter {
     fn of(tokens: &[TokenTree]) -> Option<Self> {
         let declaration = &tokens[..length_before(tokens, |token| is_punct(token, '='))];
         // A lifetime that a macro has put there stands in an invisible group.
-        let opened = declaration.iter().flat_map(|token| ungrouped(token.clone().into()));
-        let opened: Vec<TokenTree> = opened.collect();
+        let mut opened = Vec::new();
+        for token in declaration {
+            opened.extend(ungrouped(token.clone().into()));
+        }
         let (kind, name) = match without_attributes(&opened) {
             [quote, TokenTree::Ident(name), ..] if is_punct(quote, '\'') => {
                 (Kind::Lifetime, quote!(#quote #name))
