@@ -2,10 +2,8 @@
 //!
 //! Style of a message: lowercase, the rule first, the remedy after `;`, in the words of the field.
 
-use core::fmt::Display;
-
-use proc_macro2::{Punct, Spacing, Span, TokenStream};
-use quote::ToTokens;
+use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote, quote_spanned};
 
 /// A stretch of source: the first and the last token of what a message points at.
 ///
@@ -22,10 +20,12 @@ impl Extent {
     }
 
     /// The extent of some tokens, or `otherwise` if there are none.
-    pub(crate) fn of(tokens: impl IntoIterator<Item = impl Into<Span>>, otherwise: Span) -> Self {
-        let mut spans = tokens.into_iter().map(Into::into);
-        let first = spans.next().unwrap_or(otherwise);
-        Extent { first, last: spans.last().unwrap_or(first) }
+    pub(crate) fn of(tokens: &[TokenTree], otherwise: Span) -> Self {
+        match tokens {
+            [] => otherwise.into(),
+            [only] => only.span().into(),
+            [first, .., last] => Extent { first: first.span(), last: last.span() },
+        }
     }
 }
 
@@ -35,45 +35,40 @@ impl From<Span> for Extent {
     }
 }
 
-impl ToTokens for Extent {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        for span in [self.first, self.last] {
-            let mut mark = Punct::new('.', Spacing::Alone);
-            mark.set_span(span);
-            mark.to_tokens(tokens);
-        }
-    }
-}
-
 /// The faults found so far.
 #[derive(Default)]
 pub(crate) struct Diagnostics {
-    errors: Option<syn::Error>,
+    faults: Vec<(Extent, String)>,
 }
 
 impl Diagnostics {
-    pub(crate) fn report(&mut self, extent: impl Into<Extent>, message: impl Display) {
-        self.add(syn::Error::new_spanned(extent.into(), message));
-    }
-
-    pub(crate) fn add(&mut self, error: syn::Error) {
-        match &mut self.errors {
-            Some(errors) => errors.combine(error),
-            None => self.errors = Some(error),
-        }
+    pub(crate) fn report(&mut self, extent: impl Into<Extent>, message: impl Into<String>) {
+        self.faults.push((extent.into(), message.into()));
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.errors.is_none()
+        self.faults.is_empty()
     }
 
     /// One `compile_error!` for each fault.
     pub(crate) fn into_compile_errors(self) -> TokenStream {
-        self.errors.map(syn::Error::into_compile_error).unwrap_or_default()
+        let errors = self.faults.iter().map(|(extent, message)| compile_error(*extent, message));
+        let errors: Vec<TokenStream> = errors.collect();
+        quote!(#(#errors)*)
     }
 
     #[cfg(test)]
     pub(crate) fn messages(self) -> Vec<String> {
-        self.errors.into_iter().flatten().map(|error| error.to_string()).collect()
+        self.faults.into_iter().map(|(_, message)| message).collect()
     }
+}
+
+/// A call of `compile_error!` from the first to the last token of an extent.
+fn compile_error(Extent { first, last }: Extent, message: &str) -> TokenStream {
+    let mut message = Literal::string(message);
+    message.set_span(last);
+    let mut argument = Group::new(Delimiter::Brace, message.into_token_stream());
+    argument.set_span(last);
+    let name = quote_spanned!(first=> ::core::compile_error!);
+    quote!(#name #argument)
 }

@@ -34,7 +34,7 @@ pub(crate) fn factors(gap: &Gap, load_integral: &PowerSum) -> Option<Vec<f64>> {
     let mut factors = vec![1.0, sign];
     for summand in others {
         let order = (&summand.exponent - &first.exponent) / (&second.exponent - &first.exponent);
-        let [above, below] = [order.numer(), order.denom()].map(|number| integer(number.clone()));
+        let (above, below) = (integer(order.numer().clone()), integer(order.denom().clone()));
         let (sign, ratio) = over_first(summand)?;
         let power = ratio.power(&below).ok()?.multiply(&of_second.power(&-above).ok()?);
         factors.push(sign * power.as_constant()?.to_f64()?.powf(below.recip().to_f64()?));

@@ -83,7 +83,7 @@ fn table(Power { k, q }: Power, (bottom, octaves): (i32, i32), j: &Rational) -> 
             *root = root.times(octave);
         }
     }
-    Table::of(bottom * ROWS_PER_OCTAVE, rows.into_iter())
+    Table::of(bottom * ROWS_PER_OCTAVE, &rows)
 }
 
 /// c₁ and those that follow, for α = 1/p.

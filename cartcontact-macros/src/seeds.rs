@@ -54,9 +54,10 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
     } else {
         own_units::factors(&geometry.gap, load_integral)?
     };
-    let exponents = load_integral.summands.iter().map(|summand| summand.exponent.to_f64());
-    let terms = factors.iter().zip(exponents).map(|(&factor, exponent)| Some((factor, exponent?)));
-    let terms: Vec<(f64, f64)> = terms.collect::<Option<_>>()?;
+    let mut terms = Vec::new();
+    for (&factor, summand) in factors.iter().zip(&load_integral.summands) {
+        terms.push((factor, summand.exponent.to_f64()?));
+    }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
     let root = if seeded.is_of_square_root { 2.0 } else { 1.0 };
     let sum = LoadIntegral::new(terms, root, largest_single);
@@ -68,20 +69,16 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
     let top = top? * ROWS_PER_OCTAVE;
     let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
     let rows = sum.rows(bottom..top);
-    let table = if is_constant { Table::of(bottom, rows) } else { Table::of(bottom, before_first_gap(rows)) };
-    let table = table.filter(|table| table.rows.len() >= FEWEST_ROWS)?;
-    Some(Seeds { table, factors })
+    let table = Table::of(bottom, if is_constant { &rows } else { before_first_gap(&rows) });
+    Some(Seeds { table: table.filter(|table| table.rows.len() >= FEWEST_ROWS)?, factors })
 }
 
 /// The rows as far as they come without a gap. Behind one, J may have turned back, and no radius be admissible: with
 /// constants, the range ends there.
-fn before_first_gap(rows: impl Iterator<Item = Option<Row>>) -> impl Iterator<Item = Option<Row>> {
-    let mut has_begun = false;
-    rows.take_while(move |row| {
-        let is_gap = has_begun && row.is_none();
-        has_begun |= row.is_some();
-        !is_gap
-    })
+fn before_first_gap(rows: &[Option<Row>]) -> &[Option<Row>] {
+    let first = rows.iter().position(Option::is_some).unwrap_or(0);
+    let count = rows[first..].iter().position(Option::is_none);
+    &rows[..count.map_or(rows.len(), |count| first + count)]
 }
 
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
@@ -111,8 +108,11 @@ impl LoadIntegral {
     fn new(terms: Vec<(f64, f64)>, root: f64, largest_single: f64) -> Self {
         let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
         let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
-        let in_units = |term| [0.0, 1.0, 2.0].map(|times| logarithm(term) - times * unit);
-        let largest_coefficient = terms.iter().flat_map(in_units).fold(0.0, largest_size);
+        let in_units = |term| {
+            let size = logarithm(term);
+            size.abs().max((size - unit).abs()).max((size - 2.0 * unit).abs())
+        };
+        let largest_coefficient = terms.iter().map(in_units).fold(0.0, f64::max);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
         Self { terms, root, largest_single, largest_coefficient, unit, lowest, highest }
     }
@@ -132,15 +132,16 @@ impl LoadIntegral {
     }
 
     /// The rows with these indices, where they pass the check.
-    fn rows(&self, indices: Range<i32>) -> impl Iterator<Item = Option<Row>> {
+    fn rows(&self, indices: Range<i32>) -> Vec<Option<Row>> {
         let mut low = self.radius(lower_end(indices.start));
         let rows = indices.map(move |index| {
             let high = low.and_then(|low| self.radius_near(low, lower_end(index + 1)));
             let ends = core::mem::replace(&mut low, high).zip(high)?;
-            self.row(index, ends)
+            let ([c0, c1, c2, c3], is_held) = self.row(index, ends)?;
+            // In the order that the solver has them in.
+            Some(([c0, c2, c1, c3], is_held))
         });
-        // In the order that the solver has them in.
-        rows.map(|row| row.map(|([c0, c1, c2, c3], is_held)| ([c0, c2, c1, c3], is_held)))
+        rows.collect()
     }
 
     fn at(&self, a: f64) -> Derivatives {

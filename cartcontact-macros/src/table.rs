@@ -9,6 +9,8 @@
 //! Symbols have one table in [units of their own](crate::own_units), if they do no more than set these. Its window lies mostly
 //! below y = 1, because higher terms are mostly corrections.
 
+use core::ops::Range as Indices;
+
 use num_traits::ToPrimitive;
 
 use crate::gap::Gap;
@@ -40,11 +42,13 @@ pub(crate) type Row = ([f32; 4], bool);
 
 impl Table {
     /// The longest run of the rows that there are, the first of which has the index `first`.
-    pub(crate) fn of(first: i32, rows: impl Iterator<Item = Option<Row>>) -> Option<Self> {
-        let (first, rows) = longest_run(first, rows)?;
-        let single = longest_run(first, rows.iter().map(|(_, is_held)| is_held.then_some(())));
-        let single = single.map_or((first, 0), |(first, run)| (first, run.len()));
-        Some(Self { first, rows: rows.into_iter().map(|(row, _)| row).collect(), single })
+    pub(crate) fn of(first: i32, rows: &[Option<Row>]) -> Option<Self> {
+        let run = longest_run(rows.len(), &|index| rows[index].is_some());
+        let first = first + run.start as i32;
+        let rows: Vec<Row> = rows[run].iter().copied().collect::<Option<_>>()?;
+        let single = longest_run(rows.len(), &|index| rows[index].1);
+        let single = (first + single.start as i32, single.len());
+        (!rows.is_empty()).then(|| Self { first, rows: rows.iter().map(|(row, _)| *row).collect(), single })
     }
 
     /// The load integrals at both ends of the table.
@@ -75,9 +79,9 @@ pub(crate) fn top(geometry: &Geometry, load_integral: impl Fn(f64) -> f64) -> Op
         Range::Limited(end) => octave(end.to_f64()?) + 1.0,
         Range::Unbounded | Range::Symbolic(_) => f64::INFINITY,
     };
-    let [flattest, steepest] = [FLATTEST, 1.0].map(|slope| radius_of_slope(&geometry.gap, slope).map(octave));
-    let steepest = steepest? + OCTAVES_ABOVE;
-    let spare = f64::from(OCTAVES) - (steepest - flattest?);
+    let flattest = octave(radius_of_slope(&geometry.gap, FLATTEST)?);
+    let steepest = octave(radius_of_slope(&geometry.gap, 1.0)?) + OCTAVES_ABOVE;
+    let spare = f64::from(OCTAVES) - (steepest - flattest);
     let top = (steepest + (0.5 * spare).max(0.0).floor()).min(end);
     (top.abs() < LARGEST_DOUBLE).then_some(top as i32)
 }
@@ -91,24 +95,17 @@ fn radius_of_slope(gap: &Gap, slope: f64) -> Option<f64> {
     alone.reduce(f64::min)
 }
 
-/// The longest run without a gap, and the index of its first.
-fn longest_run<R>(first: i32, rows: impl Iterator<Item = Option<R>>) -> Option<(i32, Vec<R>)> {
-    let mut runs: Vec<(i32, Vec<R>)> = Vec::new();
-    let mut open = false;
-    for (row, index) in rows.zip(first..) {
-        open = match (row, runs.last_mut().filter(|_| open)) {
-            (Some(row), Some((_, run))) => {
-                run.push(row);
-                true
-            }
-            (Some(row), None) => {
-                runs.push((index, vec![row]));
-                true
-            }
-            (None, _) => false,
-        };
+/// The longest run of indices below `count` that are in it; of several the last.
+fn longest_run(count: usize, is_in: &dyn Fn(usize) -> bool) -> Indices<usize> {
+    let (mut longest, mut start) = (0..0, 0);
+    for index in 0..count {
+        if !is_in(index) {
+            start = index + 1;
+        } else if index + 1 - start >= longest.len() {
+            longest = start..index + 1;
+        }
     }
-    runs.into_iter().max_by_key(|(_, run)| run.len())
+    longest
 }
 
 /// The load integral at which a row begins.
@@ -123,15 +120,17 @@ mod tests {
 
     #[test]
     fn the_longest_run_is_kept() {
-        let rows = [Some(1), None, Some(2), Some(3), None, None, Some(4)];
-        assert_eq!(longest_run(-3, rows.into_iter()), Some((-1, vec![2, 3])));
-        assert!(longest_run(0, [None::<()>, None].into_iter()).is_none());
+        let run = |values: &[bool]| longest_run(values.len(), &|index| values[index]);
+        assert_eq!(run(&[true, false, true, true, false, false, true]), 2..4);
+        assert_eq!(run(&[false, true, false, true]), 3..4);
+        assert!(run(&[false, false]).is_empty() && run(&[]).is_empty());
     }
 
     #[test]
     fn single_precision_has_the_rows_that_it_holds() {
-        let rows = [None, Some(false), Some(true), Some(true), Some(false)];
-        let table = Table::of(-3, rows.into_iter().map(|row| row.map(|is_held| ([0.0; 4], is_held))));
+        let row = |is_held: bool| Some(([0.0; 4], is_held));
+        let table = Table::of(-3, &[None, row(false), row(true), row(true), row(false)]);
         assert!(table.is_some_and(|table| (table.first, table.rows.len(), table.single) == (-2, 4, (-1, 2))));
+        assert!(Table::of(0, &[None]).is_none());
     }
 }

@@ -4,15 +4,15 @@
 use num_traits::{One, Zero};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
-use syn::ext::IdentExt;
 
-use super::{Names, arguments, bounded_generics, local};
+use super::{Names, bounded_generics, local};
 use crate::closed_forms::{Factor, PowerSum, Summand};
 use crate::gap::Term;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::geometry::Geometry;
 use crate::number::{self, Rational};
 use crate::reading::item::{Field, FieldKind, Item};
+use crate::reading::name::unraw;
 
 /// So many constants at the most are written out one by one, which compilers fold into the code around them. More stand
 /// in a table, which takes much less time to compile.
@@ -141,9 +141,9 @@ impl<'a> Coefficients<'a> {
             return TokenStream::new();
         }
         let (scalar, ident, count) = (&self.names.scalar, &self.item.ident, values.len());
-        let type_generics = arguments(&self.item.generics);
+        let arguments = self.item.generics.arguments();
         let generics = bounded_generics(self.item, self.names);
-        let (impl_generics, _, where_clause) = generics.split_for_impl();
+        let (parameters, bounds) = (generics.declared(), generics.bounds());
         let (coefficients, profile) = (name(), local("profile"));
         let fields = self.fields(&quote!(#profile), &|field| {
             self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
@@ -152,7 +152,7 @@ impl<'a> Coefficients<'a> {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
             #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
             #[inline]
-            fn #coefficients #impl_generics (#profile: &#ident #type_generics) -> [#scalar; #count] #where_clause {
+            fn #coefficients #parameters (#profile: &#ident #arguments) -> [#scalar; #count] #bounds {
                 #fields
                 [#(#values),*]
             }
@@ -195,5 +195,5 @@ fn variable(term: usize) -> Ident {
 
 /// The variable that holds the value of a field.
 pub(super) fn field_variable(field: &Ident) -> Ident {
-    local(&format!("field_{}", field.unraw()))
+    local(&format!("field_{}", unraw(field)))
 }

@@ -74,22 +74,26 @@ fn written(sum: &PowerSum, gap: &Gap, variable: &str) -> String {
 fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
     let mut text = String::new();
     for (coefficient, power) in products {
-        let (negative, size) = match coefficient.as_constant() {
-            Some(number) => (number.is_negative(), factor(&decimal(&number.abs()), &power)),
-            None => (false, factor(&coefficient.to_string(), &power)),
-        };
-        text += match (text.is_empty(), negative) {
-            (true, false) => "",
-            (true, true) => "−",
-            (false, false) => " + ",
-            (false, true) => " − ",
-        };
-        let implied = size == "1" && !power.is_empty();
-        text += if implied { "" } else { &size };
-        text += if implied || power.is_empty() { "" } else { " " };
-        text += &power;
+        join(&mut text, &coefficient, &power);
     }
     text
+}
+
+fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
+    let (negative, size) = match coefficient.as_constant() {
+        Some(number) => (number.is_negative(), factor(&decimal(&number.abs()), power)),
+        None => (false, factor(&coefficient.to_string(), power)),
+    };
+    *text += match (text.is_empty(), negative) {
+        (true, false) => "",
+        (true, true) => "−",
+        (false, false) => " + ",
+        (false, true) => " − ",
+    };
+    let implied = size == "1" && !power.is_empty();
+    *text += if implied { "" } else { &size };
+    *text += if implied || power.is_empty() { "" } else { " " };
+    *text += power;
 }
 
 /// A coefficient as it stands before a power, if there is one: in parentheses if it is a sum, or a fraction that could
@@ -129,11 +133,8 @@ fn tent(k: &Rational) -> String {
         return String::new();
     }
     let products = (0..count).map(|j| {
-        let powers = [("r", 2 * j), ("a", 2 * (count - 1 - j))];
-        let factors = powers.map(
-            |(name, exponent)| if exponent == 0 { String::new() } else { power(name, &integer(exponent)) },
-        );
-        (Coefficient::constant(integer(count - j)), factors.join(" ").trim().to_owned())
+        let (r, a) = (power("r", &integer(2 * j)), power("a", &integer(2 * (count - 1 - j))));
+        (Coefficient::constant(integer(count - j)), format!("{r} {a}").trim().to_owned())
     });
     format!("({})", joined(products))
 }

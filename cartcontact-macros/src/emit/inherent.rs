@@ -7,9 +7,10 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::{Names, arguments, bounded_generics};
+use super::{Names, bounded_generics};
 use crate::geometry::{Geometry, Range};
 use crate::number::literal;
+use crate::reading::generics::Generics;
 use crate::reading::item::Item;
 
 pub(super) fn block(
@@ -45,12 +46,12 @@ pub(super) fn stub(item: &Item, names: &Names<'_>) -> TokenStream {
     implementation(item, &item.generics, &constants)
 }
 
-fn implementation(item: &Item, generics: &syn::Generics, content: &TokenStream) -> TokenStream {
-    let (impl_generics, _, where_clause) = generics.split_for_impl();
-    let (ident, type_generics) = (&item.ident, arguments(&item.generics));
+fn implementation(item: &Item, generics: &Generics, content: &TokenStream) -> TokenStream {
+    let (parameters, bounds) = (generics.declared(), generics.bounds());
+    let (ident, arguments) = (&item.ident, item.generics.arguments());
     quote! {
         #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
-        impl #impl_generics #ident #type_generics #where_clause { #content }
+        impl #parameters #ident #arguments #bounds { #content }
     }
 }
 
@@ -91,8 +92,7 @@ fn constants(geometry: &Geometry) -> TokenStream {
 /// The method `terms`, over the scalar type of the fields, or over any if they have none.
 fn of_fields(item: &Item, names: &Names<'_>, count: usize, body: &TokenStream) -> TokenStream {
     let Names { krate, scalar } = names;
-    let declares_scalar = item.generics.type_params().any(|parameter| parameter.ident == *scalar);
-    let (generics, parameter) = match declares_scalar {
+    let (generics, parameter) = match item.generics.has_type(scalar) {
         true => (bounded_generics(item, names), None),
         false => (item.generics.clone(), Some(quote!(<#scalar: #krate::Scalar>))),
     };

@@ -230,7 +230,7 @@ fn value_and_log_slope(
     let argument = if stride == 2 { quote!(#a * #a) } else { quote!(#a) };
     let factors = (0..lowest / stride).map(|_| &x);
     let odd = (lowest % stride == 1).then(|| quote!(* #a));
-    let [lowest, stride] = [lowest, stride].map(|number| literal(&integer(number)));
+    let (lowest, stride) = (literal(&integer(lowest)), literal(&integer(stride)));
     let scale = quote!(#(* #factors)* #odd);
     quote! {
         let #x = #argument;

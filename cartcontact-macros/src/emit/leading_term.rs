@@ -19,9 +19,9 @@ pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     if let Some(powers) = whole_powers(&forms.stepped, coefficients, names) {
         return quote!((#powers).radius(#load_integral, #limit));
     }
-    let [radius, quick, precise] =
-        ["radius_of_real_powers", "quick_power_sum_steepness", "scaled_power_sum_steepness"]
-            .map(|name| names.generated(name));
+    let radius = names.generated("radius_of_real_powers");
+    let quick = names.generated("quick_power_sum_steepness");
+    let precise = names.generated("scaled_power_sum_steepness");
     let terms = terms(&forms.load_integral, coefficients, names);
     quote! {
         #radius(
@@ -84,11 +84,10 @@ pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
     let whole = whole(sum)?;
     let (count, a) = (whole.exponents.len(), local("a"));
     let variables: Vec<Ident> = (0..count).map(|index| local(&format!("j{index}"))).collect();
-    let sums = |variable: &Ident| {
-        let weighted = |weight: fn(u32) -> u32| nested(&whole, variable, &variables, weight, names);
-        [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)]
-    };
-    let body = steepness::value((&whole, false), &a, sums, &Rational::one(), names);
+    let (_, variable) = whole.variable(&a);
+    let weighted = |weight: fn(u32) -> u32| nested(&whole, &variable, &variables, weight, names);
+    let sums = [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)];
+    let body = steepness::value((&whole, false), &a, &sums, &Rational::one(), names);
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }
 
@@ -97,7 +96,7 @@ fn nested(
     whole: &Whole,
     variable: &Ident,
     coefficients: &[Ident],
-    weight: impl Fn(u32) -> u32,
+    weight: fn(u32) -> u32,
     names: &Names<'_>,
 ) -> TokenStream {
     let mut nested = TokenStream::new();

@@ -16,12 +16,12 @@ mod table;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
-use syn::GenericParam;
-use syn::ext::IdentExt;
 
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
+use crate::reading::generics::Generics;
 use crate::reading::item::{FieldKind, Item};
+use crate::reading::name::unraw;
 use crate::start::Start;
 use coefficients::Coefficients;
 use operations::Operations;
@@ -113,32 +113,30 @@ fn evaluators(
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
         }
     };
-    let mut operations: Vec<Operations> = Vec::new();
-    let precise = [
+    let (mut methods, mut operations) = (Vec::new(), Vec::new());
+    for (name, variable, sum) in [
         ("gap", "r", &forms.gap),
         ("approach", "a", &forms.approach),
         ("approach_slope", "a", &forms.approach_slope),
         ("load_integral", "a", &forms.load_integral),
         ("log_kernel", "x", &forms.log_kernel),
-    ]
-    .map(|(name, variable, sum)| {
+    ] {
         let variable = local(variable);
         let value = power_sum::value(sum, &variable, coefficients, names);
         operations.push(value.operations);
-        method(name, &variable, value.code)
-    });
-    let quick = [
+        methods.push(method(name, &variable, value.code));
+    }
+    for (name, sum) in [
         ("quick_approach", &forms.approach),
         ("quick_approach_slope", &forms.approach_slope),
         ("quick_load_integral", &forms.load_integral),
-    ]
-    .map(|(name, sum)| {
+    ] {
         let a = local("a");
-        method(name, &a, power_sum::quick_value(sum, &a, coefficients, names))
-    });
+        methods.push(method(name, &a, power_sum::quick_value(sum, &a, coefficients, names)));
+    }
     let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));
-    (quote!(#(#precise)* #(#quick)* #(#pressure_kernels)*), operations)
+    (quote!(#(#methods)* #(#pressure_kernels)*), operations)
 }
 
 /// What the inversion calls that is no method: a table and the step from it, or the step alone.
@@ -221,7 +219,7 @@ fn scalar_of(item: &Item) -> Ident {
     });
     own.unwrap_or_else(|| {
         let Item { ident, generics, .. } = item;
-        let (parameters, bounds) = (&generics.params, &generics.where_clause);
+        let (parameters, bounds) = (generics.declared(), generics.bounds());
         let taken = quote!(#ident #parameters #bounds);
         let mut names = core::iter::successors(Some("T".to_owned()), |name| Some(format!("{name}_")));
         let name = names.find(|name| !names_something(&taken, name)).unwrap_or_default();
@@ -232,7 +230,7 @@ fn scalar_of(item: &Item) -> Ident {
 /// Whether a name occurs in some tokens: a parameter that is called so, or a type in a bound.
 fn names_something(tokens: &TokenStream, name: &str) -> bool {
     tokens.clone().into_iter().any(|token| match token {
-        TokenTree::Ident(own) => own.unraw() == name,
+        TokenTree::Ident(own) => unraw(&own) == name,
         TokenTree::Group(group) => names_something(&group.stream(), name),
         _ => false,
     })
@@ -241,37 +239,16 @@ fn names_something(tokens: &TokenStream, name: &str) -> bool {
 /// `impl<..> GapProfile<T> for Item<..> where ..`.
 fn implementation(item: &Item, names: &Names<'_>) -> TokenStream {
     let Names { krate, scalar } = names;
-    let (ident, type_generics) = (&item.ident, arguments(&item.generics));
-    let generics = bounded_generics(item, names);
-    let (impl_generics, _, where_clause) = generics.split_for_impl();
-    quote!(impl #impl_generics #krate::GapProfile<#scalar> for #ident #type_generics #where_clause)
-}
-
-/// The item's parameters as arguments of its type. Constants stand in braces, as a name alone would mean the type of
-/// that name if there is one in scope.
-fn arguments(generics: &syn::Generics) -> TokenStream {
-    let argument = |parameter: &GenericParam| match parameter {
-        GenericParam::Lifetime(parameter) => parameter.lifetime.to_token_stream(),
-        GenericParam::Type(parameter) => parameter.ident.to_token_stream(),
-        GenericParam::Const(parameter) => {
-            let name = &parameter.ident;
-            quote!({ #name })
-        }
-    };
-    let arguments: Vec<TokenStream> = generics.params.iter().map(argument).collect();
-    if arguments.is_empty() { TokenStream::new() } else { quote!(<#(#arguments),*>) }
+    let (ident, arguments, generics) =
+        (&item.ident, item.generics.arguments(), bounded_generics(item, names));
+    let (parameters, bounds) = (generics.declared(), generics.bounds());
+    quote!(impl #parameters #krate::GapProfile<#scalar> for #ident #arguments #bounds)
 }
 
 /// The item's generics with the scalar type among them, bounded.
-fn bounded_generics(item: &Item, names: &Names<'_>) -> syn::Generics {
+fn bounded_generics(item: &Item, names: &Names<'_>) -> Generics {
     let Names { krate, scalar } = names;
-    let mut generics = item.generics.clone();
-    let declared = generics.type_params().any(|parameter| parameter.ident == *scalar);
-    if !declared {
-        generics.params.push(syn::parse_quote!(#scalar));
-    }
-    generics.make_where_clause().predicates.push(syn::parse_quote!(#scalar: #krate::Scalar));
-    generics
+    item.generics.with_bound(scalar, &quote!(#krate::Scalar))
 }
 
 /// What quadrature has to know of the terms.

@@ -3,7 +3,6 @@
 use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use syn::ext::IdentExt;
 
 use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
@@ -13,6 +12,7 @@ use crate::geometry::{Geometry, Range};
 use crate::number::{integer, literal};
 use crate::proof::Proof;
 use crate::reading::item::{Field, Item};
+use crate::reading::name::unraw;
 
 pub(super) fn methods(
     item: &Item,
@@ -136,10 +136,11 @@ impl Checked<'_> {
         };
         let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
         let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
-        let truncation = self.geometry.truncation.iter();
-        let surfaces = truncation.flat_map(|truncation| &truncation.unchecked).map(|surface| {
-            let [radius, shape] =
-                [&surface.radius, &surface.shape].map(|value| in_fields(value, self.coefficients));
+        let truncation = self.geometry.truncation.as_ref();
+        let unchecked = truncation.map_or(&[][..], |truncation| &truncation.unchecked);
+        let surfaces = unchecked.iter().map(|surface| {
+            let radius = in_fields(&surface.radius, self.coefficients);
+            let shape = in_fields(&surface.shape, self.coefficients);
             quote!((#radius, #shape))
         });
         let surfaces: Vec<TokenStream> = surfaces.collect();
@@ -193,10 +194,6 @@ impl Checked<'_> {
     fn named(&self, wanted: fn(&Field) -> bool) -> (TokenStream, Vec<String>, Vec<Ident>) {
         let bindings = self.coefficients.fields(&quote!(self), &wanted);
         let fields = self.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
-        (
-            bindings,
-            fields.clone().map(|field| field.unraw().to_string()).collect(),
-            fields.map(field_variable).collect(),
-        )
+        (bindings, fields.clone().map(unraw).collect(), fields.map(field_variable).collect())
     }
 }

@@ -60,7 +60,7 @@ fn term(
         return names.generated("OwnTerm");
     };
     let single_term = names.generated("SingleTerm");
-    let [k, q] = [k, q].map(Literal::u32_unsuffixed);
+    let (k, q) = (Literal::u32_unsuffixed(k), Literal::u32_unsuffixed(q));
     let [c, weight] = coefficients.parts(only);
     quote!(#single_term::<_, #k, #q>::of(#c, #weight))
 }

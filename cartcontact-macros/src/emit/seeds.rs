@@ -127,14 +127,13 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     let (values, of_value) = coefficients.bound("value", load_integral);
     let (firsts, of_first) = coefficients.bound("first", &first);
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
-    let sums = |variable: &Ident| {
-        [
-            nested(load_integral, &whole, variable, of_value, names),
-            nested(&first, &whole, variable, of_first, names),
-            paired(&whole, variable, of_half_second, names),
-        ]
-    };
-    let steepness = steepness::value((&whole, *is_of_square_root), a, sums, &unit, names);
+    let (_, variable) = whole.variable(a);
+    let sums = [
+        nested(load_integral, &whole, &variable, of_value, names),
+        nested(&first, &whole, &variable, of_first, names),
+        paired(&whole, &variable, of_half_second, names),
+    ];
+    let steepness = steepness::value((&whole, *is_of_square_root), a, &sums, &unit, names);
     quote!(#values #firsts #half_seconds #steepness)
 }
 

@@ -38,12 +38,11 @@ pub(super) fn function(
 pub(super) fn value(
     (whole, is_of_square_root): (&Whole, bool),
     a: &Ident,
-    sums: impl FnOnce(&Ident) -> [TokenStream; 3],
+    [value, first, half_second]: &[TokenStream; 3],
     unit: &Rational,
     names: &Names<'_>,
 ) -> TokenStream {
     let (square, variable) = whole.variable(a);
-    let [value, first, half_second] = sums(&variable);
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let (constant, per_unit) = (names.constant(), literal(&unit.recip()));
     let [power, sum, lost] = ["power", "value", "lost"].map(local);

@@ -17,13 +17,13 @@ pub(super) fn item(table: &Table, names: &Names<'_>) -> TokenStream {
 }
 
 pub(super) fn value(table: &Table, names: &Names<'_>) -> TokenStream {
-    let [kind, rows] = ["Table", "Rows"].map(|name| names.generated(name));
-    let quarters = [(table.first, table.rows.len()), table.single].map(|(first, count)| {
+    let (kind, rows) = (names.generated("Table"), names.generated("Rows"));
+    let quarters = |(first, count): (i32, usize)| {
         let (kind, first) = (names.generated("Quarters"), Literal::i32_unsuffixed(first));
         let count = Literal::usize_unsuffixed(count);
         quote!(#kind { first: #first, count: #count })
-    });
-    let [quarters, single] = quarters;
+    };
+    let (quarters, single) = (quarters((table.first, table.rows.len())), quarters(table.single));
     let bytes = Literal::byte_string(&table.in_places());
     quote!(#kind { quarters: #quarters, single: #single, rows: #rows(*#bytes) })
 }

@@ -2,7 +2,6 @@
 
 use num_traits::One;
 use proc_macro2::Ident;
-use syn::ext::IdentExt;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::gap::coefficient::Coefficient;
@@ -11,6 +10,7 @@ use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::Rational;
 use crate::reading::item::{Field, Item, Meaning};
+use crate::reading::name::unraw;
 use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
 
 /// What it cannot evaluate it reports, and goes on beside it.
@@ -84,7 +84,7 @@ impl<'a> Evaluator<'a> {
 
     fn name(&mut self, name: &Ident) -> Option<Shape> {
         let extent = name.span().into();
-        if name.unraw() == "r" {
+        if unraw(name) == "r" {
             let one = Coefficient::constant(Rational::one());
             return Some(Polynomial::new(one, Rational::one(), extent).into());
         }
@@ -98,16 +98,14 @@ impl<'a> Evaluator<'a> {
                 let remedy = self.item.remedy(name, self.knows_r);
                 self.fault(extent, format!("`{name}` is unknown; {remedy}"))
             }
-            Meaning::WrongType(ty) => {
+            Meaning::WrongType(place) => {
                 if !self.mistyped.contains(name) {
                     self.mistyped.push(name.clone());
-                    self.diagnostics.add(syn::Error::new_spanned(
-                        ty,
-                        format!(
-                            "the field `{name}` must be a real number to stand in a gap; \
-                             give it the type `f64`, `f32` or a type parameter"
-                        ),
-                    ));
+                    let message = format!(
+                        "the field `{name}` must be a real number to stand in a gap; \
+                         give it the type `f64`, `f32` or a type parameter"
+                    );
+                    self.diagnostics.report(place, message);
                 }
                 None
             }
@@ -179,7 +177,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Reports a fault; there is no value.
-    pub(crate) fn fault<T>(&mut self, extent: Extent, message: impl core::fmt::Display) -> Option<T> {
+    pub(crate) fn fault<T>(&mut self, extent: Extent, message: impl Into<String>) -> Option<T> {
         self.diagnostics.report(extent, message);
         None
     }

@@ -31,11 +31,14 @@ pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigI
     Rational::new(numerator.into(), denominator.into())
 }
 
-/// Of fractions; the long ones come first, as the others are likely to divide these.
+/// Of fractions; the longest comes first, as the others are likely to divide it.
 pub(crate) fn common_denominator<'a>(fractions: impl Iterator<Item = &'a Rational>) -> BigInt {
-    let mut denominators: Vec<&BigInt> = fractions.map(Rational::denom).collect();
-    denominators.sort_by_key(|denominator| core::cmp::Reverse(denominator.bits()));
-    let mut common = BigInt::one();
+    common_multiple(fractions.map(Rational::denom).collect())
+}
+
+fn common_multiple(denominators: Vec<&BigInt>) -> BigInt {
+    let longest = denominators.iter().copied().max_by_key(|denominator| denominator.bits());
+    let mut common = longest.map_or_else(BigInt::one, BigInt::clone);
     for denominator in denominators {
         let shared = common_factor::common_factor(&common, denominator);
         if shared != *denominator {

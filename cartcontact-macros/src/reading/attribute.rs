@@ -4,16 +4,15 @@
 //! away from the common tangent plane toward its own bone, so that the gap is their sum.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::ToTokens;
-use syn::Path;
-use syn::parse::Parser;
+use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::entry::{Entry, Whole, all_options, entries, similar};
-use crate::reading::is_punct;
+use crate::reading::name::last_of_path;
 use crate::reading::parse;
 use crate::reading::positive::Positive;
 use crate::reading::syntax::{Expression, Kind, Summand};
+use crate::reading::{is_punct, ungrouped};
 
 #[derive(Default)]
 pub(crate) struct Attribute {
@@ -135,11 +134,13 @@ impl Attribute {
         if let Some(slot) = self.slot(name) {
             *slot = Some(parse::expression(value, equals, diagnostics));
         } else if name == "crate" {
-            let place = Extent::of(value.clone().into_iter().map(|token| token.span()), equals);
-            match Path::parse_mod_style.parse2(value) {
-                Ok(path) => self.crate_path = Some(path.into_token_stream()),
-                Err(_) => diagnostics
-                    .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`"),
+            let path = ungrouped(value);
+            if last_of_path(&path).is_some() {
+                self.crate_path = Some(quote!(#(#path)*));
+            } else {
+                let place = Extent::of(&path, equals);
+                diagnostics
+                    .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`");
             }
         } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
             self.fail_at(entry);

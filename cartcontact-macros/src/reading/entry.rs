@@ -132,7 +132,7 @@ impl Entry {
     }
 
     pub(super) fn extent(&self) -> Extent {
-        Extent::of(self.tokens.iter().map(TokenTree::span), self.place)
+        Extent::of(&self.tokens, self.place)
     }
 }
 

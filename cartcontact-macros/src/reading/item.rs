@@ -1,11 +1,12 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
-use syn::ext::IdentExt;
-use syn::{Data, DeriveInput, Fields, Generics, Type};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::unit;
+use crate::reading::declaration::Declaration;
+use crate::reading::generics::Generics;
+use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
+use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {
@@ -14,7 +15,7 @@ pub(crate) struct Item {
     /// The fields that can be symbols, in their order.
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
-    others: Vec<(Ident, Type)>,
+    others: Vec<(Ident, Extent)>,
     /// Whether its fields have names, if it has any: otherwise a name in a profile cannot be judged.
     pub(crate) is_struct: bool,
 }
@@ -40,7 +41,8 @@ pub(crate) enum FieldKind {
 /// What a name in an expression stands for, other than `r`.
 pub(crate) enum Meaning<'a> {
     Symbol(&'a Field),
-    WrongType(&'a Type),
+    /// With the place of its type.
+    WrongType(Extent),
     Unknown,
 }
 
@@ -49,7 +51,7 @@ pub(crate) fn with_one_profile(input: TokenStream, diagnostics: &mut Diagnostics
     let mut tokens: Vec<TokenTree> = input.into_iter().collect();
     while let Some(position) = tokens.windows(2).position(is_gap_profile) {
         let attribute: Vec<TokenTree> = tokens.drain(position..position + 2).collect();
-        let place = Extent::of(attribute.iter().map(TokenTree::span), proc_macro2::Span::call_site());
+        let place = Extent::of(&attribute, Span::call_site());
         diagnostics
             .report(place, "a struct has one gap profile; remove this one, or write another struct for it");
     }
@@ -67,50 +69,52 @@ fn is_gap_profile(pair: &[TokenTree]) -> bool {
 /// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and
 /// generics is returned nonetheless, for its stub.
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
-    let Ok(declaration) = syn::parse2::<DeriveInput>(input.clone()) else {
-        let place = Extent::of(input.into_iter().map(|token| token.span()), proc_macro2::Span::call_site());
+    let tokens = ungrouped(input);
+    let Some(Declaration { keyword, ident, generics, content }) = Declaration::of(&tokens) else {
+        let place = Extent::of(&tokens, Span::call_site());
         diagnostics
             .report(place, "a gap profile belongs on a struct; write `#[gap_profile(...)] struct Name;`");
         return None;
     };
-    let DeriveInput { ident, generics, data, .. } = declaration;
-    let is_struct = matches!(&data, Data::Struct(data) if !matches!(data.fields, Fields::Unnamed(_)));
+    let unnamed = content.as_ref().filter(|content| content.delimiter() == Delimiter::Parenthesis);
+    let is_struct = keyword == "struct" && unnamed.is_none();
     let mut item = Item { ident, generics, fields: Vec::new(), others: Vec::new(), is_struct };
-    match data {
-        Data::Struct(data) => match data.fields {
-            Fields::Unit => {}
-            Fields::Named(named) => {
-                for field in named.named {
-                    item.declare(field, diagnostics);
-                }
-            }
-            Fields::Unnamed(fields) => diagnostics.report(
-                Extent::of([fields.paren_token.span.join()], item.ident.span()),
-                "the fields of a gap profile need names, which its expression can use; write `{ radius: f64 }`",
-            ),
-        },
-        Data::Enum(data) => diagnostics
-            .report(data.enum_token.span, "a gap profile belongs on a struct, not an enum; \
-                                           use one struct for each geometry"),
-        Data::Union(data) => {
-            diagnostics.report(data.union_token.span, "a gap profile belongs on a struct, not a union; use a struct");
+    if keyword == "enum" {
+        diagnostics.report(
+            keyword.span(),
+            "a gap profile belongs on a struct, not an enum; use one struct for each geometry",
+        );
+    } else if keyword == "union" {
+        diagnostics.report(keyword.span(), "a gap profile belongs on a struct, not a union; use a struct");
+    } else if let Some(fields) = unnamed {
+        diagnostics.report(
+            fields.span(),
+            "the fields of a gap profile need names, which its expression can use; write `{ radius: f64 }`",
+        );
+    } else if let Some(fields) = content {
+        let fields: Vec<TokenTree> = fields.stream().into_iter().collect();
+        for field in between_commas(&fields) {
+            item.declare(field, diagnostics);
         }
     }
     Some(item)
 }
 
 impl Item {
-    fn declare(&mut self, field: syn::Field, diagnostics: &mut Diagnostics) {
-        let Some(ident) = field.ident else { return };
-        if ident.unraw() == "r" {
+    /// Takes note of the field `name: type`, which attributes and a visibility may stand before.
+    fn declare(&mut self, field: &[TokenTree], diagnostics: &mut Diagnostics) {
+        let colon = length_before(field, |token| is_punct(token, ':'));
+        let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else { return };
+        if unraw(ident) == "r" {
             diagnostics.report(
                 ident.span(),
                 "a field named `r` cannot be told from the distance r from the axis; give it another name",
             );
         }
-        match kind(&field.ty, &self.generics) {
+        let ident = ident.clone();
+        match kind(ty, &self.generics) {
             Some(kind) => self.fields.push(Field { ident, kind, is_positive: false, used: false }),
-            None => self.others.push((ident, field.ty)),
+            None => self.others.push((ident, Extent::of(ty, colon.span()))),
         }
     }
 
@@ -119,7 +123,7 @@ impl Item {
             return Meaning::Symbol(field);
         }
         match self.others.iter().find(|(ident, _)| is_same(ident, name)) {
-            Some((_, ty)) => Meaning::WrongType(ty),
+            Some((_, ty)) => Meaning::WrongType(*ty),
             None => Meaning::Unknown,
         }
     }
@@ -130,7 +134,7 @@ impl Item {
 
     /// What to write in place of an unknown name, where r may be meant or where it may not.
     pub(crate) fn remedy(&self, name: &Ident, knows_r: bool) -> String {
-        let written = name.unraw().to_string();
+        let written = unraw(name);
         let mut known = self.field_names();
         known.extend(knows_r.then(|| "r".to_owned()));
         let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
@@ -142,7 +146,7 @@ impl Item {
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
             None if unit::is_unit(&written) => format!("{}; remove it", unit::NO_UNITS),
             // Words of Rust cannot name a field.
-            None if syn::parse_str::<Ident>(&name.to_string()).is_err() => {
+            None if is_keyword(name) => {
                 format!("write {known} or a field")
             }
             None if self.fields.is_empty() && self.others.is_empty() => {
@@ -182,26 +186,21 @@ impl Item {
     }
 }
 
-/// Whether two names are one, as `r#radius` and `radius` are.
-pub(crate) fn is_same(one: &Ident, other: &Ident) -> bool {
-    one.unraw() == other.unraw()
-}
-
 /// `f64` and `f32` under any path, or one of the struct's own type parameters.
-fn kind(ty: &Type, generics: &Generics) -> Option<FieldKind> {
-    let path = match ty {
-        Type::Path(ty) if ty.qself.is_none() => &ty.path,
-        Type::Group(group) => return kind(&group.elem, generics),
-        Type::Paren(paren) => return kind(&paren.elem, generics),
-        _ => return None,
-    };
-    if let Some(name) = path.get_ident()
-        && generics.type_params().any(|parameter| parameter.ident == *name)
-    {
-        return Some(FieldKind::TypeParameter(name.clone()));
+fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
+    match ty {
+        [TokenTree::Group(group)]
+            if matches!(group.delimiter(), Delimiter::None | Delimiter::Parenthesis) =>
+        {
+            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+            return kind(&inner, generics);
+        }
+        [TokenTree::Ident(name)] if generics.has_type(name) => {
+            return Some(FieldKind::TypeParameter(name.clone()));
+        }
+        _ => {}
     }
-    let last = path.segments.last().filter(|last| last.arguments.is_none())?;
-    match last.ident.to_string().as_str() {
+    match last_of_path(ty)?.to_string().as_str() {
         "f64" => Some(FieldKind::F64),
         "f32" => Some(FieldKind::F32),
         _ => None,

@@ -2,17 +2,54 @@
 
 pub(crate) mod attribute;
 mod call;
+mod declaration;
 mod entry;
+pub(crate) mod generics;
 pub(crate) mod item;
 pub(crate) mod literal;
+pub(crate) mod name;
 pub(crate) mod parse;
 pub(crate) mod positive;
 mod slips;
 pub(crate) mod syntax;
 pub(crate) mod unit;
 
-use proc_macro2::TokenTree;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 fn is_punct(token: &TokenTree, character: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}
+
+/// The tokens, without the invisible group that they may stand in if a macro has put them there.
+fn ungrouped(tokens: TokenStream) -> Vec<TokenTree> {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    match tokens.as_slice() {
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::None => ungrouped(group.stream()),
+        _ => tokens,
+    }
+}
+
+/// How many tokens stand before the first outside of angle brackets that ends them; all if none does.
+fn length_before(tokens: &[TokenTree], ends: impl Fn(&TokenTree) -> bool) -> usize {
+    let (mut depth, mut follows_dash) = (0, false);
+    for (index, token) in tokens.iter().enumerate() {
+        let is_arrow = follows_dash && is_punct(token, '>');
+        if depth == 0 && !is_arrow && ends(token) {
+            return index;
+        }
+        depth += i32::from(is_punct(token, '<')) - i32::from(is_punct(token, '>') && !is_arrow);
+        follows_dash = is_punct(token, '-');
+    }
+    tokens.len()
+}
+
+/// What stands between commas outside of angle brackets.
+fn between_commas(mut tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
+    let mut parts = Vec::new();
+    while !tokens.is_empty() {
+        let (part, rest) = tokens.split_at(length_before(tokens, |token| is_punct(token, ',')));
+        parts.push(part);
+        tokens = rest.get(1..).unwrap_or_default();
+    }
+    parts
 }

@@ -270,7 +270,7 @@ impl<'a> Parser<'a> {
         self.diagnostics.report(token.span(), message);
     }
 
-    pub(super) fn fault(&mut self, place: impl Into<Extent>, message: impl core::fmt::Display) -> Expression {
+    pub(super) fn fault(&mut self, place: impl Into<Extent>, message: impl Into<String>) -> Expression {
         let extent = place.into();
         self.diagnostics.report(extent, message);
         self.skip_term();

@@ -3,11 +3,11 @@
 //! What is declared decides signs when the program is compiled; the generated code holds every value to it.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
-use syn::ext::IdentExt;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::is_punct;
-use crate::reading::item::{Item, Meaning, closest, is_same};
+use crate::reading::item::{Item, Meaning, closest};
+use crate::reading::name::{is_same, unraw};
 
 /// The option as it was written, at `place`.
 pub(crate) struct Positive {
@@ -80,7 +80,7 @@ fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
 fn name(tokens: &[TokenTree], place: Span) -> Result<Ident, Extent> {
     match tokens {
         [TokenTree::Ident(name)] if name != "true" && name != "false" => Ok(name.clone()),
-        _ => Err(Extent::of(tokens.iter().map(TokenTree::span), place)),
+        _ => Err(Extent::of(tokens, place)),
     }
 }
 
@@ -104,7 +104,7 @@ fn no_number(name: &Ident, item: &Item) -> String {
     let remedy = match closest(&name.to_string(), item.field_names()) {
         Some(field) => format!("did you mean `{field}`?"),
         None if item.fields.is_empty() => {
-            format!("a field declares a symbol, as in `struct {} {{ {}: f64 }}`", item.ident, name.unraw())
+            format!("a field declares a symbol, as in `struct {} {{ {}: f64 }}`", item.ident, unraw(name))
         }
         None => format!("its symbols are `{}`", item.field_names().join("`, `")),
     };

@@ -52,6 +52,58 @@ where
     marker: PhantomData<(T, T_)>,
 }
 
+/// Arrows, brackets in brackets, and defaults of constants.
+#[gap_profile(r^2 / (2 * radius))]
+struct Nested<S, F: Fn(&[S]) -> Vec<Vec<S>>, const N: usize = { 2 + 1 }, const M: usize = 1>
+where
+    F: for<'a> Fn(&'a [S]) -> Vec<Vec<S>>,
+    [u8; N]: Default,
+{
+    shape: F,
+    pub(super) radius: S,
+    tags: [[u8; N]; M],
+}
+
+/// Parts of a struct that a macro takes stand in invisible groups.
+macro_rules! parts {
+    ($visibility:vis $name:ident, $lifetime:lifetime, $type:ty, $bounded:ty, $crate_path:path) => {
+        #[gap_profile(r^2 / (2 * radius), crate = $crate_path)]
+        $visibility struct $name<$lifetime, T: Into<$type>>
+        where
+            $bounded: Copy,
+        {
+            $visibility radius: $type,
+            other: &$lifetime T,
+        }
+    };
+}
+
+parts!(pub(super) Parts, 'a, f64, &'static dyn Debug, ::cartcontact);
+
+macro_rules! annotated {
+    ($item:item) => {
+        #[gap_profile(r^2 / (2 * radius))]
+        $item
+    };
+}
+
+annotated! {
+    /// With what stands before it.
+    #[derive(Clone, Copy)]
+    pub(super) struct Whole { pub(super) radius: f64 }
+}
+
+#[test]
+fn structs_of_macros_are_read() {
+    let parts = Parts { radius: 20.0, other: &1.0_f32 };
+    let whole = Whole { radius: parts.radius };
+    assert_eq!(radius::<f64>(&parts), radius::<f64>(&whole));
+    assert_eq!(*parts.other, 1.0);
+    let nested = Nested { shape: |tags: &[f64]| vec![tags.to_vec()], radius: 20.0, tags: [[0; 3]] };
+    assert_eq!(radius(&nested), radius::<f64>(&whole));
+    assert_eq!((nested.shape)(&[1.0]).len(), nested.tags.len());
+}
+
 #[test]
 fn parameters_of_all_kinds_are_kept() {
     assert_eq!(radius(&Any { radius: 20.0_f64 }), radius(&Bounded { radius: 20.0_f64 }));

@@ -1,0 +1,157 @@
+//! The parameters of the annotated struct and their bounds, as an implementation repeats them.
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+use crate::reading::{between_commas, is_punct, length_before, ungrouped};
+
+/// What stands between `<` and `>`, and behind `where`.
+#[derive(Clone)]
+pub(crate) struct Generics {
+    parameters: Vec<Parameter>,
+    predicates: Vec<TokenStream>,
+}
+
+#[derive(Clone)]
+struct Parameter {
+    kind: Kind,
+    /// `'a`, `T` or `N`.
+    name: TokenStream,
+    /// With attributes and bounds, but without its default.
+    declaration: TokenStream,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Lifetime,
+    Type,
+    Constant,
+}
+
+impl Parameter {
+    fn of(tokens: &[TokenTree]) -> Option<Self> {
+        let declaration = &tokens[..length_before(tokens, |token| is_punct(token, '='))];
+        // A lifetime that a macro has put there stands in an invisible group.
+        let mut opened = Vec::new();
+        for token in declaration {
+            opened.extend(ungrouped(token.clone().into()));
+        }
+        let (kind, name) = match without_attributes(&opened) {
+            [quote, TokenTree::Ident(name), ..] if is_punct(quote, '\'') => {
+                (Kind::Lifetime, quote!(#quote #name))
+            }
+            [TokenTree::Ident(word), TokenTree::Ident(name), ..] if word == "const" => {
+                (Kind::Constant, name.to_token_stream())
+            }
+            [TokenTree::Ident(name), ..] => (Kind::Type, name.to_token_stream()),
+            _ => return None,
+        };
+        Some(Parameter { kind, name, declaration: quote!(#(#declaration)*) })
+    }
+
+    /// As an argument. Constants stand in braces, as a name alone would mean the type of that name if there is one in
+    /// scope.
+    fn argument(&self) -> TokenStream {
+        let name = &self.name;
+        if self.kind == Kind::Constant { quote!({ #name }) } else { name.clone() }
+    }
+}
+
+impl Generics {
+    /// The parameters at the beginning of some tokens, and what follows them.
+    pub(super) fn parameters(tokens: &[TokenTree]) -> (Self, &[TokenTree]) {
+        let (mut generics, rest) = (Generics { parameters: Vec::new(), predicates: Vec::new() }, tokens);
+        let [first, inner @ ..] = tokens else { return (generics, rest) };
+        if !is_punct(first, '<') {
+            return (generics, rest);
+        }
+        let (inner, rest) = inner.split_at(length_before(inner, |token| is_punct(token, '>')));
+        generics.parameters = between_commas(inner).into_iter().filter_map(Parameter::of).collect();
+        (generics, rest.get(1..).unwrap_or_default())
+    }
+
+    /// Adds what stands behind `where`.
+    pub(super) fn add_predicates(&mut self, tokens: &[TokenTree]) {
+        self.predicates.extend(between_commas(tokens).iter().map(|predicate| quote!(#(#predicate)*)));
+    }
+
+    /// Whether this is the name of a type parameter.
+    pub(crate) fn has_type(&self, name: &Ident) -> bool {
+        let mut types = self.parameters.iter().filter(|parameter| parameter.kind == Kind::Type);
+        types.any(|parameter| name == &parameter.name.to_string())
+    }
+
+    /// The same with a type parameter that has a bound; added to them if it is none of them.
+    pub(crate) fn with_bound(&self, name: &Ident, bound: &TokenStream) -> Self {
+        let mut generics = self.clone();
+        if !self.has_type(name) {
+            let name = name.to_token_stream();
+            let parameter = Parameter { kind: Kind::Type, declaration: name.clone(), name };
+            generics.parameters.push(parameter);
+        }
+        generics.predicates.push(quote!(#name: #bound));
+        generics
+    }
+
+    /// `<'a, T: Copy>` or nothing, as it stands behind `impl`.
+    pub(crate) fn declared(&self) -> TokenStream {
+        in_angles(self.parameters.iter().map(|parameter| parameter.declaration.clone()).collect())
+    }
+
+    /// `<'a, T>` or nothing, as it stands behind the type.
+    pub(crate) fn arguments(&self) -> TokenStream {
+        in_angles(self.parameters.iter().map(Parameter::argument).collect())
+    }
+
+    /// `where T: Clone`, or nothing.
+    pub(crate) fn bounds(&self) -> TokenStream {
+        let predicates = &self.predicates;
+        if predicates.is_empty() { TokenStream::new() } else { quote!(where #(#predicates),*) }
+    }
+}
+
+fn in_angles(list: Vec<TokenStream>) -> TokenStream {
+    if list.is_empty() { TokenStream::new() } else { quote!(<#(#list),*>) }
+}
+
+fn without_attributes(tokens: &[TokenTree]) -> &[TokenTree] {
+    match tokens {
+        [hash, TokenTree::Group(_), rest @ ..] if is_punct(hash, '#') => without_attributes(rest),
+        _ => tokens,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::{format_ident, quote};
+
+    use super::*;
+
+    #[test]
+    fn parameters_are_repeated_without_their_defaults() {
+        let tokens = quote! {
+            <'a, 'b: 'a, #[cfg(all())] T: Fn(f64) -> Vec<Vec<T>> + 'b = Vec<f64>, const N: usize = 3,> rest
+        };
+        let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+        let (mut generics, rest) = Generics::parameters(&tokens);
+        assert_eq!(quote!(#(#rest)*).to_string(), "rest");
+        let declared = quote!(<'a, 'b: 'a, #[cfg(all())] T: Fn(f64) -> Vec<Vec<T>> + 'b, const N: usize>);
+        assert_eq!(generics.declared().to_string(), declared.to_string());
+        assert_eq!(generics.arguments().to_string(), quote!(<'a, 'b, T, { N }>).to_string());
+        assert!(generics.bounds().is_empty());
+        let predicates: Vec<TokenTree> = quote!(for<'c> &'c T: Into<f64>, [u8; N]:,).into_iter().collect();
+        generics.add_predicates(&predicates);
+        let bounded = generics.with_bound(&format_ident!("S"), &quote!(Copy));
+        let bounds = quote!(where for<'c> &'c T: Into<f64>, [u8; N]:, S: Copy);
+        assert_eq!(bounded.bounds().to_string(), bounds.to_string());
+        assert!(bounded.has_type(&format_ident!("S")) && !bounded.has_type(&format_ident!("N")));
+        let same = bounded.with_bound(&format_ident!("T"), &quote!(Copy));
+        assert_eq!(same.declared().to_string(), bounded.declared().to_string());
+    }
+
+    #[test]
+    fn what_has_no_parameters_has_no_brackets() {
+        let (generics, rest) = Generics::parameters(&[]);
+        assert!(rest.is_empty() && generics.declared().is_empty() && generics.arguments().is_empty());
+    }
+}
