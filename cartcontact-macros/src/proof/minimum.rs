@@ -11,8 +11,8 @@
 //! The value that does not decide yet tells how many bits will: at points with fewer no value is looked at.
 //!
 //! Termination: the roots are simple, so p is not 0 where p' is. The points come arbitrarily close to the minimum and
-//! their values arbitrarily near to the true ones; so p(l) is found to be negative or to exceed p'(l)²/(2 m). A value that
-//! does not decide puts the next one off by a limited number of bits.
+//! their values arbitrarily near to the true ones; so p(l) is found to be negative or to exceed p'(l)²/(2 m). A value
+//! that does not decide puts the next one off by a limited number of bits.
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -294,6 +294,20 @@ mod tests {
             }
             assert_eq!(roots(&parabola(0, 1), first, 1 << 10), Err(Undecided));
         }
+    }
+
+    #[test]
+    fn doubling_leads_to_enough() {
+        for enough in [17, 100, 830, 2034] {
+            let mut bits = bits_on_the_way(enough, 0, FEWEST_BITS);
+            let mut steps = 0;
+            while bits < enough {
+                bits = bits_on_the_way(enough, bits, 2 * bits + 2);
+                steps += 1;
+            }
+            assert!(bits == enough && enough >> steps > 4, "{enough}: {bits}, {steps}");
+        }
+        assert_eq!(bits_on_the_way(100, 100, 204), 204);
     }
 
     /// x^64 - 2^60 x + 2^60 - height: the curvature grows by 2^62 over the interval, so that Newton's method leads
