@@ -104,30 +104,44 @@ impl Bernstein {
     /// Where all roots of the part may be, if they are so many.
     ///
     /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster.
+    ///
+    /// Few clusters are so small that the estimates must be known to all of their bits.
     pub(crate) fn cluster(&self, multiplicity: usize) -> Cluster {
-        let last = self.numbers.len() - 1;
-        let lower = self.newton(multiplicity, 0, 1);
-        let upper = (BigInt::one() << FINEST) - self.newton(multiplicity, last, last - 1);
-        Cluster { agreement: FINEST.saturating_sub((&upper - &lower).bits()), twice: lower + upper }
+        let coarse = self.cluster_to(COARSE, multiplicity);
+        if coarse.agreement > COARSE / 2 { self.cluster_to(FINEST, multiplicity) } else { coarse }
     }
 
-    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-FINEST of the part. It may
+    fn cluster_to(&self, finest: u64, multiplicity: usize) -> Cluster {
+        let last = self.numbers.len() - 1;
+        let lower = self.newton(finest, multiplicity, 0, 1);
+        let upper = (BigInt::one() << finest) - self.newton(finest, multiplicity, last, last - 1);
+        Cluster { agreement: finest.saturating_sub((&upper - &lower).bits()), twice: lower + upper, finest }
+    }
+
+    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-finest of the part. It may
     /// lead outside from an end amid the roots, or where the value is too small to be known: they are near this end
     /// then, if anywhere.
-    fn newton(&self, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
+    fn newton(&self, finest: u64, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
         if self.numbers.sign(end, self.error).is_none() {
             return BigInt::zero();
         }
         let (value, next) = (self.numbers.value(end), self.numbers.value(neighbour));
         let degree = self.numbers.len() - 1;
-        let (step, fall) = (&value * multiplicity, (&value - next) * degree);
+        let (mut step, mut fall) = (&value * multiplicity, (&value - next) * degree);
         let inside = !fall.is_zero() && (fall < BigInt::zero()) == (value < BigInt::zero());
-        let position = (step << FINEST) / if inside { fall } else { return BigInt::zero() };
-        if position <= BigInt::one() << (FINEST + 1) { position } else { BigInt::zero() }
+        if !inside {
+            return BigInt::zero();
+        }
+        let excess = step.bits().min(fall.bits()).saturating_sub(finest + 64);
+        step >>= excess;
+        fall >>= excess;
+        let position = (step << finest) / fall;
+        if position <= BigInt::one() << (finest + 1) { position } else { BigInt::zero() }
     }
 }
 
-/// Newton's method is followed to units of 2^-FINEST of the part.
+/// Newton's method is followed to units of 2^-COARSE of the part first, then to those of 2^-FINEST.
+const COARSE: u64 = 128;
 const FINEST: u64 = 2048;
 /// By so many bits the piece around a cluster is longer than its roots seem to be apart.
 const MARGIN: u64 = 1;
@@ -138,8 +152,9 @@ const SHORTEST: u64 = 5;
 pub(crate) struct Cluster {
     /// Its estimates from the two ends differ by less than 2^-agreement of the part.
     agreement: u64,
-    /// Their sum, in units of 2^-FINEST of the part.
+    /// Their sum, in units of 2^-finest of the part.
     twice: BigInt,
+    finest: u64,
 }
 
 impl Cluster {
@@ -160,7 +175,7 @@ impl Cluster {
 
     fn piece(&self, bits: u64) -> Option<(BigInt, u64)> {
         let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= SHORTEST)?;
-        let centre: BigInt = &self.twice >> (FINEST + 1 - bits);
+        let centre: BigInt = &self.twice >> (self.finest + 1 - bits);
         let last: BigInt = (BigInt::one() << bits) - 4;
         let offset: BigInt = centre - 2;
         match offset.to_u8() {

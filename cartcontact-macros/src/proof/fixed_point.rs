@@ -275,10 +275,10 @@ fn at(rank: &[Block], index: usize) -> i128 {
 }
 
 /// Adds to every number the one behind it. Constant places in an array are not checked, even where nothing is
-/// optimised.
-fn add_neighbours(blocks: &mut [Block]) {
+/// optimised, and patterns of slices are no calls.
+fn add_neighbours(mut blocks: &mut [Block]) {
     let mut behind = 0;
-    for block in blocks.iter_mut().rev() {
+    while let [before @ .., block] = blocks {
         let first = block[0];
         block[0] += block[1];
         block[1] += block[2];
@@ -289,14 +289,15 @@ fn add_neighbours(blocks: &mut [Block]) {
         block[6] += block[7];
         block[7] += behind;
         behind = first;
+        blocks = before;
     }
 }
 
 /// Adds to every number from `first` on all that are behind it.
 fn sum_from_the_end(blocks: &mut [Block], first: usize) {
     let mut behind = 0;
-    let (before, after) = blocks.split_at_mut(first / BLOCK + 1);
-    for block in after.iter_mut().rev() {
+    let (before, mut after) = blocks.split_at_mut(first / BLOCK + 1);
+    while let [others @ .., block] = after {
         block[7] += behind;
         block[6] += block[7];
         block[5] += block[6];
@@ -306,6 +307,7 @@ fn sum_from_the_end(blocks: &mut [Block], first: usize) {
         block[1] += block[2];
         block[0] += block[1];
         behind = block[0];
+        after = others;
     }
     for number in before.as_flattened_mut()[first..].iter_mut().rev() {
         *number += behind;

@@ -15,6 +15,8 @@ use num_traits::Signed;
 /// Coefficients as signs and words, the lowest power and the lowest word first, in units of 2^-digits.
 pub(crate) struct Table {
     coefficients: Vec<(bool, Vec<u64>)>,
+    /// The words of the longest.
+    longest: usize,
     pub(crate) digits: i64,
 }
 
@@ -25,6 +27,8 @@ pub(crate) struct Abscissa {
 }
 
 const WORD: u64 = u64::BITS as u64;
+/// So many columns of a product behind its unit are formed.
+const FORMED: usize = 2;
 
 impl Abscissa {
     /// offset/2^bits, which is less than 1, or that more than 1.
@@ -44,86 +48,101 @@ pub(crate) fn fraction(offset: &BigInt, bits: u64) -> Vec<u64> {
 impl Table {
     pub(crate) fn new(coefficients: &[BigInt], digits: i64) -> Self {
         let in_words = |number: &BigInt| (number.is_negative(), number.magnitude().to_u64_digits());
-        Table { coefficients: coefficients.iter().map(in_words).collect(), digits }
+        let coefficients: Vec<(bool, Vec<u64>)> = coefficients.iter().map(in_words).collect();
+        let longest = coefficients.iter().map(|(_, words)| words.len()).max().unwrap_or(0);
+        Table { coefficients, longest, digits }
     }
 
     /// A derivative at a point and the digits of its unit, which are `digits` or up to 63 more.
     pub(crate) fn derivative(&self, order: usize, at: &Abscissa, digits: i64) -> (BigInt, i64) {
         let cut = (self.digits - digits).max(0) as usize / WORD as usize;
-        let mut value = Value { is_negative: false, words: Vec::new() };
-        for power in (order..self.coefficients.len()).rev() {
-            value.multiply(at);
-            let (is_negative, words) = &self.coefficients[power];
+        let room = self.longest.saturating_sub(cut) + 2;
+        let mut value = Value { is_negative: false, words: vec![0; room], first: 0 };
+        let mut coefficients = self.coefficients.as_slice();
+        while let [left @ .., (is_negative, words)] = coefficients
+            && left.len() >= order
+        {
+            value.multiply(at, room);
             if let Some(words) = words.get(cut..) {
-                let factor = (power - order + 1..=power).product::<usize>();
-                value.add(*is_negative, words, factor as u64);
+                value.add(*is_negative, words, falling(left.len(), order));
             }
+            coefficients = left;
         }
-        let size = integer(&value.words);
+        let size = integer(&value.words[value.first..]);
         let value = if value.is_negative { -size } else { size };
         (value, self.digits - (cut as u64 * WORD) as i64)
     }
 }
 
+/// power (power − 1) … with so many factors.
+fn falling(power: usize, factors: usize) -> u64 {
+    let (mut product, mut less) = (1, 0);
+    while less < factors {
+        product *= (power - less) as u64;
+        less += 1;
+    }
+    product
+}
+
 /// An integer with its sign; there may be zeros before its first word.
 struct Value {
     is_negative: bool,
+    /// Those from `first` on; the others are left of a product.
     words: Vec<u64>,
+    first: usize,
 }
 
 impl Value {
-    /// Cuts off what is behind the unit.
-    fn multiply(&mut self, at: &Abscissa) {
-        while self.words.last() == Some(&0) {
-            self.words.pop();
+    /// Cuts off what is behind the unit. There is room for so many words at least then.
+    fn multiply(&mut self, at: &Abscissa, room: usize) {
+        let (mut own, fraction) = (&self.words[self.first..], at.words.as_slice());
+        while let [left @ .., 0] = own {
+            own = left;
         }
-        let (own, behind) = (self.words.len(), at.words.len());
-        let mut product = vec![0; own + behind + 1];
-        for (place, &factor) in at.words.iter().enumerate() {
-            let unformed = behind.saturating_sub(place + 2);
-            if unformed < own {
-                let carry = add_row(&mut product[place + unformed..], &self.words[unformed..], factor, 0);
-                product[place + own] = carry;
+        let formed = fraction.len().min(FORMED);
+        let mut product = vec![0; formed + room.max(own.len() + 1)];
+        let sums = product.as_mut_slice();
+        let mut place = 0;
+        while place < fraction.len() {
+            let unformed = fraction.len().saturating_sub(place + FORMED);
+            if unformed < own.len() {
+                let sums = &mut sums[place + unformed + formed - fraction.len()..];
+                let carry = add_row(sums, &own[unformed..], fraction[place], 0);
+                sums[own.len() - unformed] = carry;
             }
+            place += 1;
         }
-        product.drain(..behind);
         if at.exceeds_one {
-            let carry = add_row(&mut product, &self.words, 1, 0);
-            product[own] += carry;
+            let carry = add_row(&mut sums[formed..], own, 1, 0);
+            sums[formed + own.len()] += carry;
         }
-        self.words = product;
+        (self.words, self.first) = (product, formed);
     }
 
     fn add(&mut self, is_negative: bool, row: &[u64], factor: u64) {
-        let room = row.len() + 2;
-        if self.words.len() < room {
-            self.words.resize(room, 0);
-        }
-        let rest = row.len();
+        let words = &mut self.words[self.first..];
         if is_negative == self.is_negative {
-            let mut carry = add_row(&mut self.words, row, factor, 0);
-            for word in &mut self.words[rest..] {
-                let (sum, exceeds) = word.overflowing_add(carry);
-                (*word, carry) = (sum, exceeds.into());
-                if carry == 0 {
-                    break;
-                }
+            let mut carry = add_row(words, row, factor, 0);
+            let mut rest = row.len();
+            while carry != 0 && rest < words.len() {
+                let (sum, exceeds) = words[rest].overflowing_add(carry);
+                (words[rest], carry) = (sum, exceeds.into());
+                rest += 1;
             }
             if carry != 0 {
                 self.words.push(carry);
             }
         } else {
-            let mut borrow = subtract_row(&mut self.words, row, factor);
-            for word in &mut self.words[rest..] {
-                let (difference, exceeds) = word.overflowing_sub(borrow);
-                (*word, borrow) = (difference, exceeds.into());
-                if borrow == 0 {
-                    break;
-                }
+            let mut borrow = subtract_row(words, row, factor);
+            let mut rest = row.len();
+            while borrow != 0 && rest < words.len() {
+                let (difference, exceeds) = words[rest].overflowing_sub(borrow);
+                (words[rest], borrow) = (difference, exceeds.into());
+                rest += 1;
             }
             if borrow != 0 {
                 self.is_negative = !self.is_negative;
-                negate(&mut self.words);
+                negate(words);
             }
         }
     }
@@ -149,7 +168,7 @@ pub(crate) fn integer(words: &[u64]) -> BigInt {
 /// Adds a multiple of a row to the first of `sums`; what is to be added to the next is returned.
 pub(crate) fn add_row(mut sums: &mut [u64], mut row: &[u64], factor: u64, carry: u64) -> u64 {
     let (factor, mut carry) = (u128::from(factor), u128::from(carry));
-    while !row.len().is_multiple_of(4) {
+    while row.len() & 3 != 0 {
         let ([s0, sums_left @ ..], [r0, row_left @ ..]) = (sums, row) else { return carry as u64 };
         let sum = u128::from(*r0).wrapping_mul(factor).wrapping_add(u128::from(*s0)).wrapping_add(carry);
         (*s0, carry) = (sum as u64, sum >> WORD);

@@ -151,16 +151,28 @@ pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
     let mut coefficients = vec![BigInt::zero(); degree + 1];
     for &(power, coefficient) in terms {
         if let Some(slot) = coefficients.get_mut(power) {
-            let [numerator, denominator] =
-                [(coefficient.numer(), &content), (&denominator, coefficient.denom())].map(
-                    |(whole, part)| {
-                        if part.is_one() { whole.clone() } else { whole / part }
-                    },
-                );
+            let numerator = quotient(coefficient.numer(), &content);
+            let denominator = quotient(&denominator, coefficient.denom());
             *slot = numerator * denominator;
         }
     }
     IntegerPolynomial::new(coefficients)
+}
+
+/// A number divided by one that it is a multiple of.
+///
+/// A quotient of b bits is the integer next to the one of what is left of both when all but b + 64 bits of the divisor
+/// are cut off: less than 1 from each of them, which makes it differ by less than 2^b/2^(b+63). So a short quotient of
+/// long numbers, as there are among the denominators of decimals, costs no division of all their bits.
+fn quotient(multiple: &BigInt, divisor: &BigInt) -> BigInt {
+    if divisor.is_one() {
+        return multiple.clone();
+    }
+    let bits = (multiple.bits() + 1).saturating_sub(divisor.bits());
+    let excess = divisor.bits().saturating_sub(bits + 64);
+    let divisor: BigInt = divisor >> excess;
+    let twice: BigInt = (multiple >> excess) << 1_u32;
+    (twice + &divisor).div_floor(&(divisor << 1))
 }
 
 /// What all numerators of fractions are multiples of; the short ones come first, as they have few divisors.
@@ -200,6 +212,18 @@ mod tests {
         assert_eq!(product.exact_quotient(&polynomial(&[-2, 1])), Some(polynomial(&[3, 1])));
         assert_eq!(product.exact_quotient(&polynomial(&[-1, 1])), None);
         assert_eq!(product.exact_quotient(&polynomial(&[2])), None);
+    }
+
+    #[test]
+    fn quotients_of_multiples_are_exact() {
+        let long = BigInt::from(7).pow(500);
+        for divisor in [BigInt::one(), 3.into(), long.clone(), (&long << 300) + 1, (BigInt::one() << 900) - 1]
+        {
+            for short in [-5, -1, 0, 1, 2, 1_000_000_007, i64::MAX] {
+                assert_eq!(quotient(&(&divisor * short), &divisor), short.into());
+                assert_eq!(quotient(&(&divisor * &long * short), &divisor), &long * short);
+            }
+        }
     }
 
     #[test]

@@ -8,9 +8,11 @@
 //!
 //! A point that is 2^-b from the minimum makes p(l) − p'(l)²/(2 m) differ from the least value by about m 2^-2b: so
 //! values and slopes are computed to 2^-16 of that, and each point has about twice the bits of the step that led to it.
+//! The value that does not decide yet tells how many bits will: at points with fewer no value is looked at.
 //!
 //! Termination: the roots are simple, so p is not 0 where p' is. The points come arbitrarily close to the minimum and
-//! their values arbitrarily near to the true ones; so p(l) is found to be negative or to exceed p'(l)²/(2 m).
+//! their values arbitrarily near to the true ones; so p(l) is found to be negative or to exceed p'(l)²/(2 m). A value
+//! that does not decide puts the next one off by a limited number of bits.
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -54,8 +56,8 @@ struct Point {
     bits: u64,
 }
 
-/// The slope over the part, in units of 2^-digits; less than `error` of them from the true one.
-struct Slope {
+/// A value or a slope over the part, in units of 2^-digits; less than `error` of them from the true one.
+struct Known {
     number: BigInt,
     error: u64,
     digits: i64,
@@ -88,19 +90,26 @@ impl<'a> Minimum<'a> {
         most_digits: u64,
     ) -> Result<Roots, Undecided> {
         let mut point = Point { offset: first.into(), bits: FEWEST_BITS };
+        // The digits that are likely to be asked for last, at once: every time they are more takes as long.
+        self.source.for_values(self.digits_for(2 * *enough).clamp(1, most_digits as i64) as u64);
         loop {
             let digits = self.digits_for(2 * point.bits).max(1);
             if digits > most_digits as i64 {
                 return Err(Undecided);
             }
-            if point.bits >= *enough
-                && let Some(roots) = self.roots_beside(&point, digits, enough)
+            let value = (point.bits >= *enough).then(|| self.value(&point, digits));
+            if let Some(value) = &value
+                && let Some(roots) = self.roots_beside(&point, value, enough)
             {
                 return Ok(roots);
             }
             let slope = self.slope(&point, digits);
             self.bracket.take(&point, &slope);
-            point = self.newton(&point, &slope, *enough).unwrap_or_else(|| self.halved());
+            let (curvature, _) = self.derivative(2, &point, self.digits_for(point.bits));
+            if let Some(value) = value {
+                *enough = self.likely_enough(&point, &value, &slope, &curvature).unwrap_or(*enough);
+            }
+            point = self.newton(&point, &slope, curvature, *enough).unwrap_or_else(|| self.halved());
         }
     }
 
@@ -110,16 +119,14 @@ impl<'a> Minimum<'a> {
     }
 
     /// What the value and the slope at a point say. The slope is squared, so that it takes half as many digits.
-    fn roots_beside(&mut self, point: &Point, digits: i64, enough: &mut u64) -> Option<Roots> {
-        let value = self.derivative(0, point, digits);
-        let [error, _] = self.source.errors();
-        let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(digits));
-        let steepest = scaled(&(slope.number.abs() + slope.error), digits - slope.digits);
-        let curvature = scaled(&self.curvature, digits - self.digits as i64);
-        if value <= -BigInt::from(error) {
-            return Some(point.first_root(&(error - value), &steepest, &curvature));
+    fn roots_beside(&self, point: &Point, value: &Known, enough: &mut u64) -> Option<Roots> {
+        let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(value.digits));
+        let steepest = scaled(&(slope.number.abs() + slope.error), value.digits - slope.digits);
+        let curvature = scaled(&self.curvature, value.digits - self.digits as i64);
+        if value.number <= -BigInt::from(value.error) {
+            return Some(point.first_root(&(value.error - &value.number), &steepest, &curvature));
         }
-        let least = value - error;
+        let least = &value.number - value.error;
         let is_positive = least.is_positive() && (&curvature * &least) << 1 > &steepest * &steepest;
         is_positive.then(|| {
             *enough = curvature.bits().saturating_sub(least.bits()) / 2 + 4;
@@ -127,35 +134,50 @@ impl<'a> Minimum<'a> {
         })
     }
 
-    fn slope(&mut self, point: &Point, digits: i64) -> Slope {
-        let number = self.derivative(1, point, digits);
-        let [_, error] = self.source.errors();
-        Slope { number, error, digits }
+    /// The bits of a point that are enough if the value beside the minimum is that of the parabola that touches here,
+    /// p − p'²/(2 p''): there p''² (x − l)²/(2 m) is less. Nothing if it is too small to be known.
+    fn likely_enough(&self, point: &Point, value: &Known, slope: &Known, curvature: &BigInt) -> Option<u64> {
+        if !curvature.is_positive() {
+            return None;
+        }
+        let least = &value.number - ((&slope.number * &slope.number) >> (point.bits + 1)) / curvature;
+        if least.bits() < SPARE_BITS / 2 {
+            return None;
+        }
+        let least = least.bits() as i64 - slope.digits;
+        let steepest = 2 * (curvature.bits() as i64 - self.digits_for(point.bits));
+        let flattest = self.curvature.bits() as i64 - self.digits as i64;
+        u64::try_from((steepest - flattest - least) / 2 + 2).ok().filter(|bits| *bits > point.bits)
     }
 
-    /// In units of 2^-digits.
-    fn derivative(&mut self, order: u64, point: &Point, digits: i64) -> BigInt {
-        self.source = self.source.for_values(digits.max(0) as u64);
+    fn value(&self, point: &Point, digits: i64) -> Known {
+        let (number, [error, _]) = self.derivative(0, point, digits);
+        Known { number, error, digits }
+    }
+
+    fn slope(&self, point: &Point, digits: i64) -> Known {
+        let (number, [_, error]) = self.derivative(1, point, digits);
+        Known { number, error, digits }
+    }
+
+    /// In units of 2^-digits, with the bounds for the errors of values and slopes.
+    fn derivative(&self, order: u64, point: &Point, digits: i64) -> (BigInt, [u64; 2]) {
+        let source = self.source.for_values(digits.max(0) as u64);
         let at = self.part.within(&point.offset, point.bits, point.bits);
-        self.source.derivative(order, &at, self.part, digits)
+        (source.derivative(order, &at, self.part, digits), source.errors())
     }
 
     /// Where Newton's method leads, if that is inside the bracket and the steps become shorter.
-    fn newton(&mut self, point: &Point, slope: &Slope, enough: u64) -> Option<Point> {
-        let digits = self.digits_for(point.bits);
-        let curvature = self.derivative(2, point, digits);
-        let finer = digits - slope.digits;
+    fn newton(&mut self, point: &Point, slope: &Known, curvature: BigInt, enough: u64) -> Option<Point> {
+        let finer = self.digits_for(point.bits) - slope.digits;
         // The step is about 2^-reach; the error of the slope is worth no more than 2^(-2 bits).
         let reach = curvature.bits() as i64 - slope.number.bits() as i64 - finer;
         let reach = reach.min(2 * point.bits as i64);
         if !curvature.is_positive() || reach <= self.steady {
             return None;
         }
-        let bits = match (2 * reach + 4) as u64 {
-            all if (reach as u64) < enough && enough < all => enough,
-            all => all.min(2 * point.bits + 8),
-        };
-        let bits = bits.max(FEWEST_BITS);
+        let longest = ((2 * reach + 4) as u64).min(2 * point.bits + 8).max(FEWEST_BITS);
+        let bits = bits_on_the_way(enough, point.bits.max(reach as u64), longest);
         let step = scaled(&slope.number, bits as i64 + finer) / curvature;
         let offset = scaled(&point.offset, bits as i64 - point.bits as i64) - step;
         self.steady = reach.min(point.bits as i64);
@@ -172,7 +194,7 @@ impl<'a> Minimum<'a> {
 
 impl Bracket {
     /// Takes in the sign of the slope at a point, if it is certain.
-    fn take(&mut self, point: &Point, slope: &Slope) {
+    fn take(&mut self, point: &Point, slope: &Known) {
         if slope.number.magnitude() < &slope.error.into() {
             return;
         }
@@ -213,6 +235,16 @@ impl Point {
         let lower = (&upper - (BigInt::one() << (bits - near))).max(BigInt::zero());
         Roots::Between { lower, upper, bits }
     }
+}
+
+/// The bits of the next point where `longest`, which is 16 at least, are known: so many that doubling them leads to
+/// `enough` and hardly beyond, unless these are reached already.
+fn bits_on_the_way(enough: u64, reached: u64, longest: u64) -> u64 {
+    let mut bits = enough;
+    while bits > longest {
+        bits = bits / 2 + 3;
+    }
+    if bits > reached { bits } else { longest }
 }
 
 /// The bits by which the bracket is longer than the unit that its middle is rounded to.
@@ -262,6 +294,20 @@ mod tests {
             }
             assert_eq!(roots(&parabola(0, 1), first, 1 << 10), Err(Undecided));
         }
+    }
+
+    #[test]
+    fn doubling_leads_to_enough() {
+        for enough in [17, 100, 830, 2034] {
+            let mut bits = bits_on_the_way(enough, 0, FEWEST_BITS);
+            let mut steps = 0;
+            while bits < enough {
+                bits = bits_on_the_way(enough, bits, 2 * bits + 2);
+                steps += 1;
+            }
+            assert!(bits == enough && enough >> steps > 4, "{enough}: {bits}, {steps}");
+        }
+        assert_eq!(bits_on_the_way(100, 100, 204), 204);
     }
 
     /// x^64 - 2^60 x + 2^60 - height: the curvature grows by 2^62 over the interval, so that Newton's method leads

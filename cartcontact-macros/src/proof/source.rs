@@ -82,6 +82,8 @@ impl<'a> Source<'a> {
             Some(near) if self.digits() < digits => match near.wider.is_whole() {
                 true => near.wider.clone(),
                 false if self.degree() < self.whole.degree() => near.wider.for_values(digits),
+                // Numbers of the whole are hardly longer.
+                false if 4 * near.spent < digits => Source::whole(self.whole),
                 false => self.with_digits(digits),
             },
             _ => self.clone(),
