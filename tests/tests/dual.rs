@@ -2,9 +2,9 @@
 
 use core::f64::consts::PI;
 
-use cartcontact::load::{Constant, PiecewiseLinear};
+use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, Scalar, gap_profile};
-use num_dual::{Dual32, Dual64};
+use num_dual::{Dual32, Dual64, DualNum};
 
 type Failure = Box<dyn core::error::Error>;
 
@@ -180,5 +180,38 @@ fn single_precision_has_its_own_range() -> Result<(), Failure> {
     let found = peak(dual(100.0).derivative())?;
     // P ∝ F^(2/3) of a paraboloid.
     assert!((found.eps * 100.0 / found.re - 2.0 / 3.0).abs() < 1e-5, "{found}");
+    Ok(())
+}
+
+/// F = 18 900 e^(−t/10).
+struct Fading;
+
+impl Load<Dual32> for Fading {
+    fn force(&self, t: Dual32) -> Dual32 {
+        Dual32::from(18_900.0) * (t * Dual32::from(-0.1)).exp()
+    }
+
+    fn impulse(&self, t: Dual32) -> Dual32 {
+        Dual32::from(-189_000.0) * (t * Dual32::from(-0.1)).exp_m1()
+    }
+}
+
+/// Zeros may carry a derivative, so that they are no terms to leave out; a power beyond the format makes no number of them.
+#[test]
+fn a_zero_before_a_power_beyond_the_format_changes_nothing() -> Result<(), Failure> {
+    let number = Dual32::from;
+    let terms = [(number(7e-5), number(2.1)), (number(0.0), number(64.0))];
+    let medium = Medium::from_constants(number(0.13), number(0.2))?;
+    let pressures = |count: usize| -> Result<Vec<Dual32>, Failure> {
+        let contact = Contact::new(Polynomial::new(&terms[..count])?, medium, Fading)?;
+        let now = contact.at(number(5.0).derivative())?;
+        assert!(now.radius().re > 20.0, "{}", now.radius());
+        Ok([0.0, 0.5, 0.9].map(|share| now.pressure(now.radius() * number(share))).to_vec())
+    };
+    for (found, expected) in pressures(2)?.into_iter().zip(pressures(1)?) {
+        for (found, expected) in [(found.re, expected.re), (found.eps, expected.eps)] {
+            assert!((found / expected - 1.0).abs() < 1e-4, "{found} instead of {expected}");
+        }
+    }
     Ok(())
 }

@@ -190,7 +190,9 @@ fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
         // Only slopes of gaps with an exponent below 1. Turning the sign of the exponent would round its fraction.
         return quick_term(c, x, n.plus(1)) / x;
     }
-    quick_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction)
+    let term = quick_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
+    // Of such a zero a power beyond the format would leave no number; the derivative is one that the format just holds.
+    if c.is_zero() && !term.is_finite() { c / smallest_normal() } else { term }
 }
 
 /// c x^k with every product rounded, in halves.

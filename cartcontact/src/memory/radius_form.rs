@@ -132,7 +132,9 @@ where
         let end = stretch.age_at(depth + length);
         let shortly_before = stretch.age_at(depth + length * T::constant(63.0 / 64.0));
         let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
-        if fading <= most || length <= shortest {
+        // What is no number, as derivatives may be, gets no better.
+        let is_halved = fading > most && length > shortest;
+        if !is_halved {
             return (depth + length, fading);
         }
         length *= T::constant(0.5);
