@@ -2,6 +2,8 @@
 
 use cartcontact::{GapProfile, Scalar};
 
+use crate::random::{Sum, sum};
+
 /// 1 + 2a/(a − r), by how much an error of the radius a counts in a pressure at r; 1 outside.
 #[must_use]
 pub fn edge<T: Scalar>(a: T, r: T) -> f64 {
@@ -33,4 +35,10 @@ pub fn degree_of_approach(profile: &dyn GapProfile<f64>, a: f64) -> f64 {
 pub fn of_radius(profile: &dyn GapProfile<f64>, sizes: &dyn GapProfile<f64>, a: f64) -> f64 {
     let slope = a.powi(5) * profile.approach_slope(a) / 2.0;
     (sizes.load_integral(a) / slope).max(1.0)
+}
+
+/// The geometry Σ |C| r^n of terms (C, n): its values are the sums of the sizes of the terms.
+#[must_use]
+pub fn of_sizes(terms: &[(f64, f64)]) -> Sum {
+    sum(terms.iter().map(|&(c, n)| (c.abs(), n)).collect())
 }

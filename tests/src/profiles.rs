@@ -2,6 +2,9 @@
 
 use cartcontact::{GapProfile, Polynomial, gap_profile};
 
+use crate::condition;
+use crate::random::Sum;
+
 /// One term.
 #[gap_profile(0.025 * r^2)]
 #[derive(Clone, Copy, Debug)]
@@ -91,11 +94,10 @@ impl Case {
         polynomial.unwrap_or_else(|error| unreachable!("{}: {error}", self.name))
     }
 
-    /// The geometry Σ |C| r^n: its values are the sums of the sizes of the terms.
+    /// The geometry of the sizes of its terms.
     #[must_use]
-    pub fn of_sizes(&self) -> Polynomial<f64, Vec<(f64, f64)>> {
-        let sizes = self.terms.iter().map(|&(c, n)| (c.abs(), n)).collect();
-        Polynomial::new(sizes).unwrap_or_else(|error| unreachable!("{}: {error}", self.name))
+    pub fn of_sizes(&self) -> Sum {
+        condition::of_sizes(self.terms)
     }
 }
 

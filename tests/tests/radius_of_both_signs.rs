@@ -3,7 +3,7 @@
 
 use cartcontact::{GapProfile, Polynomial, RadiusError, gap_profile};
 use tests::budget;
-use tests::condition::of_radius;
+use tests::condition::{of_radius, of_sizes};
 use tests::measure::Errors;
 use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
@@ -61,12 +61,6 @@ macro_rules! kinds {
 }
 
 const KINDS: [Kind; 5] = kinds![Oblate, Rimmed, Halves, Scaled, Turning];
-
-/// The geometry with all terms positive.
-fn of_sizes(terms: &[(f64, f64)]) -> Polynomial<f64, Vec<(f64, f64)>> {
-    let sizes = terms.iter().map(|&(c, n)| (c.abs(), n)).collect();
-    Polynomial::new(sizes).unwrap_or_else(|error| unreachable!("{error}"))
-}
 
 #[test]
 fn radii_are_exact_up_to_their_condition() {

@@ -5,13 +5,13 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use tests::budget;
-use tests::condition;
+use tests::condition::{self, of_sizes};
 use tests::kernel::{self, Kernel};
 use tests::loads::{Knots, through};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Oracle, Profile, double, rounded};
 use tests::planted;
-use tests::random::{Sum, magnitude, sum};
+use tests::random::{magnitude, sum};
 
 type Terms = Vec<(f64, f64)>;
 
@@ -42,11 +42,6 @@ fn samples<S: Strategy>(strategy: &S, count: usize) -> Vec<S::Value> {
     let mut runner = TestRunner::deterministic();
     let sample = |_| strategy.new_tree(&mut runner).map(|tree| tree.current());
     (0..count).map(sample).collect::<Result<_, _>>().unwrap_or_else(|error| unreachable!("{error}"))
-}
-
-/// The geometry of the sizes of the terms.
-fn of_sizes(terms: &Terms) -> Sum {
-    sum(terms.iter().map(|&(c, n)| (c.abs(), n)).collect())
 }
 
 /// Compares all kernels at a few places of a geometry.
@@ -147,7 +142,8 @@ fn kernels_of_generated_solvers_are_those_of_the_oracle() {
     for (solver, terms) in SHAPES {
         let oracle = Profile::of_decimals(terms);
         let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
-        let sizes = of_sizes(&terms.iter().map(|(c, n)| (number(c), number(n))).collect());
+        let numbers: Terms = terms.iter().map(|(c, n)| (number(c), number(n))).collect();
+        let sizes = of_sizes(&numbers);
         let places: Vec<(f64, f64)> = samples(&places(8.0), 40).concat();
         compare_kernels(&mut errors, solver, &sizes, &oracle, &places, &terms);
     }
