@@ -78,9 +78,9 @@ fn from_start(
             let radii = roots::radii(table, sum, coefficients, names);
             (roots::radius(table, sum, coefficients, names), Some(radii))
         }
-        Start::Seeds(table) => {
-            let radii = seeds::radii(table, &forms.seeded, coefficients, names);
-            (seeds::radius(table, &forms.seeded, coefficients, names), Some(radii))
+        Start::Seeds(found) => {
+            let radii = seeds::radii(found, &forms.seeded, coefficients, names);
+            (seeds::radius(found, &forms.seeded, coefficients, names), Some(radii))
         }
         Start::LeadingTerm => {
             let radii = leading_term::radii(forms, coefficients, names);
