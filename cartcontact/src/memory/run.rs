@@ -75,12 +75,10 @@ pub(super) struct Run<T> {
 }
 
 impl<T: Scalar> Run<T> {
-    /// The first of `pieces`, before which the load had an impulse, as many as are short.
-    ///
-    /// `faded` says by how many e-foldings what a piece lays down has faded at least when it counts.
-    pub(super) fn of(pieces: &[Piece<T>], chi: T, impulse: Sum<T>, faded: impl Fn(&Piece<T>) -> T) -> Self {
+    /// No piece, at the end of which the load had an impulse.
+    fn none(impulse: Sum<T>) -> Self {
         let none = [T::zero(); MOST_PIECES];
-        let mut run = Self {
+        Self {
             count: 0,
             rule: Rule::FOUR,
             folds: none,
@@ -90,49 +88,60 @@ impl<T: Scalar> Run<T> {
             bends: none,
             gain: T::zero(),
             impulse,
-        };
+        }
+    }
+
+    /// The first of `pieces`, before which the load had an impulse, as many as are short.
+    ///
+    /// `faded` says by how many e-foldings what a piece lays down has faded at least when it counts.
+    pub(super) fn of(pieces: &[Piece<T>], chi: T, impulse: Sum<T>, faded: impl Fn(&Piece<T>) -> T) -> Self {
+        let mut run = Self::none(impulse);
         // By how much the rounding of T is larger than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
         let mut rules = RULES.iter();
         let mut rule = rules.next();
         let mut force = pieces.first().map_or(T::zero(), |piece| piece.start.1);
+        let begin = force + chi * impulse.value;
         for piece in pieces.iter().take(MOST_PIECES) {
             if piece.start.1 != force {
                 break;
             }
-            let folds = chi * piece.duration();
-            let bend = folds * piece.rise();
-            // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
-            let rate = (piece.rise() + folds * piece.end.1).max(T::zero());
-            let mut impulse = run.impulse;
-            impulse.add(piece.impulse());
-            let hereditary = piece.end.1 + chi * impulse.value;
-            while rule
-                .is_some_and(|rule| !rule.suffices(folds, (hereditary, rate, bend), coarse + faded(piece)))
-            {
+            let growth = Growth::along(piece, chi);
+            let gain = run.gain + growth.in_all();
+            let faded = coarse + faded(piece);
+            while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
             }
             let Some(rule) = rule.filter(|rule| (run.count + 1) * rule.rule.len() <= MOST_NODES) else {
                 break;
             };
-            let place = run.count;
             run.rule = rule.rule;
-            run.folds[place] = folds;
-            run.hereditary[place] = hereditary;
-            run.rates[place] = rate;
-            run.bends[place] = bend;
-            run.gain += rate - bend * T::constant(0.5);
-            run.impulse = impulse;
-            run.count += 1;
+            run.push(&growth, begin + gain);
+            run.gain = gain;
+            run.impulse.add(piece.impulse());
             force = piece.end.1;
         }
-        let pieces = &pieces[..run.count];
+        run.date(&pieces[..run.count], chi);
+        run
+    }
+
+    /// Takes one more piece, at the end of which there is a hereditary load.
+    fn push(&mut self, growth: &Growth<T>, hereditary: T) {
+        let place = self.count;
+        self.folds[place] = growth.folds;
+        self.hereditary[place] = hereditary;
+        self.rates[place] = growth.rate;
+        self.bends[place] = growth.bend;
+        self.count += 1;
+    }
+
+    /// Notes how long its pieces end before the last one does.
+    fn date(&mut self, pieces: &[Piece<T>], chi: T) {
         if let Some(last) = pieces.last() {
-            for (since_end, piece) in run.since_end.iter_mut().zip(pieces) {
+            for (since_end, piece) in self.since_end.iter_mut().zip(pieces) {
                 *since_end = chi * (last.end.0 - piece.end.0);
             }
         }
-        run
     }
 
     /// How many pieces there are.
@@ -221,18 +230,39 @@ impl<T: Scalar> Run<T> {
     }
 }
 
+/// How the hereditary load Y grows along a piece.
+struct Growth<T> {
+    /// χ times the duration.
+    folds: T,
+    /// R and B of the module documentation.
+    rate: T,
+    bend: T,
+}
+
+impl<T: Scalar> Growth<T> {
+    fn along(piece: &Piece<T>, chi: T) -> Self {
+        let folds = chi * piece.duration();
+        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
+        let rate = (piece.rise() + folds * piece.end.1).max(T::zero());
+        Self { folds, rate, bend: folds * piece.rise() }
+    }
+
+    fn in_all(&self) -> T {
+        self.rate - self.bend * T::constant(0.5)
+    }
+}
+
 impl ShortRule {
-    /// Whether the rule is long enough for a piece of some e-foldings and of which e^(−faded) is left, with Y, R and B.
-    fn suffices<T: Scalar>(&self, folds: T, (hereditary, rate, bend): (T, T, T), faded: T) -> bool {
+    /// Whether the rule is long enough for a piece that ends with a hereditary load and of which e^(−faded) is left.
+    fn suffices<T: Scalar>(&self, growth: &Growth<T>, hereditary: T, faded: T) -> bool {
         // e^(faded/(2n+1)), or a little less.
-        let root = T::one() + faded * T::constant(0.25) / T::constant((2 * self.rule.len() + 1) as f64);
+        let root = T::one() + faded * T::constant(0.25 / (2 * self.rule.len() + 1) as f64);
         let square = root * root;
-        let of_distance = (square * square - folds / T::constant(self.folds)).max(T::zero());
-        // |R| v + |B| v²/2 = Y at v = 2/(r + √(r² + 2 b)), with r = R/Y and b = |B|/Y.
-        let two = T::constant(2.0);
-        let (rate, bend) = (rate / hereditary, bend.abs() / hereditary);
-        let sum = rate + (rate * rate + two * bend).sqrt();
-        (two - sum).max(T::zero()) * of_distance >= T::constant(self.distance) * sum
+        let of_distance = square * square - growth.folds * T::constant(1.0 / self.folds);
+        // |R| v + |B| v²/2 < Y at the v that far away.
+        let v = T::one() + T::constant(self.distance) / of_distance;
+        let shortfall = v * (growth.rate + growth.bend.abs() * T::constant(0.5) * v);
+        (of_distance > T::zero()) & (shortfall <= hereditary)
     }
 }
 
