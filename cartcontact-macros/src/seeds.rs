@@ -11,8 +11,8 @@
 //!
 //! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. Every row is
 //! evaluated as the solver will, in single precision, between its points and at an end, and with what it loses where
-//! single precision is all there is; the longest run of rows that stay below ε/8 is kept, and none if it is shorter than
-//! eight octaves.
+//! single precision is all there is; the longest run of rows that stay below ε/8 is kept, of symbols the first one, and
+//! none if it is shorter than eight octaves.
 
 use core::ops::Range;
 

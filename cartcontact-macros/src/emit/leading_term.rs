@@ -2,10 +2,10 @@
 
 use num_traits::One;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, power, terms};
+use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
 use crate::number::{Rational, integer, literal};
@@ -85,34 +85,19 @@ pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
     let (count, a) = (whole.exponents.len(), local("a"));
     let variables: Vec<Ident> = (0..count).map(|index| local(&format!("j{index}"))).collect();
     let (_, variable) = whole.variable(&a);
-    let weighted = |weight: fn(u32) -> u32| nested(&whole, &variable, &variables, weight, names);
+    let weighted = |weight: fn(u32) -> u32| {
+        let factors = whole.exponents.iter().zip(&variables).map(|(&p, j)| product(weight(p), j, names));
+        nested((&whole, false), &variable, factors.collect(), names)
+    };
     let sums = [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)];
     let body = steepness::value((&whole, false), &a, &sums, &Rational::one(), names);
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }
 
-/// Horner's rule for Σ weight j x^p divided by its lowest power.
-fn nested(
-    whole: &Whole,
-    variable: &Ident,
-    coefficients: &[Ident],
-    weight: fn(u32) -> u32,
-    names: &Names<'_>,
-) -> TokenStream {
-    let mut nested = TokenStream::new();
-    let mut above: Option<u32> = None;
-    for (&exponent, coefficient) in whole.exponents.iter().zip(coefficients).rev() {
-        let (constant, factor) = (names.constant(), weight(exponent));
-        let literal = literal(&integer(i64::from(factor)));
-        let own = if factor == 1 { quote!(#coefficient) } else { quote!(#constant(#literal) * #coefficient) };
-        nested = match above {
-            None => own,
-            Some(above) => {
-                let power = power(variable, (above - exponent) / whole.stride(), names);
-                quote!(#own + (#nested) * #power)
-            }
-        };
-        above = Some(exponent);
+fn product(weight: u32, coefficient: &Ident, names: &Names<'_>) -> TokenStream {
+    if weight == 1 {
+        return coefficient.into_token_stream();
     }
-    nested
+    let (constant, weight) = (names.constant(), literal(&integer(i64::from(weight))));
+    quote!(#constant(#weight) * #coefficient)
 }

@@ -141,32 +141,34 @@ fn horner(
 ) -> TokenStream {
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
-    let nested = nested(sum, whole, &variable, factors, names);
+    let nested = nested((whole, is_monic(sum)), &variable, factors, names);
     let lowest = whole.lowest();
     let powers = (0..lowest / whole.stride()).map(|_| &variable);
     let odd = (lowest % whole.stride() == 1).then(|| quote!(* #x));
     quote!(#bindings #square (#nested) #(* #powers)* #odd)
 }
 
-/// Horner's rule for the sum with these `factors` divided by its lowest power; a leading coefficient of 1 takes no
+/// Whether the leading coefficient is 1.
+pub(super) fn is_monic(sum: &PowerSum) -> bool {
+    sum.summands.last().and_then(Summand::constant).is_some_and(One::is_one)
+}
+
+/// Horner's rule for a sum with these `factors` divided by its lowest power; the leading one of a monic sum takes no
 /// multiplication.
 pub(super) fn nested(
-    sum: &PowerSum,
-    whole: &Whole,
+    (whole, mut is_monic): (&Whole, bool),
     variable: &Ident,
     factors: Vec<TokenStream>,
     names: &Names<'_>,
 ) -> TokenStream {
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
-    let leading = sum.summands.last().and_then(Summand::constant);
-    let mut is_one = leading.is_some_and(One::is_one);
     for (own, &exponent) in factors.into_iter().zip(&whole.exponents).rev() {
         nested = match above {
             None => own,
             Some(above) => {
                 let power = power(variable, (above - exponent) / whole.stride(), names);
-                let first = (!core::mem::take(&mut is_one)).then(|| quote!((#nested) *));
+                let first = (!core::mem::take(&mut is_monic)).then(|| quote!((#nested) *));
                 quote!(#own + #first #power)
             }
         };

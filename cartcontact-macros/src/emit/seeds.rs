@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, nested, power, terms};
+use super::power_sum::{Whole, is_monic, nested, power, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
 use crate::number::{Rational, integer, literal};
@@ -129,8 +129,8 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let (_, variable) = whole.variable(a);
     let sums = [
-        nested(load_integral, &whole, &variable, of_value, names),
-        nested(&first, &whole, &variable, of_first, names),
+        nested((&whole, is_monic(load_integral)), &variable, of_value, names),
+        nested((&whole, is_monic(&first)), &variable, of_first, names),
         paired(&whole, &variable, of_half_second, names),
     ];
     let steepness = steepness::value((&whole, *is_of_square_root), a, &sums, &unit, names);

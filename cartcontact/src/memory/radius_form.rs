@@ -30,38 +30,19 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    let (profile, chi) = (stretch.contact.profile(), stretch.contact.medium().chi());
-    let (low, high) = (stretch.low, stretch.high);
-    let deepest = high - low;
+    let profile = stretch.contact.profile();
+    let deepest = stretch.high - stretch.low;
     // J′ of positive terms rises with the radius.
     let is_steepest_at_edge = profile.has_only_positive_terms() && stretch.course.is_held();
     if is_steepest_at_edge && changes_little(stretch) {
         return increment_of_panel(stretch, Rule::EIGHT, (T::zero(), deepest)).0;
     }
-    let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(high * T::constant(0.75)) };
-    let negligible = T::default_epsilon() * T::constant(0.0625);
-    let uncertainty = T::default_epsilon() * T::constant(8.0);
-    let most = Rule::FINEST.folds::<T>();
-
-    // Whatever the rate, some thousand panels are the most there can be.
-    let shortest = deepest * T::constant(1.0 / 4096.0);
+    let quarter_left = stretch.high * T::constant(0.75);
+    let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(quarter_left) };
     let mut sum = Increment::zero();
     let (mut depth, mut age) = (T::zero(), T::zero());
     while depth < core {
-        let (of_powers, of_fading) = folds_per_length(stretch, depth, age);
-        let rate = of_powers + of_fading;
-        let end = if rate * (core - depth) <= most {
-            core
-        } else {
-            (depth + (most / rate).max(shortest)).min(core)
-        };
-        let (end, rule) = if is_steepest_at_edge {
-            (end, Rule::for_folds(rate * (end - depth)))
-        } else {
-            let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
-            let length = end - depth;
-            (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
-        };
+        let (end, rule) = next_panel(stretch, (depth, age), core, is_steepest_at_edge);
         let (increment, is_steady) = increment_of_panel(stretch, rule, (depth, end));
         sum = sum.plus(if is_steady {
             increment
@@ -71,20 +52,64 @@ where
         depth = end;
         if depth < deepest {
             age = stretch.age_at(depth);
-            let top = high - depth;
-            let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
-            // Two powers near the zeroth may differ by less than their rounding, which then is what may be left.
-            let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
-            let rest_offset = rest * ((top - low) * (top + low));
-            if rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible {
+            if is_all_that_counts(stretch, (depth, age), &sum) {
                 return sum;
             }
         }
     }
     if core < deepest {
-        sum = sum.plus(increment_of_core(stretch, high - core));
+        sum = sum.plus(increment_of_core(stretch, stretch.high - core));
     }
     sum
+}
+
+/// The end of the panel that begins at a depth with an age, at most `core`, and the rule for it.
+fn next_panel<T, P, L>(
+    stretch: &Stretch<'_, T, P, L>,
+    (depth, age): (T, T),
+    core: T,
+    is_steepest_at_edge: bool,
+) -> (T, &'static Rule)
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    let most = Rule::FINEST.folds::<T>();
+    // Whatever the rate, some thousand panels are the most there can be.
+    let shortest = (stretch.high - stretch.low) * T::constant(1.0 / 4096.0);
+    let (of_powers, of_fading) = folds_per_length(stretch, depth, age);
+    let rate = of_powers + of_fading;
+    let end =
+        if rate * (core - depth) <= most { core } else { (depth + (most / rate).max(shortest)).min(core) };
+    if is_steepest_at_edge {
+        return (end, Rule::for_folds(rate * (end - depth)));
+    }
+    let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
+    let length = end - depth;
+    (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
+}
+
+/// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
+fn is_all_that_counts<T, P, L>(
+    stretch: &Stretch<'_, T, P, L>,
+    (depth, age): (T, T),
+    sum: &Increment<T>,
+) -> bool
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    let (profile, chi) = (stretch.contact.profile(), stretch.contact.medium().chi());
+    let negligible = T::default_epsilon() * T::constant(0.0625);
+    let uncertainty = T::default_epsilon() * T::constant(8.0);
+    let (low, top) = (stretch.low, stretch.high - depth);
+    let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
+    // Two powers near the zeroth may differ by less than their rounding, which then is what may be left.
+    let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
+    let rest_offset = rest * ((top - low) * (top + low));
+    rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible
 }
 
 /// The increment by a rule between two depths, and whether s δ₀′ rises with the radius from node to node, as that of
