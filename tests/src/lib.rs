@@ -13,3 +13,4 @@ pub mod radii;
 pub mod random;
 pub mod reference;
 pub mod stress;
+pub mod two_fields;

@@ -5,8 +5,10 @@ use cartcontact::{GapProfile, Polynomial, RadiusError, gap_profile};
 use tests::budget;
 use tests::condition::{of_radius, of_sizes};
 use tests::measure::Errors;
+use tests::of_two_fields;
 use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
+use tests::two_fields::OfTwoFields;
 
 #[gap_profile(c * r^2 - d * r^4)]
 struct Oblate<T> {
@@ -43,24 +45,13 @@ struct Turning<T> {
 /// the fourfold value by which that of positive terms divides errors of J.
 const OF_DIFFERENCES: f64 = 2.0;
 
-type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
-
-/// A geometry of two fields, with its terms as they are in the arithmetic of the scalar.
-struct Kind {
-    double: fn(f64, f64) -> Found<f64>,
-    single: fn(f32, f32) -> Found<f32>,
-}
-
-macro_rules! kinds {
-    ($($name:ident),*) => {
-        [$(Kind {
-            double: |c, d| ($name { c, d }.terms().to_vec(), Box::new($name { c, d })),
-            single: |c, d| ($name { c, d }.terms().to_vec(), Box::new($name { c, d })),
-        }),*]
-    };
-}
-
-const KINDS: [Kind; 5] = kinds![Oblate, Rimmed, Halves, Scaled, Turning];
+const KINDS: [OfTwoFields; 5] = [
+    of_two_fields!(|c, d| Oblate { c, d }),
+    of_two_fields!(|c, d| Rimmed { c, d }),
+    of_two_fields!(|c, d| Halves { c, d }),
+    of_two_fields!(|c, d| Scaled { c, d }),
+    of_two_fields!(|c, d| Turning { c, d }),
+];
 
 #[test]
 fn radii_are_exact_up_to_their_condition() {

@@ -1,11 +1,13 @@
 //! Contact radii of geometries whose fields do no more than set their units, and of some that look like it: all have
 //! more than two terms, and the former one table for all values.
 
-use cartcontact::{GapProfile, gap_profile};
+use cartcontact::gap_profile;
 use tests::budget;
 use tests::measure::Errors;
+use tests::of_two_fields;
 use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
+use tests::two_fields::OfTwoFields;
 
 #[gap_profile(sphere(radius), order = 6)]
 struct Ball<T> {
@@ -41,30 +43,13 @@ struct Turned<T> {
     radius: T,
 }
 
-type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
-
-/// A geometry of two sizes, with its terms as they are in the arithmetic of the scalar.
-struct Kind {
-    double: fn(f64, f64) -> Found<f64>,
-    single: fn(f32, f32) -> Found<f32>,
-}
-
-macro_rules! kind {
-    (|$k:ident, $radius:ident| $profile:expr) => {
-        Kind {
-            double: |$k, $radius| ($profile.terms().to_vec(), Box::new($profile)),
-            single: |$k, $radius| ($profile.terms().to_vec(), Box::new($profile)),
-        }
-    };
-}
-
-const KINDS: [Kind; 6] = [
-    kind!(|_k, radius| Ball { radius }),
-    kind!(|_k, radius| Ellipsoid { radius }),
-    kind!(|stiffness, _radius| Scaled { stiffness }),
-    kind!(|k, radius| Odd { k, radius }),
-    kind!(|k, radius| Halves { k, radius }),
-    kind!(|k, radius| Turned { k, radius: -radius }),
+const KINDS: [OfTwoFields; 6] = [
+    of_two_fields!(|_k, radius| Ball { radius }),
+    of_two_fields!(|_k, radius| Ellipsoid { radius }),
+    of_two_fields!(|stiffness, _radius| Scaled { stiffness }),
+    of_two_fields!(|k, radius| Odd { k, radius }),
+    of_two_fields!(|k, radius| Halves { k, radius }),
+    of_two_fields!(|k, radius| Turned { k, radius: -radius }),
 ];
 
 #[test]

@@ -1,0 +1,26 @@
+//! Geometries of two fields, in both formats.
+
+use cartcontact::GapProfile;
+
+/// The terms (C, n) of a geometry as they are in the arithmetic of its scalar, and the geometry.
+pub type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
+
+/// A geometry of two fields.
+#[derive(Debug)]
+pub struct OfTwoFields {
+    /// In double precision.
+    pub double: fn(f64, f64) -> Found<f64>,
+    /// In single precision.
+    pub single: fn(f32, f32) -> Found<f32>,
+}
+
+/// The geometry of two fields that an expression gives for the scalar of the fields.
+#[macro_export]
+macro_rules! of_two_fields {
+    (|$first:ident, $second:ident| $profile:expr) => {
+        $crate::two_fields::OfTwoFields {
+            double: |$first, $second| ($profile.terms().to_vec(), Box::new($profile)),
+            single: |$first, $second| ($profile.terms().to_vec(), Box::new($profile)),
+        }
+    };
+}
