@@ -1,5 +1,6 @@
 //! Load histories of every kind that the solution covers.
 
+use core::cell::Cell;
 use core::f64::consts::PI;
 use core::ops::Range;
 
@@ -97,5 +98,51 @@ impl Swing {
             .skip_while(|&time| time < within.start)
             .take_while(|time| within.contains(time))
             .collect()
+    }
+}
+
+/// A load that counts how often its history is searched.
+#[derive(Debug)]
+pub struct Counted<L> {
+    load: L,
+    searches: Cell<usize>,
+}
+
+impl<L> Counted<L> {
+    /// Not yet searched.
+    pub fn new(load: L) -> Self {
+        Self { load, searches: Cell::new(0) }
+    }
+
+    /// How often it was, since it was last asked.
+    pub fn searches(&self) -> usize {
+        self.searches.take()
+    }
+}
+
+impl<L: Load<f64>> Load<f64> for Counted<L> {
+    fn force(&self, t: f64) -> f64 {
+        self.load.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.load.impulse(t)
+    }
+
+    fn force_before(&self, t: f64) -> f64 {
+        self.load.force_before(t)
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        self.load.next_knot(t)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        self.load.is_linear_between_knots()
+    }
+
+    fn recession(&self, chi: f64, t: f64) -> Option<f64> {
+        self.searches.set(self.searches.get() + 1);
+        self.load.recession(chi, t)
     }
 }

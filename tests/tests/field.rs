@@ -7,10 +7,10 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::{Rise, histories, through};
+use tests::loads::{Counted, Rise, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
-use tests::profiles::{Case, cases};
+use tests::profiles::{Case, Patellofemoral, cases};
 use tests::random;
 
 const CHI: f64 = 0.02;
@@ -59,6 +59,20 @@ fn a_field_is_its_snapshots_for_every_geometry_and_load() -> Result<(), ContactE
         compare(&mut errors, case, &Rise { start: 10.0, rise: 90.0, rate: 0.01 }, &times, &grid(6))?;
     }
     errors.check();
+    Ok(())
+}
+
+/// Once for the first row, and once for all.
+#[test]
+fn a_history_is_searched_twice_for_any_number_of_rows() -> Result<(), ContactError> {
+    let times: Vec<f64> = (0..1000).map(|k| f64::from(k) * 0.1 / CHI).collect();
+    for (name, load) in histories(CHI) {
+        let (load, radii) = (Counted::new(load), grid(4));
+        let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = Contact::new(Patellofemoral, medium, &load)?;
+        contact.pressure_field(&times, &radii, &mut vec![0.0; times.len() * radii.len()])?;
+        assert_eq!(load.searches(), 2, "{name}");
+    }
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Scalar};
-use tests::loads::histories;
+use tests::loads::{Counted, histories};
 use tests::profiles::{MixedSign, Oblate, Patellofemoral, RealPowers, SixTerm};
 
 const CHI: f64 = 0.0015;
@@ -38,6 +38,18 @@ fn radii_under_every_history() {
         assert_same(&contact(SixTerm, 0.375, &load), name);
         assert_same(&contact(RealPowers, 0.375, &load), name);
         assert_same(&contact(MixedSign, 0.375, &load), name);
+    }
+}
+
+/// To search it takes a load of a user's own as long as many radii.
+#[test]
+fn a_history_is_searched_once_for_all_times() {
+    for (name, load) in histories(CHI) {
+        let load = Counted::new(load);
+        let contact = contact(Patellofemoral, 0.375, &load);
+        let times: Vec<f64> = (0..6400).map(|k| f64::from(k) * 0.3).collect();
+        assert_eq!(contact.radii(&times, &mut vec![0.0; times.len()]), Ok(()), "{name}");
+        assert_eq!(load.searches(), 1, "{name}");
     }
 }
 

@@ -135,7 +135,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if the slices are empty or differ in length, and for every time as [`at`](Self::at).
+    /// [`ContactError`] if the slices are empty or differ in length, and for every time as [`at`](Self::at); `radii`
+    /// then hold nothing to be used.
     ///
     /// # Examples
     ///
@@ -153,7 +154,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Empty { what: "times" });
         }
         check_length("radii", radii.len(), times.len())?;
-        radii::fill(self, times, radii)
+        radii::fill(self, times, radii, !self.recedes_until(radii::latest(times)))
+    }
+
+    /// [`radii`](Self::radii) at as many times, until which the edge does not [recede](Self::recedes_until).
+    pub(crate) fn covered_radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
+        radii::fill(self, times, radii, true)
     }
 
     /// The pressures at many times and radii, in MPa.
@@ -170,7 +176,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # Errors
     ///
     /// [`ContactError`] if a slice is empty, `values` has another length than times × radii, times descend,
-    /// a radius is negative or not finite, and for every time as [`at`](Self::at).
+    /// a radius is negative or not finite, and for every time as [`at`](Self::at); `values` then hold nothing to be used.
     ///
     /// # Examples
     ///

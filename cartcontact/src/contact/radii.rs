@@ -14,18 +14,28 @@ use crate::profile::GapProfile;
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
 const BLOCK: usize = 256;
 
-/// The radii at as many times.
+/// The latest of the times that a contact may be asked for; 0 if there is none.
+pub(super) fn latest<T: Scalar>(times: &[T]) -> T {
+    times
+        .iter()
+        .fold(T::zero(), |latest, &time| if (time > latest) & time.is_finite() { time } else { latest })
+}
+
+/// The radii at as many times; `is_covered` says that the edge does not recede up to any of them. To find that out once
+/// for all spares a load of a user's own to be searched for every block.
 pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
     radii: &mut [T],
+    is_covered: bool,
 ) -> Result<(), ContactError> {
     let mut load_integrals = [T::zero(); BLOCK];
     for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
         let load_integrals = &mut load_integrals[..times.len()];
-        if !(Block { contact, times, load_integrals, radii }).fill() {
+        if !(Block { contact, times, load_integrals, radii }).fill(is_covered) {
             for (radius, &time) in radii.iter_mut().zip(times) {
-                *radius = contact.radius_at(time)?;
+                *radius =
+                    if is_covered { contact.covered_radius_at(time)? } else { contact.radius_at(time)? };
             }
         }
     }
@@ -41,13 +51,13 @@ struct Block<'a, T, P, L> {
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// False if there is a fault; the radii are then not to be used.
-    fn fill(&mut self) -> bool {
+    fn fill(&mut self, is_covered: bool) -> bool {
         let is_common = wide(
             #[inline(always)]
             || self.take_load_integrals(),
         );
         (is_common || self.has_loads())
-            && !self.recedes()
+            && (is_covered || !self.contact.recedes_until(latest(self.times)))
             && self.take_radii()
             && (is_common && self.has_common_radii() || self.keeps_digits())
     }
@@ -71,12 +81,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
         let has_load =
             |time| self.contact.valid_loading(time).is_ok_and(|loading| self.contact.has_digits(loading));
         self.times.iter().all(|&time| has_load(time))
-    }
-
-    /// Whether the load has fallen too fast: up to the last of the times, if up to any.
-    fn recedes(&self) -> bool {
-        let last = self.times.iter().fold(T::zero(), |last, &time| if time > last { time } else { last });
-        self.contact.recedes_until(last)
     }
 
     fn take_radii(&mut self) -> bool {

@@ -75,7 +75,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     ) -> Result<(), ContactError> {
         self.count = times.len();
         self.times[..times.len()].copy_from_slice(times);
-        contact.radii(times, &mut self.radii[..times.len()])?;
+        contact.covered_radii(times, &mut self.radii[..times.len()])?;
         panel.changes(times, &mut self.since_previous, &mut self.since_base);
         self.panel = Some(panel);
         Ok(())
