@@ -1,6 +1,7 @@
 //! A cartilage layer.
 
 use crate::Scalar;
+use crate::evaluate::binary::{scale, split};
 use crate::medium::MediumError;
 
 /// One biphasic layer on its bone.
@@ -52,8 +53,9 @@ impl<T: Scalar> Layer<T> {
         if self.permeability.is_zero() {
             return Ok(T::infinity());
         }
-        let compliance = (one - two * poisson_ratio) / (two * (one - poisson_ratio)) / self.shear_modulus;
-        Ok(product_of_three(compliance, self.thickness, self.thickness) / self.permeability)
+        let per_modulus = (one - two * poisson_ratio) / (two * (one - poisson_ratio));
+        let Self { thickness: h, shear_modulus, permeability } = *self;
+        Ok(quotient([per_modulus, h, h], [shear_modulus, permeability]))
     }
 
     /// Whether the three constants are those of a layer.
@@ -75,25 +77,54 @@ impl<T: Scalar> Layer<T> {
     pub(crate) fn compliance(&self) -> Result<T, MediumError> {
         self.check()?;
         let h = self.thickness;
-        // Neither h³ nor 3 μ need be in range.
-        Ok(h / T::constant(3.0) / self.shear_modulus * h * h)
+        Ok(quotient([h, h, h], [self.shear_modulus, T::constant(3.0)]))
     }
 
     /// m h k, what the layer adds to the rate of a medium.
     pub(crate) fn rate_within(&self, m: T) -> T {
-        product_of_three(m, self.thickness, self.permeability)
+        quotient([m, self.thickness, self.permeability], [])
     }
 
     /// 3 μ k/h², the rate of the layer on its own.
     pub(crate) fn own_rate(&self) -> T {
-        let square = self.thickness * self.thickness;
-        T::constant(3.0) * product_of_three(self.shear_modulus, self.permeability, square.recip())
+        let h = self.thickness;
+        quotient([T::constant(3.0), self.shear_modulus, self.permeability], [h, h])
     }
 }
 
-/// x y z of numbers from 0, the largest times the smallest first: that product is out of range only if x y z is.
-fn product_of_three<T: Scalar>(x: T, y: T, z: T) -> T {
-    let (low, high) = (x.min(y), x.max(y));
-    let middle = low.max(high.min(z));
-    (low.min(z) * high.max(z)) * middle
+/// The product of some numbers over that of others, which is out of range only if the result is.
+///
+/// Zeros and what is no number are no powers of two times a fraction, and leave the range nowhere.
+fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N], divisors: [T; M]) -> T {
+    let parts = |x: T| if x > T::zero() && x.is_finite() { split(x) } else { (x, 0) };
+    let (mut fraction, mut exponent) = (T::one(), 0);
+    for (factor, octaves) in factors.map(parts) {
+        fraction *= factor;
+        exponent += octaves;
+    }
+    for (divisor, octaves) in divisors.map(parts) {
+        fraction /= divisor;
+        exponent -= octaves;
+    }
+    scale(fraction, exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_are_in_range_wherever_their_factors_lie() -> Result<(), MediumError> {
+        let layer = |thickness, shear_modulus, permeability| Layer { thickness, shear_modulus, permeability };
+        let error = |found: f64, expected: f64| (found / expected - 1.0).abs();
+        // h²/(2 μ k).
+        assert!(error(layer(1e160, 1.0, 1e300).diffusion_time(0.0)?, 5e19) < 1e-15);
+        assert!(error(layer(1e-170, 1.0, 1e-300).diffusion_time(0.0)?, 5e-41) < 1e-15);
+        // 3 μ k/h².
+        assert!(error(layer(1e-160, 1e-200, 1e-150).own_rate(), 3e-30) < 1e-15);
+        assert!(error(layer(1e120, 1e250, 1.0).compliance()?, 1e110 / 3.0) < 1e-15);
+        assert!(error(layer(1e-200, 1.0, 1e-100).rate_within(1e290), 1e-10) < 1e-15);
+        assert_eq!(layer(1.0, 1.0, 0.0).rate_within(1e290), 0.0);
+        Ok(())
+    }
 }
