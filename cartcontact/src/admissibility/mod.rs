@@ -56,16 +56,17 @@ fn searched_range<T: Scalar>(
         return Err(ProfileError::Empty);
     }
     let leading = coefficient_of(terms.clone(), smallest);
-    if leading <= T::zero() {
-        return Err(ProfileError::NotOpening {
-            exponent: smallest.value(),
-            coefficient: leading.value(),
-            parameters: Parameters::default(),
-        });
-    }
     let slope = Slope { terms, smallest };
     let is_beyond = requested.is_some_and(|radius| slope.first_outweighs_negative_up_to(radius));
-    Ok(if is_beyond { T::infinity() } else { slope.first_zero() })
+    let end = if is_beyond { T::infinity() } else { slope.first_zero() };
+    if end > T::zero() {
+        return Ok(end);
+    }
+    Err(ProfileError::NotOpening {
+        exponent: smallest.value(),
+        coefficient: leading.value(),
+        parameters: Parameters::default(),
+    })
 }
 
 /// The sum of all coefficients of r^n, which a caller may have given in several terms.
@@ -315,10 +316,15 @@ mod tests {
     fn a_leading_coefficient_that_is_all_rounding_gives_no_range() {
         for k in 1..1000 {
             let c = 1.0 + f64::from(k) * f64::EPSILON;
-            let end = range(&[(c, 3.5), (-0.3, 3.5), (-0.7, 3.5), (-1.0, 4.0)]);
+            let terms = [(c, 3.5), (-0.3, 3.5), (-0.7, 3.5), (-1.0, 4.0)];
             // As numbers, 0.3 and 0.7 are a quarter of an ε less than 1.
             let left = c - 1.0 + 0.25 * f64::EPSILON;
-            assert!(end <= left * left, "{c}: {end:e}");
+            match admissible_range(terms.into_iter(), None) {
+                Ok(end) => assert!(0.0 < end && end <= left * left, "{c}: {end:e}"),
+                Err(error) => {
+                    assert!(k < 20 && matches!(error, ProfileError::NotOpening { .. }), "{c}: {error}")
+                }
+            }
         }
     }
 

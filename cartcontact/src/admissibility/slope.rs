@@ -31,7 +31,7 @@ const MOST_STEPS: u32 = 20_000;
 /// δ₀′ as a sum of exponentials of x = ln r.
 pub(super) struct Slope<I, T> {
     pub(super) terms: I,
-    /// The smallest exponent, of a term that is positive.
+    /// The smallest exponent.
     pub(super) smallest: T,
 }
 

@@ -165,7 +165,7 @@ impl fmt::Display for ProfileError {
             Self::NotOpening { exponent, coefficient, parameters } => write!(
                 f,
                 "{parameters}the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power \
-                 needs a positive coefficient",
+                 needs a coefficient that is positive by more than rounding",
                 Shown(coefficient)
             ),
             Self::BeyondSurface { max_radius, rim, parameters } => write!(
