@@ -50,10 +50,10 @@ pub(crate) use sum::Sum;
 /// }
 /// ```
 pub trait Load<T: Scalar> {
-    /// The force F(t), in N; just after a jump, its value behind the jump.
+    /// The force F(t) at a time t ≥ 0, in N; just after a jump, its value behind the jump.
     fn force(&self, t: T) -> T;
 
-    /// The impulse ∫₀ᵗ F dτ, in N s.
+    /// The impulse ∫₀ᵗ F dτ up to a time t ≥ 0, in N s.
     fn impulse(&self, t: T) -> T;
 
     /// The force just before `t`, in N; differs from [`force`](Self::force) where the load jumps.

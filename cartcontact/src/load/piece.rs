@@ -45,7 +45,9 @@ impl<T: Scalar> Piece<T> {
 
     /// ∫F over the piece.
     pub(crate) fn impulse(&self) -> T {
-        self.duration() * ((self.start.1 + self.end.1) * T::constant(0.5))
+        let half = T::constant(0.5);
+        // The sum of the forces need not be in range.
+        self.duration() * (self.start.1 * half + self.end.1 * half)
     }
 
     /// The part of it between two times, of which at least one is within the piece.

@@ -2,6 +2,7 @@
 
 use super::{Load, LoadError, Piece, Sum, is_force};
 use crate::Scalar;
+use crate::scalar::smallest_normal;
 
 /// How many impulses a load keeps, so that any other is the sum of one of them and of few pieces.
 const CHECKPOINTS: usize = 64;
@@ -73,7 +74,8 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
         match (start, knots.get(count)) {
             (Some(&start), Some(&end)) => Piece { start, end }.force(t),
             (Some(&(_, force)), None) => force,
-            (None, _) => T::zero(),
+            // Nothing before the beginning; no number at a time that is none.
+            (None, _) => t - t,
         }
     }
 }
@@ -126,30 +128,28 @@ impl<T: Scalar> Piece<T> {
         self.duration().is_zero() || (slope + slope).is_finite()
     }
 
-    /// −F′/F at the end of the piece, where it is largest; 0 if the load does not fall.
+    /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.
     fn fall(&self) -> T {
         let drop = self.start.1 - self.end.1;
-        if drop > T::zero() { drop / (self.duration() * self.end.1) } else { T::zero() }
+        // The share is at least a rounding, and nothing leaves the format but the result.
+        if drop > T::zero() {
+            (drop / self.end.1 / self.duration()).max(smallest_normal())
+        } else {
+            T::zero()
+        }
     }
 
     /// The first time within the piece at which F′ + χ F < 0.
     fn recession(&self, chi: T) -> Option<T> {
-        let drop = self.start.1 - self.end.1;
-        if drop <= T::zero() {
-            return None;
-        }
-        if self.duration().is_zero() {
-            return Some(self.start.0);
-        }
         // F′ + χ F is least at the end; what rounding can make of a zero does not count.
-        let fall = drop / self.duration();
         let slack = T::one() + T::default_epsilon() * T::constant(8.0);
-        if fall <= chi * self.end.1 * slack {
+        if self.fall() <= chi * slack {
             return None;
         }
         // χ F = −F′ within the piece, or the piece begins with a recession.
-        let held = (self.start.1 - fall / chi) / fall;
-        Some(if held > T::zero() { self.start.0 + held } else { self.start.0 })
+        let drop = self.start.1 - self.end.1;
+        let held = self.duration() * (self.start.1 / drop) - chi.recip();
+        Some(self.start.0 + held.max(T::zero()).min(self.duration()))
     }
 }
 
@@ -161,8 +161,8 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
     fn impulse(&self, t: T) -> T {
         let knots = self.knots.as_ref();
         let last = knots.partition_point(|&(time, _)| time <= t).saturating_sub(1);
-        let Some(&start) = knots.get(last) else {
-            return T::zero();
+        let Some(&start) = knots.get(last).filter(|_| t >= T::zero()) else {
+            return t - t;
         };
         let checkpoint = (last / self.stride).min(CHECKPOINTS - 1);
         let mut sum = Sum::from(self.impulses[checkpoint]);
@@ -239,6 +239,14 @@ mod tests {
             (load.next_knot(0.0), load.next_knot(5.0), load.next_knot(7.0)),
             (Some(5.0), Some(7.0), None)
         );
+        Ok(())
+    }
+
+    #[test]
+    fn times_that_are_none_have_no_load() -> Result<(), LoadError> {
+        let load = PiecewiseLinear::new([(0.0, 10.0), (5.0, 20.0)])?;
+        assert_eq!((load.force(-1.0), load.impulse(-1.0)), (0.0, 0.0));
+        assert!(load.force(f64::NAN).is_nan() && load.impulse(f64::NAN).is_nan());
         Ok(())
     }
 
@@ -324,6 +332,26 @@ mod tests {
         assert_eq!((load.recession(0.0, 0.0), load.recession(0.0, 1.0)), (None, Some(0.0)));
         let step_down = PiecewiseLinear::new([(0.0, 100.0), (5.0, 100.0), (5.0, 99.0)])?;
         assert_eq!((step_down.recession(10.0, 4.0), step_down.recession(10.0, 5.0)), (None, Some(5.0)));
+        Ok(())
+    }
+
+    #[test]
+    fn no_fall_is_too_slow_for_the_format_to_be_seen() -> Result<(), LoadError> {
+        for (duration, force) in [(2e154, 1e154), (1e180, 1e-150), (1e305, 1e300), (1e-150, 1e150)] {
+            let load = PiecewiseLinear::new([(0.0, 1.1 * force), (duration, force)])?;
+            let half = 0.5 * duration;
+            assert_eq!(
+                (load.recession(0.0, 0.0), load.recession(0.0, half)),
+                (None, Some(0.0)),
+                "{duration:e}"
+            );
+            // Half as fast as the fall at its end, and twice as fast.
+            let chi = 0.05 / duration;
+            assert_eq!(load.recession(chi, half), Some(0.0), "{duration:e}");
+            assert_eq!(load.recession(4.0 * chi, half), None, "{duration:e}");
+        }
+        let single = PiecewiseLinear::new([(0.0, 2.2e19_f32), (2e19, 2e19)])?;
+        assert_eq!((single.recession(0.0, 1e19), single.recession(6e-21, 1e19)), (Some(0.0), None));
         Ok(())
     }
 
