@@ -6,6 +6,7 @@
 use num_bigint::BigInt;
 use num_traits::One;
 
+use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, common_denominator, integer};
 
@@ -32,6 +33,14 @@ pub(crate) enum Factor {
 }
 
 impl Summand {
+    /// The factor of its power in the sums that belong to `gap`.
+    pub(crate) fn coefficient(&self, gap: &Gap) -> Coefficient {
+        match &self.factor {
+            Factor::Constant(value) => Coefficient::constant(value.clone()),
+            Factor::Weight(weight) => gap.terms[self.term].coefficient.scaled(weight),
+        }
+    }
+
     /// The factor of its power, if that is a constant.
     pub(crate) fn constant(&self) -> Option<&Rational> {
         match &self.factor {

@@ -15,7 +15,7 @@
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::{Factor, PowerSum, Summand};
+use crate::closed_forms::{PowerSum, Summand};
 use crate::gap::Gap;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::number::integer;
@@ -24,12 +24,12 @@ use crate::number::integer;
 pub(crate) fn factors(gap: &Gap, load_integral: &PowerSum) -> Option<Vec<f64>> {
     let [first, second, others @ ..] = load_integral.summands.as_slice() else { return None };
     if others.is_empty() {
-        let [first, second] = [first, second].map(|summand| coefficient(gap, summand).usual_sign());
+        let [first, second] = [first, second].map(|summand| summand.coefficient(gap).usual_sign());
         let is_oblate = first == Some(Sign::NotNegative) && second == Some(Sign::NotPositive);
         return Some(vec![1.0, if is_oblate { -1.0 } else { 1.0 }]);
     }
-    let per_first = coefficient(gap, first).power(&integer(-1)).ok()?;
-    let over_first = |summand| with_sign(coefficient(gap, summand).multiply(&per_first));
+    let per_first = first.coefficient(gap).power(&integer(-1)).ok()?;
+    let over_first = |summand: &Summand| with_sign(summand.coefficient(gap).multiply(&per_first));
     let (sign, of_second) = over_first(second)?;
     let mut factors = vec![1.0, sign];
     for summand in others {
@@ -48,12 +48,4 @@ fn with_sign(value: Coefficient) -> Option<(f64, Coefficient)> {
         Sign::NotNegative => (1.0, value),
         Sign::NotPositive => (-1.0, value.negated()),
     })
-}
-
-/// j.
-fn coefficient(gap: &Gap, summand: &Summand) -> Coefficient {
-    match &summand.factor {
-        Factor::Constant(value) => Coefficient::constant(value.clone()),
-        Factor::Weight(weight) => gap.terms[summand.term].coefficient.scaled(weight),
-    }
 }

@@ -21,35 +21,30 @@ pub(super) const FEW: usize = 8;
 pub(super) struct Coefficients<'a> {
     item: &'a Item,
     geometry: &'a Geometry,
-    names: &'a Names<'a>,
+    names: &'a Names,
 }
 
 impl<'a> Coefficients<'a> {
-    pub(super) fn new(item: &'a Item, geometry: &'a Geometry, names: &'a Names<'a>) -> Self {
+    pub(super) fn new(item: &'a Item, geometry: &'a Geometry, names: &'a Names) -> Self {
         Self { item, geometry, names }
     }
 
     /// The coefficient of the term with that index.
     fn own(&self, index: usize, term: &Term) -> TokenStream {
         match term.coefficient.as_constant() {
-            Some(value) => self.literal(&value),
+            Some(value) => self.names.number(&value),
             None => variable(index).into_token_stream(),
         }
-    }
-
-    fn literal(&self, value: &Rational) -> TokenStream {
-        let (constant, literal) = (self.names.constant(), number::literal(value));
-        quote!(#constant(#literal))
     }
 
     /// The factor of a power in a sum.
     pub(super) fn factor(&self, summand: &Summand) -> TokenStream {
         let variable = variable(summand.term);
         match &summand.factor {
-            Factor::Constant(value) => self.literal(value),
+            Factor::Constant(value) => self.names.number(value),
             Factor::Weight(weight) if weight.is_one() => quote!(#variable),
             Factor::Weight(weight) => {
-                let weight = self.literal(weight);
+                let weight = self.names.number(weight);
                 quote!(#variable * #weight)
             }
         }
@@ -58,8 +53,8 @@ impl<'a> Coefficients<'a> {
     /// Two numbers of which the factor is the product: the coefficient of the gap and a weight, or all of it and 1.
     pub(super) fn parts(&self, summand: &Summand) -> [TokenStream; 2] {
         match &summand.factor {
-            Factor::Constant(value) => [self.literal(value), self.literal(&Rational::one())],
-            Factor::Weight(weight) => [variable(summand.term).into_token_stream(), self.literal(weight)],
+            Factor::Constant(value) => [self.names.number(value), self.names.number(&Rational::one())],
+            Factor::Weight(weight) => [variable(summand.term).into_token_stream(), self.names.number(weight)],
         }
     }
 
@@ -68,7 +63,7 @@ impl<'a> Coefficients<'a> {
         self.table(summands).unwrap_or_else(|| {
             let factors = summands.iter().map(|summand| match summand {
                 Some(summand) => self.factor(summand),
-                None => self.literal(&Rational::zero()),
+                None => self.names.number(&Rational::zero()),
             });
             quote!([#(#factors),*])
         })

@@ -3,7 +3,7 @@
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::operations::Operations;
-use crate::closed_forms::{ClosedForms, Factor, PowerSum};
+use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::expansion::Truncation;
@@ -60,14 +60,7 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
 
 /// The sum with its numbers, such as `0.0125 a² + 7.29167e-5 a⁴`.
 fn written(sum: &PowerSum, gap: &Gap, variable: &str) -> String {
-    let summands = sum.summands.iter().filter_map(|summand| {
-        let factor = match &summand.factor {
-            Factor::Constant(value) => Coefficient::constant(value.clone()),
-            Factor::Weight(weight) => gap.terms.get(summand.term)?.coefficient.scaled(weight),
-        };
-        Some((factor, power(variable, &summand.exponent)))
-    });
-    joined(summands)
+    joined(sum.summands.iter().map(|own| (own.coefficient(gap), power(variable, &own.exponent))))
 }
 
 /// The products of coefficients and powers with their signs between them.

@@ -17,7 +17,7 @@ pub(super) fn block(
     item: &Item,
     geometry: &Geometry,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     match geometry.gap.is_constant() {
         true => implementation(item, &item.generics, &constants(geometry)),
@@ -30,7 +30,7 @@ pub(super) fn block(
 
 /// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors: of a gap
 /// that depends on fields if those that it names are marked as used.
-pub(super) fn stub(item: &Item, names: &Names<'_>) -> TokenStream {
+pub(super) fn stub(item: &Item, names: &Names) -> TokenStream {
     if item.fields.iter().any(|field| field.used) {
         return of_fields(item, names, 0, &quote!([]));
     }
@@ -90,7 +90,7 @@ fn constants(geometry: &Geometry) -> TokenStream {
 }
 
 /// The method `terms`, over the scalar type of the fields, or over any if they have none.
-fn of_fields(item: &Item, names: &Names<'_>, count: usize, body: &TokenStream) -> TokenStream {
+fn of_fields(item: &Item, names: &Names, count: usize, body: &TokenStream) -> TokenStream {
     let Names { krate, scalar } = names;
     let (generics, parameter) = match item.generics.has_type(scalar) {
         true => (bounded_generics(item, names), None),

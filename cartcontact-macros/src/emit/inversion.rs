@@ -25,7 +25,7 @@ pub(super) fn methods(
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (gap, Names { krate, scalar }) = (&geometry.gap, names);
     let preamble = coefficients.preamble();
@@ -70,7 +70,7 @@ fn from_start(
     forms: &ClosedForms,
     start: &Start,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> (TokenStream, Option<TokenStream>) {
     match start {
         Start::Roots(table) => {
@@ -109,7 +109,7 @@ fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
 }
 
 /// The radius without a limit that is asked for, from the table before the range is searched for its end.
-fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (Names { krate, scalar }, preamble) = (names, coefficients.preamble());
     let [load_integral, limit] = ["load_integral", "limit"].map(local);
     let general = quote! {
@@ -127,12 +127,7 @@ fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names:
 }
 
 /// The radius of any load integral, whatever the geometry.
-fn general(
-    gap: &Gap,
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
+fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
             let [load_integral, limit] = ["load_integral", "limit"].map(local);
@@ -144,7 +139,7 @@ fn general(
 }
 
 /// The radius that was perhaps found, or by `general`, out of the way.
-fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names<'_>) -> TokenStream {
+fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -> TokenStream {
     let (elsewhere, a) = (names.generated("elsewhere"), local("a"));
     quote! {
         match #found {
@@ -155,7 +150,7 @@ fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names<'_
 }
 
 /// The method for slices, of which `radii` is the result.
-fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (Names { krate, scalar }, preamble) = (names, coefficients.preamble());
     let [load_integrals, limit, slice] = ["load_integrals", "limit", "radii"].map(local);
     quote! {
@@ -171,7 +166,7 @@ fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Na
     }
 }
 
-fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let invert = names.generated("invert");
     let zero = names.constant();
     let zero = quote!(#zero(0.0f64));
@@ -198,7 +193,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
 }
 
 /// The positive terms to iterate over.
-fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let terms = gap.terms.iter().zip(coefficients.terms());
     if !gap.is_constant() {
         let (of, terms) = (names.generated("positive_terms"), terms.map(|(_, pair)| pair));
@@ -211,11 +206,7 @@ fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names<'_>)
 }
 
 /// J(a) and a J′(a), in the cheapest form: Newton's method divides their error by the degree of J.
-fn value_and_log_slope(
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> TokenStream {
+fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let sum = &forms.load_integral;
     let [a, x, value, slope, log_slope] = ["a", "x", "value", "slope", "log_slope"].map(local);
     let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER) else {
@@ -241,11 +232,7 @@ fn value_and_log_slope(
 }
 
 /// J(a) − J(a − depth) of low whole powers, with the depth as a factor.
-fn dense_drop(
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> Option<TokenStream> {
+fn dense_drop(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let sum = &forms.load_integral;
     let [a, s, depth] = ["a", "s", "depth"].map(local);
     let whole = Whole::of(sum).filter(|whole| {
@@ -262,7 +249,7 @@ fn dense_drop(
 }
 
 /// J(a) − J(a − depth) of any powers.
-fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let [a, depth] = ["a", "depth"].map(local);
     let (function, terms) =
         (names.generated("power_sum_drop"), terms(&forms.load_integral, coefficients, names));
@@ -275,7 +262,7 @@ fn slopes_and_drops(
     forms: &ClosedForms,
     dense: Option<&TokenStream>,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> Option<TokenStream> {
     let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
     let [a, r, depth, places, values] = ["a", "r", "depth", "places", "values"].map(local);

@@ -8,13 +8,13 @@ use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
-use crate::number::{Rational, integer, literal};
+use crate::number::{Rational, integer};
 
 /// Beyond, 2^p leaves single precision in the products of a step.
 const HIGHEST_POWER: u32 = 80;
 
 /// The radius from the leading term, if that leads to it.
-pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let [a, load_integral, limit, scale] = ["a", "load_integral", "limit", "scale"].map(local);
     if let Some(powers) = whole_powers(&forms.stepped, coefficients, names) {
         return quote!((#powers).radius(#load_integral, #limit));
@@ -39,10 +39,11 @@ pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names
 pub(super) fn radii(
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> Option<TokenStream> {
     let powers = whole_powers(&forms.stepped, coefficients, names)?;
-    let (krate, radii_of_whole_powers) = (names.krate, names.generated("radii_of_whole_powers"));
+    let (general, radii_of_whole_powers) =
+        (names.by_radius_within(), names.generated("radii_of_whole_powers"));
     let [load_integral, limit] = ["load_integral", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     Some(quote! {
@@ -52,16 +53,16 @@ pub(super) fn radii(
             // Without it, wide vectors would end at the call.
             #[inline(always)]
             |#load_integral| (#powers).solve(#load_integral),
-            |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
+            #general,
         )
     })
 }
 
 /// J as `WholePowers`, if that is what they are.
-fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
+fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let Scaled { load_integral: sum, per_unit } = scaled;
     let whole = whole(sum)?;
-    let (constant, per_unit) = (names.constant(), literal(per_unit));
+    let per_unit = names.number(per_unit);
     let (all, steepness) = (names.generated("WholePowers"), steepness::name());
     let values = sum.summands.iter().map(|summand| coefficients.factor(summand));
     let powers = whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power));
@@ -70,7 +71,7 @@ fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names<
             coefficients: [#(#values),*],
             powers: [#(#powers),*],
             steepness: #steepness,
-            per_unit: #constant(#per_unit),
+            per_unit: #per_unit,
         }
     })
 }
@@ -80,7 +81,7 @@ fn whole(sum: &PowerSum) -> Option<Whole> {
 }
 
 /// The function that gives J and its derivatives, with any coefficients.
-pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
+pub(super) fn items(sum: &PowerSum, names: &Names) -> Option<TokenStream> {
     let whole = whole(sum)?;
     let (count, a) = (whole.exponents.len(), local("a"));
     let variables: Vec<Ident> = (0..count).map(|index| local(&format!("j{index}"))).collect();
@@ -94,10 +95,10 @@ pub(super) fn items(sum: &PowerSum, names: &Names<'_>) -> Option<TokenStream> {
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }
 
-fn product(weight: u32, coefficient: &Ident, names: &Names<'_>) -> TokenStream {
+fn product(weight: u32, coefficient: &Ident, names: &Names) -> TokenStream {
     if weight == 1 {
         return coefficient.into_token_stream();
     }
-    let (constant, weight) = (names.constant(), literal(&integer(i64::from(weight))));
-    quote!(#constant(#weight) * #coefficient)
+    let weight = names.number(&integer(weight));
+    quote!(#weight * #coefficient)
 }

@@ -15,10 +15,11 @@ mod steepness;
 mod table;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::{ToTokens, format_ident, quote};
+use quote::{format_ident, quote};
 
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
+use crate::number::{Rational, literal};
 use crate::reading::generics::Generics;
 use crate::reading::item::{FieldKind, Item};
 use crate::reading::name::unraw;
@@ -35,23 +36,39 @@ pub(crate) fn local(name: &str) -> Ident {
 }
 
 /// What every part of the generated code refers to.
-struct Names<'a> {
-    /// The path of the run-time crate.
-    krate: &'a TokenStream,
+struct Names {
+    /// The run-time crate, as the generated import calls it.
+    krate: Ident,
     /// The scalar type.
     scalar: Ident,
 }
 
-impl Names<'_> {
+impl Names {
+    fn of(item: &Item) -> Self {
+        Names { krate: local("cartcontact"), scalar: scalar_of(item) }
+    }
+
     /// The function that turns an `f64` literal into a scalar.
     fn constant(&self) -> TokenStream {
-        let (krate, scalar) = (self.krate, &self.scalar);
+        let (krate, scalar) = (&self.krate, &self.scalar);
         quote!(<#scalar as #krate::Scalar>::constant)
+    }
+
+    /// A number as a scalar.
+    fn number(&self, value: &Rational) -> TokenStream {
+        let (constant, literal) = (self.constant(), literal(value));
+        quote!(#constant(#literal))
+    }
+
+    /// The solution for what a table or the leading term does not lead to.
+    fn by_radius_within(&self) -> TokenStream {
+        let (krate, [load_integral, limit]) = (&self.krate, ["load_integral", "limit"].map(local));
+        quote!(|#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit))
     }
 
     /// A function that only generated code calls.
     fn generated(&self, function: &str) -> TokenStream {
-        let (krate, function) = (self.krate, Ident::new(function, Span::call_site()));
+        let (krate, function) = (&self.krate, Ident::new(function, Span::call_site()));
         quote!(#krate::generated::#function)
     }
 }
@@ -63,9 +80,8 @@ pub(crate) fn solver(
     geometry: &Geometry,
     krate: &TokenStream,
 ) -> TokenStream {
-    let root = local("cartcontact").into_token_stream();
-    let import = import(krate, &root);
-    let names = Names { krate: &root, scalar: scalar_of(item) };
+    let names = Names::of(item);
+    let import = import(krate, &names);
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
     let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
@@ -103,7 +119,7 @@ fn evaluators(
     geometry: &Geometry,
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> (TokenStream, Vec<Operations>) {
     let (scalar, preamble) = (&names.scalar, coefficients.preamble());
     let method = |name: &str, variable: &Ident, body: TokenStream| {
@@ -144,7 +160,7 @@ fn beside_inversion(
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> Option<TokenStream> {
     match start? {
         Start::Roots(roots) => Some(roots::item(roots, names)),
@@ -157,19 +173,19 @@ fn beside_inversion(
 ///
 /// All generated code reaches it by this import, as the compiler is silent about what follows from a failed one: a
 /// wrong path is one error, where it is written.
-fn import(krate: &TokenStream, root: &TokenStream) -> TokenStream {
+fn import(krate: &TokenStream, names: &Names) -> TokenStream {
     let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
     let generated = Ident::new("generated", Span::call_site().located_at(place));
-    quote!(use #krate::#generated::root as #root;)
+    let own = &&names.krate;
+    quote!(use #krate::#generated::root as #own;)
 }
 
 /// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes
 /// no further errors.
 pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) -> TokenStream {
-    let root = local("cartcontact").into_token_stream();
-    let import = import(krate, &root);
-    let names = Names { krate: &root, scalar: scalar_of(item) };
-    let scalar = &names.scalar;
+    let names = Names::of(item);
+    let import = import(krate, &names);
+    let Names { krate: root, scalar } = &names;
     let header = implementation(item, &names);
     let evaluators = ["gap", "approach", "approach_slope", "load_integral", "log_kernel"].map(|name| {
         let name = format_ident!("{name}");
@@ -237,7 +253,7 @@ fn names_something(tokens: &TokenStream, name: &str) -> bool {
 }
 
 /// `impl<..> GapProfile<T> for Item<..> where ..`.
-fn implementation(item: &Item, names: &Names<'_>) -> TokenStream {
+fn implementation(item: &Item, names: &Names) -> TokenStream {
     let Names { krate, scalar } = names;
     let (ident, arguments, generics) =
         (&item.ident, item.generics.arguments(), bounded_generics(item, names));
@@ -246,13 +262,13 @@ fn implementation(item: &Item, names: &Names<'_>) -> TokenStream {
 }
 
 /// The item's generics with the scalar type among them, bounded.
-fn bounded_generics(item: &Item, names: &Names<'_>) -> Generics {
+fn bounded_generics(item: &Item, names: &Names) -> Generics {
     let Names { krate, scalar } = names;
     item.generics.with_bound(scalar, &quote!(#krate::Scalar))
 }
 
 /// What quadrature has to know of the terms.
-fn shape(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn shape(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
     let truth = quote!(::core::primitive::bool);

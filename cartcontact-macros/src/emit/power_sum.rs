@@ -89,12 +89,7 @@ impl Whole {
 }
 
 /// The value of the sum at `x`, with one rounding besides those of the coefficients.
-pub(super) fn value(
-    sum: &PowerSum,
-    x: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
-) -> Counted {
+pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> Counted {
     let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
         let code = by_powers("power_sum", sum, x, coefficients, names);
         return Counted { code, operations: Operations::in_library() };
@@ -117,7 +112,7 @@ pub(super) fn quick_value(
     sum: &PowerSum,
     x: &Ident,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     match Whole::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients, names),
@@ -137,7 +132,7 @@ fn horner(
     whole: &Whole,
     x: &Ident,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
@@ -159,7 +154,7 @@ pub(super) fn nested(
     (whole, mut is_monic): (&Whole, bool),
     variable: &Ident,
     factors: Vec<TokenStream>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
@@ -178,7 +173,7 @@ pub(super) fn nested(
 }
 
 /// The variable's power of `exponent`, with as few products as there are for a high one.
-pub(super) fn power(variable: &Ident, exponent: u32, names: &Names<'_>) -> TokenStream {
+pub(super) fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
     if exponent > LONGEST_PRODUCT {
         let (integer_power, exponent) = (names.generated("integer_power"), Literal::u32_unsuffixed(exponent));
         return quote!(#integer_power(#variable, #exponent));
@@ -192,14 +187,14 @@ fn by_powers(
     sum: &PowerSum,
     x: &Ident,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (power_sum, terms) = (names.generated(function), terms(sum, coefficients, names));
     quote!(#power_sum(#x, #terms))
 }
 
 /// The sum as terms (coefficient, exponent) to iterate over.
-pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     if let Some(table) = table(sum).filter(|table| table.len() > FEW) {
         let (whole_terms, table) = (names.generated("whole_terms"), code(table));
         return quote!(#whole_terms(&#table));
@@ -218,7 +213,7 @@ fn table(sum: &PowerSum) -> Option<Vec<(f64, i32)>> {
     sum.summands.iter().map(term).collect()
 }
 
-fn exponent(exponent: &Rational, names: &Names<'_>) -> TokenStream {
+fn exponent(exponent: &Rational, names: &Names) -> TokenStream {
     let of = names.generated("Exponent");
     if exponent.is_integer() {
         let whole = Literal::i32_unsuffixed(whole_part(exponent));

@@ -27,7 +27,7 @@ pub(super) fn methods(
     gap: &Gap,
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> [TokenStream; 2] {
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
     let terms = || power_sum::terms(&forms.gap, coefficients, names);

@@ -18,7 +18,7 @@ pub(super) fn methods(
     item: &Item,
     geometry: &Geometry,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let is_constant = geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_));
     let checked = (!is_constant).then_some(Checked { item, geometry, coefficients, names });
@@ -47,7 +47,7 @@ fn fits_every_format(term: &Term) -> bool {
 }
 
 /// `check` of a geometry with constants that not every format holds.
-fn check_of_constants(names: &Names<'_>) -> TokenStream {
+fn check_of_constants(names: &Names) -> TokenStream {
     let (Names { krate, scalar }, check) = (names, names.generated("check_constants"));
     quote! {
         fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
@@ -57,7 +57,7 @@ fn check_of_constants(names: &Names<'_>) -> TokenStream {
 }
 
 /// The end of the range, where no value of a field can make the geometry inadmissible before it.
-fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names<'_>) -> Option<TokenStream> {
+fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let (Names { krate, scalar }, constant) = (names, names.constant());
     match (&geometry.range, &geometry.proof) {
         (_, Proof::AtRunTime) => None,
@@ -83,7 +83,7 @@ struct Checked<'a> {
     item: &'a Item,
     geometry: &'a Geometry,
     coefficients: &'a Coefficients<'a>,
-    names: &'a Names<'a>,
+    names: &'a Names,
 }
 
 impl Checked<'_> {
@@ -105,7 +105,7 @@ impl Checked<'_> {
 
     fn check(&self) -> TokenStream {
         let (preamble, declared, range) = (self.coefficients.preamble(), self.declared(), self.range());
-        let (krate, error) = (self.names.krate, local("error"));
+        let (krate, error) = (&self.names.krate, local("error"));
         let (named, constants) = (self.with_parameters(&error), self.constants());
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {

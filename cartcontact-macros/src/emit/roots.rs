@@ -10,7 +10,7 @@ use crate::number::code;
 use crate::roots::{Power, Roots};
 
 /// The table and its series.
-pub(super) fn item(roots: &Roots, names: &Names<'_>) -> TokenStream {
+pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     let (name, kind) = (table::name(), names.generated("Roots"));
     let (table, series) = (table::value(&roots.table, names), code(roots.series));
     quote!(static #name: #kind = #kind { table: #table, series: #series };)
@@ -21,7 +21,7 @@ pub(super) fn radius(
     roots: &Roots,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
     let [load_integral, limit] = ["load_integral", "limit"].map(local);
@@ -33,18 +33,17 @@ pub(super) fn radii(
     roots: &Roots,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
-    let krate = names.krate;
+    let general = names.by_radius_within();
     let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
-    let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
-    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    let [load_integrals, limit, radii] = ["load_integrals", "limit", "radii"].map(local);
     quote! {
         #table.radii(
             (#load_integrals, #radii),
             #limit,
             #term,
-            |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
+            #general,
         )
     }
 }
@@ -54,7 +53,7 @@ fn term(
     roots: &Roots,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (Some(Power { k, q }), Some(only)) = (roots.periods_of, load_integral.summands.first()) else {
         return names.generated("OwnTerm");

@@ -8,7 +8,7 @@ use super::coefficients::Coefficients;
 use super::power_sum::{Whole, is_monic, nested, power, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
-use crate::number::{Rational, integer, literal};
+use crate::number::{Rational, integer};
 use crate::seeds::Seeds;
 
 /// The table, and the function that the step from it evaluates.
@@ -16,7 +16,7 @@ pub(super) fn items(
     seeds: &Seeds,
     seeded: &Seeded,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (table, a) = (table::item(&seeds.table, names), local("a"));
     let body = body(seeded, &a, coefficients, names);
@@ -29,7 +29,7 @@ pub(super) fn radius(
     seeds: &Seeds,
     seeded: &Seeded,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (variables, _) = coefficients.variables();
     let binding = units(seeds, seeded, coefficients, names);
@@ -46,11 +46,11 @@ pub(super) fn radii(
     seeds: &Seeds,
     seeded: &Seeded,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
-    let (krate, (variables, _)) = (names.krate, coefficients.variables());
+    let (general, (variables, _)) = (names.by_radius_within(), coefficients.variables());
     let binding = units(seeds, seeded, coefficients, names);
-    let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
+    let [a, units, limit] = ["a", "units", "limit"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     let (table, steepness) = (table::name(), steepness::name());
     quote! {
@@ -62,13 +62,13 @@ pub(super) fn radii(
             // Without it, wide vectors would end at the call.
             #[inline(always)]
             move |#a| #steepness(#a, #variables),
-            |#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit),
+            #general,
         )
     }
 }
 
 /// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.
-fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let units = local("units");
     let Seeded { scaled: Scaled { load_integral, per_unit }, is_of_square_root } = seeded;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
@@ -91,21 +91,17 @@ fn equal_terms(
     load_integral: &PowerSum,
     per_unit: &Rational,
     coefficients: &Coefficients<'_>,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
-    let constant = |value: &Rational| {
-        let (constant, literal) = (names.constant(), literal(value));
-        quote!(#constant(#literal))
-    };
     let sizes = load_integral.summands.iter().zip(&seeds.factors).map(|(summand, &factor)| {
         let coefficient = coefficients.factor(summand);
         if factor < 0.0 { quote!(-(#coefficient)) } else { coefficient }
     });
     let sizes: Vec<TokenStream> = sizes.collect();
-    let exponents = load_integral.summands.iter().map(|summand| constant(&summand.exponent));
+    let exponents = load_integral.summands.iter().map(|summand| names.number(&summand.exponent));
     let first_two = sizes.iter().zip(exponents).take(2).map(|(size, exponent)| quote!((#size, #exponent)));
     let others = sizes.iter().skip(2);
-    let (equal_terms, per_unit) = (names.generated("EqualTerms"), constant(per_unit));
+    let (equal_terms, per_unit) = (names.generated("EqualTerms"), names.number(per_unit));
     quote!(#equal_terms::of(#(#first_two,)* [#(#others),*], #per_unit))
 }
 
@@ -114,7 +110,7 @@ fn equal_terms(
 /// Its coefficient is then 1 in a J′, which spares a multiplication; in J it would be one that rounds, as the load
 /// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
 /// bound.
-fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names<'_>) -> TokenStream {
+fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let Seeded { scaled: Scaled { load_integral, .. }, is_of_square_root } = seeded;
     let Some(whole) = Whole::of(load_integral) else {
         let (function, terms) =
@@ -149,7 +145,7 @@ fn unit(load_integral: &PowerSum) -> Option<Rational> {
 ///
 /// Where both derivatives had the same form, compilers would put them side by side into one vector, and its halves had
 /// to wait for each other.
-fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>, names: &Names<'_>) -> TokenStream {
+fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>, names: &Names) -> TokenStream {
     // The variable's power from one exponent to another.
     let between = |from: u32, to: u32| power(variable, (to - from) / whole.stride(), names);
     let is_odd = factors.len() % 2 == 1;

@@ -17,7 +17,7 @@ pub(super) fn function(
     a: &Ident,
     (coefficients, count): (impl ToTokens, usize),
     body: &TokenStream,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (Names { krate, scalar }, steepness) = (names, names.generated("Steepness"));
     let name = name();
@@ -40,7 +40,7 @@ pub(super) fn value(
     a: &Ident,
     [value, first, half_second]: &[TokenStream; 3],
     unit: &Rational,
-    names: &Names<'_>,
+    names: &Names,
 ) -> TokenStream {
     let (square, variable) = whole.variable(a);
     let (lowest, stride) = (whole.lowest(), whole.stride());

@@ -11,12 +11,12 @@ pub(super) fn name() -> Ident {
 }
 
 /// The table as a constant of the program.
-pub(super) fn item(table: &Table, names: &Names<'_>) -> TokenStream {
+pub(super) fn item(table: &Table, names: &Names) -> TokenStream {
     let (name, kind, value) = (name(), names.generated("Table"), value(table, names));
     quote!(static #name: #kind = #value;)
 }
 
-pub(super) fn value(table: &Table, names: &Names<'_>) -> TokenStream {
+pub(super) fn value(table: &Table, names: &Names) -> TokenStream {
     let (kind, rows) = (names.generated("Table"), names.generated("Rows"));
     let quarters = |(first, count): (i32, usize)| {
         let (kind, first) = (names.generated("Quarters"), Literal::i32_unsuffixed(first));
