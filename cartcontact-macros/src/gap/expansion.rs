@@ -7,6 +7,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::diagnostics::Extent;
 use crate::gap::MAXIMUM_EXPONENT;
+use crate::gap::coefficient::Coefficient;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::polynomial::{Monomial, Polynomial};
 use crate::gap::shape::Shape;
@@ -252,6 +253,11 @@ fn expanded(shape: Shape, order: u32) -> Result<Polynomial, Fault> {
     for surface in shape.surfaces {
         let extent = surface.extent;
         let series = surface.series(order / 2).map_err(|message| (extent, message.to_owned()))?;
+        if !series.iter().all(Coefficient::is_representable) {
+            let message =
+                format!("order {order} has coefficients beyond the range of `f64`; write a lower one");
+            return Err((extent, message));
+        }
         for (j, coefficient) in (1_u32..).zip(series) {
             sum.accumulate(integer(2 * j), Monomial { coefficient, extent });
         }

@@ -132,7 +132,7 @@ impl Polynomial {
             return match exponent.numer().sign() {
                 Sign::Plus => Ok(Polynomial::default()),
                 Sign::NoSign => Err("0^0 has no value; write the number that is meant"),
-                Sign::Minus => Err("a divisor must not be zero; this expression cancels to zero"),
+                Sign::Minus => Err("a divisor must not be zero; this one is"),
             };
         }
         if exponent.is_negative() || !exponent.is_integer() {

@@ -121,9 +121,10 @@ impl Neglected {
         if sides.iter().all(|side| side.is_empty()) {
             return Ok(Some(Rational::zero()));
         }
-        let mut estimate = self.estimate(&below, &sides);
+        // What underflows is bounded by the least number that it could be.
+        let mut estimate = self.estimate(&below, &sides).max(f64::MIN_POSITIVE);
         let mut margin = 0.005;
-        while estimate.is_finite() && estimate > 0.0 && estimate < 1.0 {
+        while estimate < 1.0 {
             let rounded = three_digits(estimate * (1.0 + margin));
             if let Some(rounded) = rounded
                 && self.is_within(&rounded, order)?

@@ -83,6 +83,19 @@ fn the_bound_covers_the_whole_range() {
 }
 
 #[test]
+fn a_bound_below_the_format_is_one_in_it() {
+    let least = Rational::from_float(2.0 * f64::MIN_POSITIVE).unwrap();
+    for gap in [
+        "upper = sphere(10), lower = sphere(-20), order = 128, max_radius = 0.001",
+        "sphere(1e80), order = 4, max_radius = 1",
+        "sphere(1e200), order = auto, tolerance = 1e-6, max_radius = 1",
+    ] {
+        let bound = bound(gap);
+        assert!(bound.is_positive() && bound < least, "{gap}: {bound}");
+    }
+}
+
+#[test]
 fn the_smallest_order_is_found() {
     for gap in ["sphere(10) - sphere(20), max_radius = 8", "conic(10, -3) - sphere(20), max_radius = 5"] {
         for tolerance in ["0.1", "1e-3", "1e-6", "1e-12"] {
