@@ -11,7 +11,8 @@ use crate::proof::end::End;
 use crate::proof::integer_polynomial::{IntegerPolynomial, from_terms};
 use crate::proof::search::{TooIntricate, first_root};
 
-/// Bounds the time that a proof takes; enough for all integer exponents up to 1024.
+/// Of the polynomial, and of the power g of its variable: together they bound the time that a proof takes. Enough for all
+/// integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;
 const MAXIMUM_DENOMINATOR: u32 = 64;
 
@@ -50,8 +51,10 @@ impl Equation {
             (degree <= MAXIMUM_DEGREE).then_some((degree, coefficient))
         });
         let powers: Option<Vec<(usize, &Rational)>> = powers.collect();
-        match (powers, step.numer().to_u32(), step.denom().to_u32()) {
-            (Some(powers), Some(numerator), Some(denominator)) if denominator <= MAXIMUM_DENOMINATOR => {
+        let numerator = step.numer().to_u32().filter(|&numerator| numerator as usize <= MAXIMUM_DEGREE);
+        let denominator = step.denom().to_u32().filter(|&denominator| denominator <= MAXIMUM_DENOMINATOR);
+        match (powers, numerator, denominator) {
+            (Some(powers), Some(numerator), Some(denominator)) => {
                 Ok(Equation { polynomial: from_terms(&powers), numerator, denominator })
             }
             _ => Err(
