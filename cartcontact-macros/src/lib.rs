@@ -60,7 +60,6 @@ pub fn gap_profile(
 /// The item as it was and, beside it, its solver; or every fault, and a stub so that the rest still compiles.
 fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
-    let written = attribute.clone();
     let attribute = attribute::parse(attribute, &mut diagnostics);
     let input = item::with_one_profile(input, &mut diagnostics);
     let item = item::parse(input.clone(), &mut diagnostics);
@@ -70,7 +69,7 @@ fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
         match geometry.filter(|_| diagnostics.is_empty()) {
             Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
             None => {
-                item.mark_named(written);
+                item.mark_named(attribute.written_gap);
                 emit::fallback(&input, &item, &crate_path)
             }
         }

@@ -25,6 +25,8 @@ pub(crate) struct Attribute {
     pub(crate) crate_path: Option<TokenStream>,
     /// Whether an option could not be read: what is missing then is no further fault.
     pub(crate) lacks_option: bool,
+    /// The tokens of what may be meant as the gap.
+    pub(crate) written_gap: TokenStream,
 }
 
 /// Reads the gap and the options behind it, which stand between commas.
@@ -35,6 +37,9 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut digits_before_comma = None;
     for entry in entries(tokens, diagnostics) {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
+        if entry.may_be_gap() {
+            attribute.written_gap.extend(entry.stream());
+        }
         if let Some(message) = entry.without_comma() {
             diagnostics.report(entry.extent(), message);
             match entry.option() {

@@ -107,6 +107,11 @@ impl Entry {
         name.is_some_and(|name| name == "upper" || name == "lower")
     }
 
+    /// Whether this is meant as the gap, or as a part of it.
+    pub(super) fn may_be_gap(&self) -> bool {
+        self.is_body() || self.option().is_none_or(|(name, _, _)| similar(&name).is_none())
+    }
+
     /// The digits in front of the comma behind this entry, unless they are an exponent.
     pub(super) fn last_digits(&self) -> Option<Whole> {
         let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };

@@ -156,10 +156,10 @@ impl Item {
         }
     }
 
-    /// Notes which fields a faulty attribute names, or may mean: its geometry would depend on them.
-    pub(crate) fn mark_named(&mut self, written: TokenStream) {
+    /// Notes which fields a faulty gap names, or may mean: it would depend on them.
+    pub(crate) fn mark_named(&mut self, written_gap: TokenStream) {
         let mut names = Vec::new();
-        collect_names(written, &mut names);
+        collect_names(written_gap, &mut names);
         let known = self.field_names();
         let meant: Vec<String> = names.iter().filter_map(|name| closest(name, known.clone())).collect();
         for field in &mut self.fields {
@@ -218,9 +218,10 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
 
 /// The known name that differs from this one by a third of its letters at most, and by the fewest.
 pub(crate) fn closest(name: &str, known: Vec<String>) -> Option<String> {
-    let with_distance =
-        known.into_iter().map(|known| (distance(&name.to_lowercase(), &known.to_lowercase()), known));
-    with_distance.min().filter(|(distance, known)| 3 * distance <= known.len()).map(|(_, known)| known)
+    let name = name.to_lowercase();
+    let with_distance = known.into_iter().map(|known| (distance(&name, &known.to_lowercase()), known));
+    let similar = with_distance.filter(|(distance, known)| 3 * distance <= known.chars().count());
+    similar.min().map(|(_, known)| known)
 }
 
 /// Levenshtein's distance, one row of its table for each letter of `left`.
@@ -313,6 +314,9 @@ mod tests {
         assert_eq!(remedy("true"), "write `r` or a field");
         assert_eq!(item.remedy(&format_ident!("R"), false), "write a number or a field of `Ball`");
         assert_eq!((distance("kitten", "sitting"), distance("", "abc")), (3, 3));
+        let closest = |name, known: [&str; 2]| closest(name, known.map(str::to_owned).into());
+        assert_eq!(closest("ra", ["r", "rad"]).as_deref(), Some("rad"));
+        assert_eq!((closest("ab", ["r", "cd"]), closest("ρ", ["κ", "χψ"])), (None, None));
     }
 
     #[test]

@@ -4,6 +4,7 @@ use num_traits::One;
 use proc_macro2::{Ident, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
+use crate::number::decimal;
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
@@ -61,7 +62,11 @@ impl Parser<'_> {
         if !one.is_one() || slash.as_char() != '/' {
             return None;
         }
-        let base = if let Kind::Name(name) = &base.kind { name.to_string() } else { "(...)".to_owned() };
+        let base = match &base.kind {
+            Kind::Name(name) => name.to_string(),
+            Kind::Number(value) => decimal(value),
+            _ => "(...)".to_owned(),
+        };
         let message = format!(
             "this is read as `({base}^1)/{divisor}`; write `{base}/{divisor}` if that is meant, or the exponent in \
              parentheses, `{base}^(1/{divisor})`"
@@ -108,10 +113,10 @@ impl Parser<'_> {
             Kind::Name(name) if name == "self" || (name != "r" && !is_call) => {
                 format!("fields are written by name alone; write `{member}`")
             }
-            Kind::Number(_) if member.to_string().starts_with(['e', 'E']) => {
+            Kind::Number(_) if !is_call && member.to_string().starts_with(['e', 'E']) => {
                 "a decimal point has digits behind it, as in `1.0e-3`".to_owned()
             }
-            Kind::Number(_) => {
+            Kind::Number(_) if !is_call => {
                 "a decimal point has digits behind it; for a product write `*`, as in `2 * r`".to_owned()
             }
             _ => format!(

@@ -30,7 +30,14 @@ impl Flat {
     }
 }
 
+/// A field that only the range names makes no gap of fields.
+#[gap_profile(0.025*r^2 + , max_radius = end)]
+struct Limited {
+    end: f64,
+}
+
 fn main() {
+    println!("{} {}", Limited::TERMS.len(), Limited { end: 6.0 }.end);
     for (coefficient, exponent) in (Ball { radius: Ball::MAX_RADIUS }).terms::<f64>() {
         println!("{coefficient} r^{exponent}");
     }
