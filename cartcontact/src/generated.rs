@@ -17,15 +17,17 @@ pub use crate::evaluate::pressure_kernel::{
     even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
     quick_whole_pressure_kernel,
 };
-pub use crate::evaluate::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::evaluate::steepness::{
-    power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
+    Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
 };
-pub use crate::inversion::{PositiveTerm, invert, positive_terms};
-pub use crate::one_term::invert_one_term;
+pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
+pub use crate::radius::elsewhere;
+pub use crate::radius::leading_term::radius_of_real_powers;
+pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
+pub use crate::radius::one_term::invert_one_term;
+pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
+pub use crate::radius::table::units::{EqualTerms, OwnUnits, Squared};
+pub use crate::radius::table::{Quarters, Rows, Table};
+pub use crate::radius::whole_powers::{WholePowers, radii_of_whole_powers};
 pub use crate::scalar::constants;
-pub use crate::seeds::{
-    EqualTerms, OwnTerm, OwnUnits, Quarters, Roots, Rows, SingleTerm, Squared, Steepness, Table, WholePowers,
-    elsewhere, radii_of_whole_powers, radius_of_real_powers,
-};

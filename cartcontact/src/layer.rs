@@ -3,6 +3,7 @@
 use crate::Scalar;
 use crate::evaluate::binary::{scale, split};
 use crate::medium::MediumError;
+use crate::scalar::is_size;
 
 /// One biphasic layer on its bone.
 ///
@@ -67,7 +68,7 @@ impl<T: Scalar> Layer<T> {
         if !positive(self.shear_modulus) {
             return Err(MediumError::ShearModulus { shear_modulus: self.shear_modulus.value() });
         }
-        if !(self.permeability >= T::zero() && self.permeability.is_finite()) {
+        if !is_size(self.permeability) {
             return Err(MediumError::Permeability { permeability: self.permeability.value() });
         }
         Ok(())

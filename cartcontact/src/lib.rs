@@ -70,22 +70,20 @@ mod evaluate;
 mod field;
 #[doc(hidden)]
 pub mod generated;
-mod inversion;
 mod layer;
 pub mod load;
 #[cfg(feature = "nalgebra")]
 mod matrix;
 mod medium;
 mod memory;
-mod one_term;
-mod parameters;
 mod polynomial;
 #[cfg(doc)]
 #[doc = include_str!("printed_formulas.md")]
 pub mod printed_formulas {}
 mod profile;
+mod quadrature;
+mod radius;
 mod scalar;
-mod seeds;
 mod shown;
 mod snapshot;
 
@@ -94,9 +92,8 @@ pub use cartcontact_macros::gap_profile;
 pub use contact::{Contact, ContactError};
 pub use layer::Layer;
 pub use medium::{Medium, MediumError};
-pub use parameters::Parameters;
 pub use polynomial::Polynomial;
-pub use profile::{GapProfile, ProfileError, RadiusError};
+pub use profile::{GapProfile, Parameters, ProfileError, RadiusError};
 pub use scalar::Scalar;
 pub use snapshot::Snapshot;
 

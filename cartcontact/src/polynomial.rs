@@ -11,12 +11,13 @@ use crate::evaluate::power::{
     power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, weighted_power_sum,
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
-use crate::evaluate::slopes_and_drops::fill_slopes_and_drops;
 use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
-use crate::inversion::{invert, positive_terms};
+use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
+use crate::radius::elsewhere;
+use crate::radius::leading_term::radius_of_real_powers;
+use crate::radius::newton::{invert, positive_terms};
 use crate::scalar::{floor, is_plain};
-use crate::seeds::{elsewhere, radius_of_real_powers};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///

@@ -77,6 +77,12 @@ pub(crate) fn greater<T: Scalar>(x: T, y: T) -> T {
     if y > x { y } else { x }
 }
 
+/// Whether a number is one that times, forces, impulses and distances may be: finite and not negative.
+#[inline(always)]
+pub(crate) fn is_size<T: Scalar>(x: T) -> bool {
+    (x >= T::zero()) & x.is_finite()
+}
+
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
 #[inline]
 pub(crate) fn is_plain<T: Scalar>() -> bool {

@@ -3,7 +3,7 @@
 mod slope;
 
 use crate::Scalar;
-use crate::parameters::Parameters;
+use crate::profile::Parameters;
 use crate::profile::ProfileError;
 use crate::scalar::smallest_normal;
 use slope::Slope;
@@ -322,7 +322,7 @@ mod tests {
             match admissible_range(terms.into_iter(), None) {
                 Ok(end) => assert!(0.0 < end && end <= left * left, "{c}: {end:e}"),
                 Err(error) => {
-                    assert!(k < 20 && matches!(error, ProfileError::NotOpening { .. }), "{c}: {error}")
+                    assert!(k < 20 && matches!(error, ProfileError::NotOpening { .. }), "{c}: {error}");
                 }
             }
         }

@@ -45,7 +45,8 @@ pub struct Contact<T, P, L> {
     medium: Medium<T>,
     load: L,
     max_radius: T,
-    /// A multiplication takes a third of the time of a division.
+    /// 4/(π m), the load integral of a hereditary load of 1, in mm⁵/N: kept, as a product takes a third of the time of a
+    /// quotient.
     integral_per_load: T,
 }
 

@@ -4,9 +4,9 @@ use super::common_sizes::CommonSizes;
 use super::loading::Loading;
 use super::{Contact, ContactError};
 use crate::Scalar;
-use crate::load::{Load, LoadError, is_force};
+use crate::load::{Load, LoadError};
 use crate::profile::{GapProfile, RadiusError};
-use crate::scalar::smallest_normal;
+use crate::scalar::{is_size, smallest_normal};
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline]
@@ -88,15 +88,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The loading at a time, from a load that a user may have got wrong.
     pub(super) fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
         let time = t.value();
-        if !is_time(t) {
+        if !is_size(t) {
             return Err(ContactError::InvalidTime { time });
         }
         let loading = self.loading(t);
         let (force, impulse) = (loading.force.value(), loading.impulse.value());
-        if !is_force(loading.force) {
+        if !is_size(loading.force) {
             return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
-        if !is_force(loading.impulse) {
+        if !is_size(loading.impulse) {
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
         }
         Ok(loading)
@@ -137,9 +137,4 @@ fn is_normal_quotient<T: Scalar>(value: T, unit: T) -> bool {
     // Subnormal products would be slow; infinite ones are not.
     let most = smallest_normal::<T>().recip();
     (unit <= value * most) & (value <= unit * most)
-}
-
-#[inline(always)]
-fn is_time<T: Scalar>(t: T) -> bool {
-    (t >= T::zero()) & t.is_finite()
 }

@@ -19,6 +19,16 @@ const UNIT_OF_SINGLE: u32 = 0x4b00_0000;
 const SIGNED_UNIT_OF_DOUBLE: f64 = 6_755_399_441_055_744.0;
 const SIGNED_UNIT_OF_SINGLE: f64 = 12_582_912.0;
 
+/// The number of other bits that follow from its own.
+#[inline(always)]
+fn with_bits<T: Scalar>(x: T, single: impl Fn(u32) -> u32, double: impl Fn(u64) -> u64) -> T {
+    let any: &dyn Any = &x;
+    match any.downcast_ref::<f32>() {
+        Some(x) => T::from_subset(&f32::from_bits(single(x.to_bits()))),
+        None => T::constant(f64::from_bits(double(x.value().to_bits()))),
+    }
+}
+
 /// The bias of exponents.
 #[inline(always)]
 pub(crate) fn bias<T: Scalar>() -> i32 {
@@ -37,11 +47,7 @@ pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
 /// for what its register held before.
 #[inline(always)]
 pub(crate) fn logarithm<T: Scalar>(x: T) -> T {
-    let any: &dyn Any = &x;
-    match any.downcast_ref::<f32>() {
-        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() >> (23 - DIGITS) | UNIT_OF_SINGLE)),
-        None => T::constant(f64::from_bits(x.value().to_bits() >> (52 - DIGITS) | UNIT_OF_DOUBLE)),
-    }
+    with_bits(x, |bits| bits >> (23 - DIGITS) | UNIT_OF_SINGLE, |bits| bits >> (52 - DIGITS) | UNIT_OF_DOUBLE)
 }
 
 /// The nearest integer, of 21 digits and a sign, as a number and as what it is.
@@ -93,36 +99,27 @@ pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
 /// The fraction f of x = f · 2^e, 1 ≤ f < 2.
 #[inline(always)]
 pub(crate) fn fraction<T: Scalar>(x: T) -> T {
-    let any: &dyn Any = &x;
-    match any.downcast_ref::<f32>() {
-        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() & 0x007f_ffff | 0x3f80_0000)),
-        None => {
-            T::constant(f64::from_bits(x.value().to_bits() & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000))
-        }
-    }
+    with_bits(
+        x,
+        |bits| bits & 0x007f_ffff | 0x3f80_0000,
+        |bits| bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000,
+    )
 }
 
 /// The middle of the quarter of an octave that a positive number is in, of four digits.
 #[inline(always)]
 pub(crate) fn middle_of_quarter<T: Scalar>(x: T) -> T {
-    let any: &dyn Any = &x;
-    match any.downcast_ref::<f32>() {
-        Some(single) => T::from_subset(&f32::from_bits(single.to_bits() & !0x001f_ffff | 0x0010_0000)),
-        None => {
-            let quarter = x.value().to_bits() & !0x0003_ffff_ffff_ffff;
-            T::constant(f64::from_bits(quarter | 0x0002_0000_0000_0000))
-        }
-    }
+    with_bits(
+        x,
+        |bits| bits & !0x001f_ffff | 0x0010_0000,
+        |bits| bits & !0x0003_ffff_ffff_ffff | 0x0002_0000_0000_0000,
+    )
 }
 
 /// With half its digits, so that its square is exact; f32, which has none to waste, rounded, f64 cut off.
 #[inline(always)]
 pub(crate) fn with_half_its_digits<T: Scalar>(x: T) -> T {
-    let any: &dyn Any = &x;
-    match any.downcast_ref::<f32>() {
-        Some(single) => T::from_subset(&f32::from_bits((single.to_bits() + 0x0800) & !0x0fff)),
-        None => T::constant(f64::from_bits(x.value().to_bits() & !0x07ff_ffff)),
-    }
+    with_bits(x, |bits| (bits + 0x0800) & !0x0fff, |bits| bits & !0x07ff_ffff)
 }
 
 #[cfg(test)]

@@ -79,6 +79,7 @@ impl<T: Scalar> DoubleWord<T> {
 
     /// The k-th power by binary powering, k ≥ 1: at most 2 log₂ k products.
     pub(crate) fn power(self, k: u32) -> Self {
+        debug_assert!(k >= 1, "the power {k}");
         let mut power = self;
         for bit in (0..k.ilog2()).rev() {
             power = power.times(power);

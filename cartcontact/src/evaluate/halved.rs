@@ -89,6 +89,7 @@ impl<T: Scalar> Halved<T> {
     /// The k-th power by binary powering, k ≥ 2, with the square at hand.
     #[inline(always)]
     pub(crate) fn power(self, square: Self, k: u32) -> Self {
+        debug_assert!(k >= 2, "the power {k}");
         let low_bits = (k | 2).ilog2() - 1;
         let mut power = if k >> low_bits & 1 == 1 { square.times(self) } else { square };
         for bit in (0..low_bits).rev() {

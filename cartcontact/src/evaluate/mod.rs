@@ -3,6 +3,7 @@
 pub(crate) mod arithmetic;
 pub(crate) mod binary;
 pub(crate) mod bits;
+pub(crate) mod compensated_sum;
 pub(crate) mod double_functions;
 pub(crate) mod double_word;
 pub(crate) mod exponent;
@@ -14,5 +15,4 @@ pub(crate) mod power;
 pub(crate) mod pressure_kernel;
 pub(crate) mod real_exponent_kernel;
 mod series;
-pub(crate) mod slopes_and_drops;
 pub(crate) mod steepness;

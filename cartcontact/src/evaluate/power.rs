@@ -207,28 +207,36 @@ pub(crate) fn quick_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
 pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     match quarters(x, fraction) {
         Some(0) => T::one(),
-        Some(1) => x.sqrt().sqrt(),
-        Some(2) => x.sqrt(),
-        Some(3) => {
-            let root = x.sqrt();
-            root * root.sqrt()
-        }
-        _ => real_fractional_power(x, fraction),
+        Some(quarters) => quarter_power(x, quarters, |x| x.sqrt(), |x, y| x * y),
+        None => real_fractional_power(x, fraction),
     }
 }
 
 /// [`fractional_power`] in twice the working precision, or to some digits more than a word's.
 fn double_fractional_power<T: Scalar>(x: T, n: Exponent<T>) -> DoubleWord<T> {
-    let root = || DoubleWord::of(x).sqrt();
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
         Some(0) => DoubleWord::of(T::one()),
-        Some(1) => root().sqrt(),
-        Some(2) => root(),
-        Some(3) => root().times(root().sqrt()),
-        _ if is_plain::<T>() && x >= smallest_normal() && x.is_finite() => {
+        Some(quarters) => quarter_power(DoubleWord::of(x), quarters, DoubleWord::sqrt, DoubleWord::times),
+        None if is_plain::<T>() && x >= smallest_normal() && x.is_finite() => {
             double_functions::fractional_power(x, DoubleWord::sum(n.fraction, n.rest))
         }
-        _ => DoubleWord::of(real_fractional_power(x, n.fraction)),
+        None => DoubleWord::of(real_fractional_power(x, n.fraction)),
+    }
+}
+
+/// x^(k/4) for k = 1, 2 and 3 by square roots, in any arithmetic.
+#[inline(always)]
+pub(super) fn quarter_power<X: Copy>(
+    x: X,
+    quarters: u8,
+    sqrt: impl Fn(X) -> X,
+    times: impl Fn(X, X) -> X,
+) -> X {
+    let root = sqrt(x);
+    match quarters {
+        1 => sqrt(root),
+        2 => root,
+        _ => times(root, sqrt(root)),
     }
 }
 

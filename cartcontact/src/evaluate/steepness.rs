@@ -17,12 +17,55 @@
 //! Anything else is below ε/100. So 1/2 ulp is left of sums known at run time with common exponents; with all others,
 //! k ≤ 3.1 and p > 4 for symbols, 1.3 ulp would be the most, and 0.95 was seen in millions of radii.
 
+use super::bits::{exponent, power_of_two};
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use super::halved::Halved;
-use super::power::{fractional_power, quarters, quick_whole_term, real_fractional_power};
+use super::power::{fractional_power, quarter_power, quarters, quick_whole_term, real_fractional_power};
 use crate::Scalar;
-use crate::seeds::Steepness;
+
+/// J and its derivatives at a radius, divided by the lowest power a^k of J; the derivatives in units of a number j p, that
+/// the highest power of a J′ may be free of a coefficient.
+#[derive(Clone, Copy, Debug)]
+pub struct Steepness<T> {
+    /// a^k.
+    pub power: T,
+    /// J.
+    pub value: T,
+    /// How much a^k J is too large, where that is known.
+    pub excess: T,
+    /// a J′/(j p).
+    pub first: T,
+    /// a² J″/(2 j² p²).
+    pub half_second: T,
+    /// 1/(j p).
+    pub per_unit: T,
+}
+
+impl<T: Scalar> Steepness<T> {
+    /// That of no terms at all, in units of 1.
+    #[inline(always)]
+    pub(crate) fn of_nothing() -> Self {
+        let (zero, one) = (T::zero(), T::one());
+        Self { power: one, value: zero, excess: zero, first: zero, half_second: zero, per_unit: one }
+    }
+
+    /// Adds the derivatives of a term of the power p.
+    #[inline(always)]
+    pub(crate) fn add_derivatives(&mut self, term: T, p: T) {
+        let (first, half) = (p * term, T::constant(0.5));
+        self.first += first;
+        self.half_second += half * (p - T::one()) * first;
+    }
+
+    /// With derivatives in units of the power of two at a J′, whose square single precision may not hold.
+    #[inline(always)]
+    pub(crate) fn in_units_of_its_slope(self) -> Self {
+        let per_unit = power_of_two(-exponent(self.first));
+        let (first, half_second) = (self.first * per_unit, self.half_second * per_unit * per_unit);
+        Self { first, half_second, per_unit, ..self }
+    }
+}
 
 /// Σ c x^p with its derivatives, and how much it is too large; of any size that has a square in double precision.
 #[inline]
@@ -113,13 +156,8 @@ fn quick_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
 #[inline(never)]
 fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Halved<T> {
     match quarters(x.word(), fraction).filter(|_| rest.is_zero()) {
-        Some(1) => x.sqrt().sqrt(),
-        Some(2) => x.sqrt(),
-        Some(3) => {
-            let root = x.sqrt();
-            root.times(root.sqrt())
-        }
-        _ => {
+        Some(quarters) => quarter_power(x, quarters, Halved::sqrt, Halved::times),
+        None => {
             let power = Halved::of(real_fractional_power(x.word(), fraction));
             if rest.is_zero() { power } else { power.grown(rest * x.word().ln()) }
         }

@@ -22,6 +22,7 @@ use crate::Scalar;
 use crate::contact::{Contact, ContactError, check_length};
 use crate::load::Load;
 use crate::profile::GapProfile;
+use crate::scalar::is_size;
 use block::{Block, Edge};
 use runs::Runs;
 
@@ -37,10 +38,9 @@ pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result
         }
     }
     check_length("values", values.len(), times.len().saturating_mul(radii.len()))?;
-    let valid = |r: T| r >= T::zero() && r.is_finite();
     // All at once first, which is a loop without branches.
-    if !radii.iter().fold(true, |all, &r| all & valid(r))
-        && let Some(index) = radii.iter().position(|&r| !valid(r))
+    if !radii.iter().fold(true, |all, &r| all & is_size(r))
+        && let Some(index) = radii.iter().position(|&r| !is_size(r))
     {
         return Err(ContactError::InvalidRadius { index, radius: radii[index].value() });
     }

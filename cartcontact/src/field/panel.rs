@@ -26,9 +26,9 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::quadrature::NODES_4;
 use crate::memory::{FEW_FOLDS, age_along_line, decay_gain, not_negative};
 use crate::profile::GapProfile;
+use crate::quadrature::NODES_4;
 use crate::scalar::smallest_normal;
 
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.

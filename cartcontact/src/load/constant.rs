@@ -1,7 +1,8 @@
 //! A load applied at once and held.
 
-use super::{Load, LoadError, is_force};
+use super::{Load, LoadError};
 use crate::Scalar;
+use crate::scalar::is_size;
 
 /// A load of the given force, in N, applied at t = 0 and held for ever.
 ///
@@ -42,7 +43,7 @@ impl<T: Scalar> Load<T> for Constant<T> {
     }
 
     fn check(&self) -> Result<(), LoadError> {
-        if is_force(self.0) {
+        if is_size(self.0) {
             Ok(())
         } else {
             Err(LoadError::InvalidForce { time: 0.0, force: self.0.value() })

@@ -13,9 +13,9 @@
 //!
 //! Many impulses are the result of a quadrature themselves. They may be off by what counts for little, √ε of Y/χ.
 
+use super::ForceSeries;
 use super::LoadError;
 use crate::Scalar;
-use crate::memory::ForceSeries;
 
 /// An impulse that no force with these samples can have unless the hereditary load falls between them.
 #[derive(Clone, Copy)]

@@ -63,4 +63,34 @@ impl<T: Scalar> Piece<T> {
     pub(crate) fn before(&self, t: T) -> Self {
         self.between(self.start.0, t)
     }
+
+    /// Whether it is a step, or F′ and F′ + χ F can be finite.
+    pub(super) fn has_slope(&self) -> bool {
+        let slope = self.rise() / self.duration();
+        self.duration().is_zero() || (slope + slope).is_finite()
+    }
+
+    /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.
+    pub(super) fn fall(&self) -> T {
+        let drop = self.start.1 - self.end.1;
+        // The share is at least a rounding, and nothing leaves the format but the result.
+        if drop > T::zero() {
+            (drop / self.end.1 / self.duration()).max(smallest_normal())
+        } else {
+            T::zero()
+        }
+    }
+
+    /// The first time within the piece at which F′ + χ F < 0.
+    pub(super) fn recession(&self, chi: T) -> Option<T> {
+        // F′ + χ F is least at the end; what rounding can make of a zero does not count.
+        let slack = T::one() + T::default_epsilon() * T::constant(8.0);
+        if self.fall() <= chi * slack {
+            return None;
+        }
+        // χ F = −F′ within the piece, or the piece begins with a recession.
+        let drop = self.start.1 - self.end.1;
+        let held = self.duration() * (self.start.1 / drop) - chi.recip();
+        Some(self.start.0 + held.max(T::zero()).min(self.duration()))
+    }
 }

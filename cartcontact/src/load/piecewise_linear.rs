@@ -1,8 +1,9 @@
 //! A load given by its values at some times, linear between them.
 
-use super::{Load, LoadError, Piece, Sum, is_force};
+use super::{Load, LoadError, Piece};
 use crate::Scalar;
-use crate::scalar::smallest_normal;
+use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::scalar::is_size;
 
 /// How many impulses a load keeps, so that any other is the sum of one of them and of few pieces.
 const CHECKPOINTS: usize = 64;
@@ -43,7 +44,7 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
         check_knots(knots.as_ref())?;
         let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
         let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
-        let mut sum = Sum::from(T::zero());
+        let mut sum = CompensatedSum::from(T::zero());
         for (index, piece) in pieces(load.knots.as_ref()).enumerate() {
             if !piece.has_slope() {
                 let (from, to) = (piece.start.0.value(), piece.end.0.value());
@@ -74,10 +75,14 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
         match (start, knots.get(count)) {
             (Some(&start), Some(&end)) => Piece { start, end }.force(t),
             (Some(&(_, force)), None) => force,
-            // Nothing before the beginning; no number at a time that is none.
-            (None, _) => t - t,
+            (None, _) => before_the_start(t),
         }
     }
+}
+
+/// Nothing; but no number at a time that is none.
+fn before_the_start<T: Scalar>(t: T) -> T {
+    if t.value().is_nan() { t } else { T::zero() }
 }
 
 /// The pieces between neighbouring knots, steps among them.
@@ -96,7 +101,7 @@ fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
         if !time.is_finite() {
             return Err(LoadError::InvalidTime { knot, time: time.value() });
         }
-        if !is_force(force) {
+        if !is_size(force) {
             return Err(LoadError::InvalidForce { time: time.value(), force: force.value() });
         }
     }
@@ -121,38 +126,6 @@ fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
     }
 }
 
-impl<T: Scalar> Piece<T> {
-    /// Whether it is a step, or F′ and F′ + χ F can be finite.
-    fn has_slope(&self) -> bool {
-        let slope = self.rise() / self.duration();
-        self.duration().is_zero() || (slope + slope).is_finite()
-    }
-
-    /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.
-    fn fall(&self) -> T {
-        let drop = self.start.1 - self.end.1;
-        // The share is at least a rounding, and nothing leaves the format but the result.
-        if drop > T::zero() {
-            (drop / self.end.1 / self.duration()).max(smallest_normal())
-        } else {
-            T::zero()
-        }
-    }
-
-    /// The first time within the piece at which F′ + χ F < 0.
-    fn recession(&self, chi: T) -> Option<T> {
-        // F′ + χ F is least at the end; what rounding can make of a zero does not count.
-        let slack = T::one() + T::default_epsilon() * T::constant(8.0);
-        if self.fall() <= chi * slack {
-            return None;
-        }
-        // χ F = −F′ within the piece, or the piece begins with a recession.
-        let drop = self.start.1 - self.end.1;
-        let held = self.duration() * (self.start.1 / drop) - chi.recip();
-        Some(self.start.0 + held.max(T::zero()).min(self.duration()))
-    }
-}
-
 impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
     fn force(&self, t: T) -> T {
         self.force_after(t, |time| time <= t)
@@ -162,10 +135,10 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
         let knots = self.knots.as_ref();
         let last = knots.partition_point(|&(time, _)| time <= t).saturating_sub(1);
         let Some(&start) = knots.get(last).filter(|_| t >= T::zero()) else {
-            return t - t;
+            return before_the_start(t);
         };
         let checkpoint = (last / self.stride).min(CHECKPOINTS - 1);
-        let mut sum = Sum::from(self.impulses[checkpoint]);
+        let mut sum = CompensatedSum::from(self.impulses[checkpoint]);
         for piece in pieces(&knots[checkpoint * self.stride..=last]) {
             sum.add(piece.impulse());
         }

@@ -1,7 +1,7 @@
 //! When a load of any kind first falls so fast that the edge of the contact recedes.
 //!
 //! The edge recedes while the hereditary load Y = F + χ ∫F falls. Between knots the load is followed in panels, in
-//! which its force is a [polynomial](crate::memory::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one
+//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one
 //! too, Σ gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. A panel is
 //!
 //! - one on which Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
@@ -17,10 +17,10 @@
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
 //! so the search ends.
 
+use super::ForceSeries;
 use super::contradiction::{self, Contradiction};
 use super::{Load, LoadError, knot_between};
 use crate::Scalar;
-use crate::memory::ForceSeries;
 use crate::scalar::smallest_normal;
 
 /// How often panels are halved at most because of their impulse, which may simply be that of another load, or when they

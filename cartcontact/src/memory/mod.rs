@@ -12,22 +12,18 @@
 //! Source: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (25), (28), doi 10.1016/j.mechrescom.2010.11.006,
 //! integrated by parts.
 
-mod chebyshev;
 mod fading;
-mod force_series;
 mod march;
 mod nodes;
-pub(crate) mod quadrature;
 mod radius_form;
 mod run;
 mod stretch;
 mod time_form;
 
 use crate::Scalar;
-use crate::load::Sum;
+use crate::evaluate::compensated_sum::CompensatedSum;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
-pub(crate) use force_series::ForceSeries;
 pub(crate) use march::march;
 pub(crate) use stretch::age_along_line;
 
@@ -42,7 +38,7 @@ pub(crate) struct Stage<T> {
     pub(crate) radius: T,
     pub(crate) surplus: T,
     /// ∫F from the beginning.
-    pub(crate) impulse: Sum<T>,
+    pub(crate) impulse: CompensatedSum<T>,
 }
 
 /// How pressures at radii r up to `reach` change from one stage to another:

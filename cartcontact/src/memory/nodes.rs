@@ -1,9 +1,9 @@
 //! The nodes of a rule for an integral over the radius, side by side, so that vectors take several at a time.
 
 use super::Increment;
-use super::quadrature::{MOST_NODES, Rule};
 use super::stretch::Stretch;
 use crate::load::Load;
+use crate::quadrature::{MOST_NODES, Rule};
 use crate::{GapProfile, Scalar};
 
 /// A node of an integral over the radius. Of radius and depth one is rounded: near the edge the radius, near the centre

@@ -11,10 +11,10 @@
 
 use super::Increment;
 use super::nodes::{Node, Nodes};
-use super::quadrature::Rule;
 use super::stretch::Stretch;
 use crate::dispatch::wide;
 use crate::load::Load;
+use crate::quadrature::Rule;
 use crate::{GapProfile, Scalar};
 
 /// How much more slopes may be than they are where they are asked for: they are not the same everywhere.

@@ -21,11 +21,12 @@
 //! show that the rule is too short. Such pieces are left to the other forms.
 
 use super::Increment;
-use super::quadrature::Rule;
 use crate::contact::Contact;
 use crate::dispatch::wide;
+use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::evaluate::exponential::decay;
-use crate::load::{Load, Piece, Sum};
+use crate::load::{Load, Piece};
+use crate::quadrature::Rule;
 use crate::{GapProfile, Scalar};
 
 /// The most pieces in a run.
@@ -71,12 +72,12 @@ pub(super) struct Run<T> {
     /// By how much the hereditary load grows in all.
     pub(super) gain: T,
     /// ∫F at the end.
-    pub(super) impulse: Sum<T>,
+    pub(super) impulse: CompensatedSum<T>,
 }
 
 impl<T: Scalar> Run<T> {
     /// No piece, at the end of which the load had an impulse.
-    fn none(impulse: Sum<T>) -> Self {
+    fn none(impulse: CompensatedSum<T>) -> Self {
         let none = [T::zero(); MOST_PIECES];
         Self {
             count: 0,
@@ -94,7 +95,12 @@ impl<T: Scalar> Run<T> {
     /// The first of `pieces`, before which the load had an impulse, as many as are short.
     ///
     /// `faded` says by how many e-foldings what a piece lays down has faded at least when it counts.
-    pub(super) fn of(pieces: &[Piece<T>], chi: T, impulse: Sum<T>, faded: impl Fn(&Piece<T>) -> T) -> Self {
+    pub(super) fn of(
+        pieces: &[Piece<T>],
+        chi: T,
+        impulse: CompensatedSum<T>,
+        faded: impl Fn(&Piece<T>) -> T,
+    ) -> Self {
         let mut run = Self::none(impulse);
         // By how much the rounding of T is larger than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();

@@ -1,11 +1,10 @@
 //! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
 
-use super::force_series::ForceSeries;
 use super::{Increment, radius_form, time_form};
 use crate::contact::Contact;
 use crate::evaluate::binary::{scale, split};
 use crate::evaluate::exponential::decay;
-use crate::load::Load;
+use crate::load::{ForceSeries, Load};
 use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 

@@ -18,12 +18,12 @@
 //! miss 2e-4, and all that times the length is ε. Nothing shorter can be told from the rounding of s.
 
 use super::Increment;
-use super::quadrature::{MOST_NODES, Rule};
 use super::stretch::Stretch;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::evaluate::exponential::decay;
 use crate::load::Load;
+use crate::quadrature::{MOST_NODES, Rule};
 use crate::{GapProfile, Scalar};
 
 /// How often panels are halved at most. A geometry of a user's own may have radii that no panel resolves.

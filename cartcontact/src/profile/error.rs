@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::Scalar;
-use crate::parameters::Parameters;
+use crate::profile::Parameters;
 use crate::shown::Shown;
 
 /// Why there is no contact radius for a load integral.

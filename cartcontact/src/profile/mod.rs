@@ -1,13 +1,16 @@
 //! What a solver needs to know of a geometry.
 
 mod error;
+mod parameters;
+pub(crate) mod slopes_and_drops;
 
 pub(crate) use error::check_lengths;
 pub use error::{ProfileError, RadiusError, with_parameters};
+pub use parameters::Parameters;
+use slopes_and_drops::fill_one_by_one;
 
 use crate::Scalar;
-use crate::evaluate::slopes_and_drops::fill_one_by_one;
-use crate::memory::quadrature::Rule;
+use crate::quadrature::Rule;
 
 /// A gap profile Φ(r) = Σ C r^n with everything that follows from it in closed form.
 ///
@@ -18,7 +21,9 @@ use crate::memory::quadrature::Rule;
 /// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means
 /// nothing. [`Contact`](crate::Contact) checks what it is given before it calls them.
 ///
-/// Results are [`gap`](Self::gap), [`approach`](Self::approach), [`radius`](Self::radius) and what else there is up to
+/// Results are [`gap`](Self::gap), [`approach`](Self::approach) and [its slope](Self::approach_slope),
+/// [`load_integral`](Self::load_integral), [`log_kernel`](Self::log_kernel),
+/// [`pressure_kernel`](Self::pressure_kernel), [`radius`](Self::radius), [`radii`](Self::radii) and
 /// [`max_radius`](Self::max_radius). The methods after it are what the solver asks a geometry for on the way to
 /// pressures, and [`check`](Self::check) what [`Contact::new`](crate::Contact::new) asks. A program has little use for
 /// them; a profile of its own may leave them as they are, unless it has powers above the 64th.

@@ -1,7 +1,7 @@
 //! Loads that are not straight, step by step.
 //!
 //! Between knots such a load is followed in steps, within which its force is a
-//! [polynomial](crate::memory::force_series). A step is taken in one piece and in two halves; if the force is no polynomial,
+//! [polynomial](crate::load::ForceSeries). A step is taken in one piece and in two halves; if the force is no polynomial,
 //! or has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
 //! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, nor than some roundings of
 //! the time, so the march ends.
@@ -10,8 +10,7 @@
 //! is that of another load.
 
 use super::March;
-use crate::load::Load;
-use crate::memory::force_series::ForceSeries;
+use crate::load::{ForceSeries, Load};
 use crate::memory::stretch::Course;
 use crate::{GapProfile, Scalar};
 

@@ -13,9 +13,9 @@
 //!
 //! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
+use super::Load;
 use super::chebyshev::{Coefficients, DEGREE, cosine, derivative, interpolate, mean_to_the_end, sum_at};
 use crate::Scalar;
-use crate::load::Load;
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {
@@ -24,9 +24,9 @@ pub(crate) struct ForceSeries<T> {
     folds: T,
     /// The forces at the nodes, from the end to the start.
     forces: Coefficients<T>,
-    /// The size of the largest force, and of the last coefficients, which is more than that of all behind them if they
-    /// fall.
+    /// The size of the largest force.
     size: T,
+    /// Σ|cₖ| over the last three: if coefficients fall, more than all that the series leaves out.
     rest: T,
     /// How many coefficients are more than rounding.
     length: usize,
@@ -54,7 +54,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// The same without what is noise.
-    pub(super) fn without_noise<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
+    pub(crate) fn without_noise<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
         Self::through_forces(load, times, chi).denoised(times.1).grown()
     }
 
@@ -108,7 +108,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// χ times the duration.
-    pub(super) fn folds(&self) -> T {
+    pub(crate) fn folds(&self) -> T {
         self.folds
     }
 
@@ -154,7 +154,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// The most by which the hereditary load may grow in an e-folding, as far as the coefficients tell.
-    pub(super) fn highest_rate(&self) -> T {
+    pub(crate) fn highest_rate(&self) -> T {
         self.growth.iter().fold(T::zero(), |sum, g| sum + g.abs()) * T::constant(2.0) / self.folds
     }
 
@@ -214,6 +214,7 @@ impl<T: Scalar> ForceSeries<T> {
         let position = |node: usize| T::constant(cosine(node));
         let (mut rising, mut falling) =
             (position((highest + 1).min(DEGREE)), position(highest.saturating_sub(1)));
+        // The nodes are less than half apart: down to the spacing of numbers.
         for _ in 0..60 {
             let middle = (rising + falling) * half;
             if self.at(middle).growth > T::zero() {
@@ -226,7 +227,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// Whether the series of a step that ends at `end` leaves out more than what rounds.
-    pub(super) fn is_loose(&self, end: T) -> bool {
+    pub(crate) fn is_loose(&self, end: T) -> bool {
         self.rest > self.rounding(end)
     }
 
@@ -240,7 +241,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// How much smaller than at the end the hereditary load was some e-foldings before, and by how much it grew in an
     /// e-folding.
-    pub(super) fn shortfall(&self, folds: T) -> (T, T) {
+    pub(crate) fn shortfall(&self, folds: T) -> (T, T) {
         let per_fold = T::constant(2.0) / self.folds;
         let before_end = folds * per_fold;
         let here = self.at(T::one() - before_end);
@@ -248,7 +249,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// How long before the end the hereditary load was smaller by `deficit`.
-    pub(super) fn age(&self, deficit: T) -> T {
+    pub(crate) fn age(&self, deficit: T) -> T {
         self.folds_since(deficit) / self.folds * self.duration
     }
 

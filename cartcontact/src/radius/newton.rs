@@ -25,6 +25,7 @@
 //! plain arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the
 //! result.
 
+use super::{beyond, needs_search};
 use crate::Scalar;
 use crate::evaluate::binary::estimated_root_of_product;
 use crate::profile::RadiusError;
@@ -73,7 +74,7 @@ pub fn invert<T: Scalar>(
     evaluate: impl Fn(T) -> (T, T),
     load_integral: impl Fn(T) -> T,
 ) -> Result<T, RadiusError> {
-    if !is_valid(target, limit)? {
+    if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
     let seed = Seed::of(target, positive);
@@ -93,27 +94,6 @@ pub fn invert<T: Scalar>(
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(negative, seed.highest_power);
     Ok(iterate(target, seed.radius.min(bracket.high), bracket, close, (evaluate, load_integral)))
-}
-
-/// False for zero, whose radius is zero without a search; a range that is none reaches no further.
-pub(crate) fn is_valid<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
-    if target.is_zero() {
-        Ok(false)
-    } else if !(target > T::zero() && target.is_finite()) {
-        Err(RadiusError::InvalidLoadIntegral { load_integral: target.value() })
-    } else if limit > T::zero() {
-        Ok(true)
-    } else {
-        Err(beyond(target, T::zero(), limit))
-    }
-}
-
-pub(crate) fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
-    RadiusError::BeyondRange {
-        load_integral: target.value(),
-        largest: largest.value(),
-        max_radius: limit.value(),
-    }
 }
 
 /// The least of the one-term radii, and bounds of the root from below and, without negative terms, above.

@@ -19,7 +19,7 @@
 //! the roots of all y/j. Powers of two are taken out of y, j and a, so that nothing leaves the format, and other units by
 //! powers of two change no digit.
 
-use super::table::{Row, Step, Table, single};
+use super::{Row, Step, Table, single};
 use crate::Scalar;
 use crate::evaluate::bits::{exponent, fraction, is_normal, middle_of_quarter, power_of_two};
 use crate::evaluate::halved::Halved;
@@ -37,7 +37,8 @@ pub struct Roots {
 
 /// No quotient is below 2 to minus this, nor above 2 to this.
 const MOST_OCTAVES: u32 = 2100;
-/// Digits of 1/K in fixed point: numbers of octaves times their error are less than 1, and times it than 2³².
+/// Digits of 1/K in fixed point, which is too large by less than the last. Over K, up to 4300 octaves are then too large by
+/// less than 0.005, which no whole number lies in, with K up to 64; and before the shift they are below 2³², with K from 5.
 const DIGITS_OF_INVERSE: u32 = 20;
 
 impl Roots {

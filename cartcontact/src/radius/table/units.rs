@@ -1,9 +1,9 @@
 //! The units that a table of seeds is in.
 
-use super::Target;
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
 use crate::evaluate::power::equal_terms;
+use crate::radius::step::Target;
 use crate::scalar::is;
 
 /// The units of a table's load integrals and radii, and of the step from them.

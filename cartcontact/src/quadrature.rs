@@ -15,7 +15,7 @@ use crate::Scalar;
 use crate::scalar::is_single;
 
 /// The most nodes of a rule.
-pub(super) const MOST_NODES: usize = 24;
+pub(crate) const MOST_NODES: usize = 24;
 
 /// A symmetric rule on [−1, 1].
 #[derive(Debug)]
@@ -34,11 +34,11 @@ pub(crate) struct Rule {
 const RULES: [&Rule; 3] = [Rule::EIGHT, Rule::SIXTEEN, Rule::FINEST];
 
 impl Rule {
-    pub(super) const FOUR: &'static Self = &Self::of(NODES_4, (0.1321, 1.512));
-    pub(super) const SIX: &'static Self = &Self::of(NODES_6, (0.8733, 4.269));
-    pub(super) const EIGHT: &'static Self = &Self::of(NODES_8, (2.403, 7.884));
-    pub(super) const TEN: &'static Self = &Self::of(NODES_10, (4.632, 12.06));
-    pub(super) const TWELVE: &'static Self = &Self::of(NODES_12, (7.447, 16.64));
+    pub(crate) const FOUR: &'static Self = &Self::of(NODES_4, (0.1321, 1.512));
+    pub(crate) const SIX: &'static Self = &Self::of(NODES_6, (0.8733, 4.269));
+    pub(crate) const EIGHT: &'static Self = &Self::of(NODES_8, (2.403, 7.884));
+    pub(crate) const TEN: &'static Self = &Self::of(NODES_10, (4.632, 12.06));
+    pub(crate) const TWELVE: &'static Self = &Self::of(NODES_12, (7.447, 16.64));
     const SIXTEEN: &'static Self = &Self::of(NODES_16, (14.42, 26.51));
     /// The rule of 24 nodes.
     pub(crate) const FINEST: &'static Self = &Self::of(NODES_24, (31.69, 47.76));
@@ -72,7 +72,7 @@ impl Rule {
 
     /// How many nodes it has.
     #[inline(always)]
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         // The compiler cannot know, and would check all bounds.
         self.count.min(MOST_NODES)
     }
@@ -80,7 +80,7 @@ impl Rule {
     /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the
     /// nodes ±x of each pair.
     #[inline(always)]
-    pub(super) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
+    pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
         let (nodes, weights) = self.tables();
         let pairs = nodes.chunks_exact(2).zip(weights.chunks_exact(2)).zip(&self.highest);
         pairs.map(|((x, weight), &highest)| {
@@ -97,7 +97,7 @@ impl Rule {
     ///
     /// All are over the size of the function, and count for `share` of what the integral is for.
     #[inline(always)]
-    pub(super) fn resolves<T: Scalar>(&self, first: T, highest: T, share: T) -> bool {
+    pub(crate) fn resolves<T: Scalar>(&self, first: T, highest: T, share: T) -> bool {
         let (height, ratio) = (share * highest.abs(), (highest / first).abs());
         let fall = if self.len() <= 8 { ratio * ratio.sqrt() } else { ratio };
         let epsilon = T::default_epsilon();
@@ -107,7 +107,7 @@ impl Rule {
 
     /// Whether it [`resolves`](Self::resolves) the function that has `values` at the nodes.
     #[inline(always)]
-    pub(super) fn resolves_values<T: Scalar>(&self, values: &[T], share: T) -> bool {
+    pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], share: T) -> bool {
         let (mut first, mut highest) = (T::zero(), T::zero());
         let (pairs, _) = values.as_chunks::<2>();
         for (pair, factors) in pairs.iter().zip(self.coefficients::<T>()) {

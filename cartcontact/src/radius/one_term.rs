@@ -13,12 +13,12 @@
 //! **Accuracy.** What the quotient and 1/p lose in rounding is put back into f. The error is that of `powf`, and
 //! ε/(2 p) from the rounding of f.
 
+use super::{beyond, needs_search};
 use crate::Scalar;
 use crate::evaluate::binary::{divide, scale, split};
 use crate::evaluate::exponent::Exponent;
 use crate::evaluate::halved::{Halved, product_with_few_digits};
 use crate::evaluate::power;
-use crate::inversion::{beyond, is_valid};
 use crate::profile::RadiusError;
 use crate::scalar::floor;
 
@@ -32,7 +32,7 @@ const LONGEST_PERIOD: f64 = 100.0;
 /// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`).
 #[inline]
 pub fn invert_one_term<T: Scalar>(target: T, (c, n): (T, T), limit: T) -> Result<T, RadiusError> {
-    if !is_valid(target, limit)? {
+    if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
     let radius = radius(target, c, n);

@@ -6,11 +6,11 @@
 //! is 0.37 at the most, and no more than it is in a drop. The powers at a are formed once for all radii; what is left for each
 //! radius is one logarithm, and two exponentials for each term, in vector code.
 
-use super::exponent::Exponent;
-use super::exponential::{decay, loss};
-use super::logarithm::log_of_share;
-use super::power::term_of_drop;
 use crate::dispatch::wide;
+use crate::evaluate::exponent::Exponent;
+use crate::evaluate::exponential::{decay, loss};
+use crate::evaluate::logarithm::log_of_share;
+use crate::evaluate::power::term_of_drop;
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 

@@ -5,9 +5,10 @@
 
 use super::blocks::fill;
 use super::leading_term::{Spread, Start, logarithm_alone};
-use super::{Steepness, Target};
+use super::step::Target;
 use crate::Scalar;
 use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
+use crate::evaluate::steepness::Steepness;
 use crate::profile::RadiusError;
 use crate::scalar::{is_plain, lesser};
 

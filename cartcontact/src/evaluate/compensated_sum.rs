@@ -4,19 +4,19 @@ use crate::Scalar;
 
 /// Kahan's sum: a measured load may have a hundred thousand knots.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sum<T> {
+pub(crate) struct CompensatedSum<T> {
     pub(crate) value: T,
     /// What the value has too much.
     excess: T,
 }
 
-impl<T: Scalar> From<T> for Sum<T> {
+impl<T: Scalar> From<T> for CompensatedSum<T> {
     fn from(value: T) -> Self {
         Self { value, excess: T::zero() }
     }
 }
 
-impl<T: Scalar> Sum<T> {
+impl<T: Scalar> CompensatedSum<T> {
     #[inline(always)]
     pub(crate) fn add(&mut self, x: T) {
         let corrected = x - self.excess;

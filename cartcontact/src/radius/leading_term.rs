@@ -5,7 +5,7 @@
 //! the least is divided by 2^(1/(2 p₁)). Logarithms are read from the bits of numbers and are less than log₂ x by
 //! 0.09 at most, which is divided by p > 4.
 //!
-//! **The steps.** One of Newton's on logarithms, see [`inversion`](crate::inversion), leaves v/(2 p) of the square of the
+//! **The steps.** One of Newton's on logarithms, see [`newton`](super::newton), leaves v/(2 p) of the square of the
 //! error, where v is the variance of the powers about their mean p, weighted by their terms; between p₁ and the highest
 //! power p₂ that is at most (√p₂ − √p₁)²/2. Halley's follow, each of which leaves (p² − 1 − 2 v)/12 < p₂²/12 of the
 //! cube of the error, weighted here by the terms of a J′. If the last but one changed a by less than 0.05/p₂, what it
@@ -19,13 +19,14 @@
 //! more digits in this step, see [`steepness`](crate::evaluate::steepness); of whole ones up to seven roundings are
 //! divided by p ≥ 5.
 
-use super::{Steepness, Target};
+use super::step::Target;
 use crate::Scalar;
 use crate::evaluate::bits::{
     DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
     with_half_its_digits,
 };
 use crate::evaluate::exponent::Exponent;
+use crate::evaluate::steepness::Steepness;
 use crate::scalar::{floor, greater, is, is_plain, lesser};
 
 /// What is added to logarithms, whole numbers over p, before they are rounded: so that hardly any of them lies so near

@@ -1,0 +1,55 @@
+//! Load integral → contact radius: J(a) = y solved for a.
+//!
+//! | module | for | how |
+//! |---|---|---|
+//! | [`table`] | constants; fields that set units | a row of a table of the macro's, and one [`step`] |
+//! | [`table::roots`] | one term | a root from a table, and a series |
+//! | [`whole_powers`], [`leading_term`] | other sums of positive terms | the leading term, and a fixed number of steps |
+//! | [`one_term`] | one term, whatever the load integral | the root, Eq. (18) |
+//! | [`newton`] | all else | Newton's method inside a bracket |
+//!
+//! The first that applies is tried; what it does not lead to, be it zero, not a number, or beyond the range, is left to the
+//! last two, [`elsewhere`], which also name the fault. [`blocks`] takes many radii in vector code.
+
+mod blocks;
+pub(crate) mod leading_term;
+pub(crate) mod newton;
+pub(crate) mod one_term;
+mod step;
+pub(crate) mod table;
+pub(crate) mod whole_powers;
+
+use crate::Scalar;
+use crate::profile::RadiusError;
+
+/// The general solution, out of the way of the step from the table.
+#[cold]
+#[inline(never)]
+pub fn elsewhere<R>(solve: impl FnOnce() -> R) -> R {
+    solve()
+}
+
+/// Whether there is a radius to be searched for: not for zero, whose radius is zero; a range that is none reaches no further.
+///
+/// # Errors
+///
+/// [`RadiusError`] for a load integral that is negative or not finite, and for any beyond a range that is none.
+fn needs_search<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
+    if target.is_zero() {
+        Ok(false)
+    } else if !(target > T::zero() && target.is_finite()) {
+        Err(RadiusError::InvalidLoadIntegral { load_integral: target.value() })
+    } else if limit > T::zero() {
+        Ok(true)
+    } else {
+        Err(beyond(target, T::zero(), limit))
+    }
+}
+
+fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
+    RadiusError::BeyondRange {
+        load_integral: target.value(),
+        largest: largest.value(),
+        max_radius: limit.value(),
+    }
+}

@@ -1,0 +1,54 @@
+//! Halley's step from a seed to the contact radius.
+//!
+//! ```text
+//! a ← a − a f aJ′/((aJ′)² − f a²J″/2),    f = J(a) − y
+//! ```
+//!
+//! leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. What rounds is J itself, whose error is divided
+//! by p = a J′/J > 4, and the last subtraction.
+
+use crate::Scalar;
+use crate::evaluate::halved::product_with_few_digits;
+use crate::evaluate::steepness::Steepness;
+
+/// What J has to be: a number, and what it lacks of a product that it was rounded from.
+///
+/// Of symbols, J is multiplied by the common denominator of its weights C n/((n+2)(n+4)), divided by a power of two so that
+/// it is less than 2. What is left of the weights has few digits, often one, and so has the factor: of its product with the
+/// load integral nothing is lost.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<T> {
+    pub(super) value: T,
+    pub(super) rest: T,
+}
+
+impl<T: Scalar> Target<T> {
+    #[inline(always)]
+    pub(super) fn of(value: T) -> Self {
+        Self { value, rest: T::zero() }
+    }
+
+    #[inline(always)]
+    pub(super) fn in_units(load_integral: T, per_unit: T) -> Self {
+        let (value, rest) = product_with_few_digits(load_integral, per_unit);
+        Self { value, rest }
+    }
+}
+
+impl<T: Scalar> Steepness<T> {
+    /// The radius from its seed.
+    #[inline(always)]
+    pub(super) fn halley(self, a: T, target: Target<T>) -> T {
+        a - self.step(a, target)
+    }
+
+    /// What a seed exceeds the radius by.
+    #[inline(always)]
+    pub(super) fn step(self, a: T, target: Target<T>) -> T {
+        // Differences instead of sums, as a zero that is taken away takes no instruction.
+        let surplus = ((self.power * self.value - target.value) - self.excess) - target.rest;
+        // What needs no surplus is multiplied while that is formed, and nothing after the division.
+        let steep = self.power * self.first * self.first - surplus * self.half_second;
+        (a * self.per_unit * self.first) * surplus / steep
+    }
+}

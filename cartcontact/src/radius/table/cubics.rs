@@ -1,0 +1,68 @@
+//! Seeds from a table of cubics in the fraction of the load integral, and one step from each.
+
+use super::units::Units;
+use super::{Row, Step, Table, single};
+use crate::Scalar;
+use crate::evaluate::steepness::Steepness;
+use crate::profile::RadiusError;
+
+impl Table {
+    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
+    /// than f32 and f64.
+    #[inline(always)]
+    pub fn radius<T: Scalar>(
+        &self,
+        load_integral: T,
+        limit: T,
+        units: impl Units<T>,
+        evaluate: impl Fn(T) -> Steepness<T> + Copy,
+    ) -> Option<T> {
+        self.find(load_integral, limit, Halley { units, evaluate })
+    }
+
+    /// The radii of many load integrals; blocks that are not all in the table, and few, by `general`.
+    ///
+    /// # Errors
+    ///
+    /// The first of those of `general`, and if the slices differ in length.
+    #[inline]
+    pub fn radii<T: Scalar>(
+        &self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        units: impl Units<T>,
+        evaluate: impl Fn(T) -> Steepness<T> + Copy,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.find_all(values, limit, Halley { units, evaluate }, general)
+    }
+}
+
+/// The step, in some units, with a function that evaluates J.
+#[derive(Clone, Copy)]
+struct Halley<U, F> {
+    units: U,
+    evaluate: F,
+}
+
+impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley<U, F> {
+    type Start = f32;
+
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> T {
+        self.units.in_table(load_integral)
+    }
+
+    /// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ at 1 plus the last 23 bits as a fraction, from a row of c₀, c₂, c₁ and c₃.
+    #[inline(always)]
+    fn start(row: &Row, digits: u32) -> f32 {
+        let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
+        (row.at(0) + row.at(2) * u) + (row.at(1) + row.at(3) * u) * (u * u)
+    }
+
+    #[inline(always)]
+    fn radius(self, _row: &Row, start: f32, load_integral: T) -> T {
+        let seed = self.units.seed(single(start));
+        self.units.radius(seed, (self.evaluate)(seed).step(seed, self.units.target(load_integral)))
+    }
+}
