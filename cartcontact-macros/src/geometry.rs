@@ -2,10 +2,10 @@
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::gap::Gap;
-use crate::gap::coefficient::{Coefficient, Sign};
+use crate::gap::coefficient::Coefficient;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::expansion::{self, Options, Truncation};
-use crate::number::{self, Rational};
+use crate::gap::range::Range;
 use crate::proof::{self, Proof, Wanted};
 use crate::reading::attribute::Attribute;
 use crate::reading::item::Item;
@@ -18,16 +18,6 @@ pub(crate) struct Geometry {
     pub(crate) proof: Proof,
     /// How surfaces were expanded, if there were any.
     pub(crate) truncation: Option<Truncation>,
-}
-
-/// The radii that the geometry is declared for.
-#[derive(Clone)]
-pub(crate) enum Range {
-    Unbounded,
-    /// Up to the exact value of an `f64`.
-    Limited(Rational),
-    /// Up to a radius that depends on the fields.
-    Symbolic(Coefficient),
 }
 
 /// Evaluates the gap and its range, and proves them. Every fault is reported.
@@ -73,25 +63,8 @@ pub(crate) fn geometry(
 fn declared_range(limit: Option<&Expression>, evaluator: &mut Evaluator<'_>) -> Option<Range> {
     let Some(limit) = limit else { return Some(Range::Unbounded) };
     let value = evaluator.coefficient(limit, "max_radius")?;
-    range(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
+    Range::of(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
 }
-
-fn range(value: Coefficient) -> Result<Range, &'static str> {
-    let Some(radius) = value.as_constant() else {
-        return match value.certain_sign() {
-            Some(Sign::NotPositive) => Err(NOT_POSITIVE),
-            _ if value.is_representable() => Ok(Range::Symbolic(value)),
-            _ => Err(UNREPRESENTABLE),
-        };
-    };
-    if !radius.is_positive() {
-        return Err(NOT_POSITIVE);
-    }
-    number::nearest(&radius).and_then(Rational::from_float).map(Range::Limited).ok_or(UNREPRESENTABLE)
-}
-
-const NOT_POSITIVE: &str = "max_radius must be greater than 0; leave it out if the gap has no end";
-const UNREPRESENTABLE: &str = "max_radius does not fit into an `f64`; leave it out if the gap has no end";
 
 fn wanted(range: &Range, place: Option<Extent>) -> Wanted<'_> {
     match (range, place) {

@@ -11,7 +11,8 @@
 //! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `gap::expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
 //! | `gap` | powers of r | the same, checked to be a gap |
-//! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined (`equation`, `search`, `first_root`, `end`) |
+//! | `first_zero` | a sum of powers of r with exact coefficients | its first zero (`search`, `first_root`, `end`) |
+//! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined |
 //! | `geometry` | attribute and item | gap, range and proof together |
 //! | `closed_forms` | a gap | approach, load integral and log kernel as sums of powers |
 //! | `start` | geometry and closed forms | what leads to the contact radius: a `table` (`seeds`, of symbols in `own_units`; of one term `roots`) or the leading term |
@@ -25,16 +26,13 @@
 mod closed_forms;
 mod diagnostics;
 mod emit;
+mod first_zero;
 mod gap;
 mod geometry;
 mod number;
-mod own_units;
 mod proof;
 mod reading;
-mod roots;
-mod seeds;
 mod start;
-mod table;
 #[cfg(test)]
 mod tests;
 

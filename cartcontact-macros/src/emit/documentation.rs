@@ -7,12 +7,13 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::expansion::Truncation;
-use crate::geometry::{Geometry, Range};
+use crate::gap::range::Range;
+use crate::geometry::Geometry;
 use crate::number::{Rational, decimal, integer};
 use crate::proof::Proof;
 use crate::reading::item::Item;
 use crate::start::Start;
-use crate::table::Table;
+use crate::start::table::Table;
 
 /// The lines of the documentation, to stand behind the item's own.
 pub(super) fn lines(

@@ -8,7 +8,8 @@ use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
 use super::{Names, bounded_generics};
-use crate::geometry::{Geometry, Range};
+use crate::gap::range::Range;
+use crate::geometry::Geometry;
 use crate::number::literal;
 use crate::reading::generics::Generics;
 use crate::reading::item::Item;

@@ -2,6 +2,7 @@
 
 mod coefficients;
 mod documentation;
+mod expression;
 mod inherent;
 mod inversion;
 mod leading_term;

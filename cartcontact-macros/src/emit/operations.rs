@@ -1,14 +1,14 @@
 //! How many operations an evaluator takes.
 //!
-//! They are counted in the code that was generated, not in the formula. Where that code only calls a routine of the
-//! run-time crate whose operations are known beforehand, these are stated instead: they are those of double words.
+//! Those of coefficients are counted in the code that was generated. Evaluators call routines of the run-time crate, whose
+//! operations follow from the powers of the sum: they are stated, in double words.
 
 use core::fmt::{Display, Formatter, Result};
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The binary operators of a piece of code, and whether it also calls the run-time crate.
-#[derive(Clone, Default, PartialEq, Eq)]
+#[derive(Default, PartialEq, Eq)]
 pub(super) struct Operations {
     /// Divisions among them.
     multiplications: u32,

@@ -8,7 +8,8 @@ use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
 use crate::gap::Term;
 use crate::gap::coefficient::Coefficient;
-use crate::geometry::{Geometry, Range};
+use crate::gap::range::Range;
+use crate::geometry::Geometry;
 use crate::number::{integer, literal};
 use crate::proof::Proof;
 use crate::reading::item::{Field, Item};
@@ -87,7 +88,7 @@ struct Checked<'a> {
 }
 
 impl Checked<'_> {
-    /// A geometry that `check` refuses has no admissible radius.
+    /// Of a geometry that `check` refuses, nothing.
     fn max_radius(&self) -> TokenStream {
         let (preamble, range) = (self.coefficients.preamble(), self.range());
         let (constant, scalar, end) = (self.names.constant(), &self.names.scalar, local("end"));

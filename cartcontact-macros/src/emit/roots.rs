@@ -7,7 +7,7 @@ use super::coefficients::Coefficients;
 use super::{Names, local, table};
 use crate::closed_forms::PowerSum;
 use crate::number::code;
-use crate::roots::{Power, Roots};
+use crate::start::roots::{Power, Roots};
 
 /// The table and its series.
 pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {

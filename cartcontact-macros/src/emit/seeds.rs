@@ -9,7 +9,7 @@ use super::power_sum::{Whole, is_monic, nested, power, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
 use crate::number::{Rational, integer};
-use crate::seeds::Seeds;
+use crate::start::seeds::Seeds;
 
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(

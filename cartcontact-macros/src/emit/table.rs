@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::{Names, local};
-use crate::table::Table;
+use crate::start::table::Table;
 
 pub(super) fn name() -> Ident {
     local("TABLE")

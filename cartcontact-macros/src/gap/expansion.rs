@@ -10,10 +10,10 @@ use crate::gap::MAXIMUM_EXPONENT;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::polynomial::{Monomial, Polynomial};
+use crate::gap::range::Range;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected, three_digits};
-use crate::geometry::Range;
 use crate::number::{Rational, decimal, integer, nearest};
 use crate::reading::attribute::Attribute;
 use crate::reading::syntax::{Expression, Kind};
@@ -22,7 +22,6 @@ use crate::reading::syntax::{Expression, Kind};
 type Fault = (Extent, String);
 
 /// How far surfaces were expanded.
-#[derive(Clone)]
 pub(crate) struct Truncation {
     pub(crate) order: u32,
     /// What is neglected at most, relative to the gap, if that can be told when the program is compiled.

@@ -7,6 +7,7 @@ pub(crate) mod evaluate;
 pub(crate) mod expansion;
 mod like_terms;
 pub(crate) mod polynomial;
+pub(crate) mod range;
 pub(crate) mod shape;
 pub(crate) mod surface;
 pub(crate) mod truncation;
@@ -22,13 +23,11 @@ pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
 const MAXIMUM_TERMS: usize = 256;
 
 /// The gap between the undeformed surfaces, a sum of terms `coefficient * r^exponent`.
-#[derive(Clone)]
 pub(crate) struct Gap {
     /// In ascending order of their exponents; there is one at least.
     pub(crate) terms: Vec<Term>,
 }
 
-#[derive(Clone)]
 pub(crate) struct Term {
     /// Greater than 0, at most 1024.
     pub(crate) exponent: Rational,

@@ -15,6 +15,8 @@ const MAXIMUM_PRODUCTS: usize = 1 << 14;
 /// The same where coefficients depend on fields: sums in them are not multiplied out, so they grow several times over
 /// with each square. Up to here they take about as long as as many terms.
 const MAXIMUM_SIZE: usize = 1 << 10;
+/// Of a sum that begins with r^(1/4) or a higher power, more would have no power that a gap may have.
+const HIGHEST_POWER_OF_A_SUM: u32 = 4096;
 
 /// Terms by exponent; no coefficient is zero.
 #[derive(Clone, Default)]
@@ -141,7 +143,7 @@ impl Polynomial {
                         a root taken, and a round surface is written `sphere(R)` or `conic(R, k)`",
             );
         }
-        let exponent = exponent.to_u32().filter(|exponent| *exponent <= 4096);
+        let exponent = exponent.to_u32().filter(|exponent| *exponent <= HIGHEST_POWER_OF_A_SUM);
         let exponent = exponent.ok_or("a sum may be raised to powers up to 4096; write a lower one")?;
         match self.common_denominator() {
             Some(denominator) => {

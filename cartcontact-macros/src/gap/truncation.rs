@@ -24,12 +24,12 @@ use core::cmp::Ordering;
 
 use num_traits::{One, ToPrimitive, Zero};
 
+use crate::first_zero::first_zero;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::LikeTerms;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, floor, integer};
-use crate::proof::equation::first_zero;
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;

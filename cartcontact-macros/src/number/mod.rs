@@ -138,7 +138,12 @@ pub(crate) fn decimal(value: &Rational) -> String {
 
 /// Whether the digits that stand for the `f64` are the number itself.
 fn is_written(value: &Rational, shortest: f64) -> bool {
-    crate::reading::literal::number(&format!("{shortest:e}")).is_ok_and(|written| written == *value)
+    let written = format!("{shortest:e}");
+    let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = format!("{whole}{decimals}");
+    let number = from_decimal(digits.trim_start_matches('-'), decimals.len(), exponent.parse().unwrap_or(0));
+    number.is_ok_and(|number| number == value.abs())
 }
 
 fn plain(value: f64) -> String {

@@ -5,8 +5,8 @@ use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::reading::is_punct;
-use crate::reading::item::closest;
 use crate::reading::parse::Parser;
+use crate::reading::similar::closest;
 use crate::reading::syntax::{Expression, Kind, Surface};
 
 impl Parser<'_> {

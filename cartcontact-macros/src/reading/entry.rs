@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::is_punct;
-use crate::reading::item::closest;
+use crate::reading::similar::closest;
 
 pub(super) const OPTIONS: [&str; 7] =
     ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];

@@ -6,6 +6,7 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
 use crate::reading::generics::Generics;
 use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
+use crate::reading::similar::{closest, collect_names, known_number};
 use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
 
 /// The struct that a profile is attached to.
@@ -207,50 +208,6 @@ fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
     }
 }
 
-/// What to write in place of a number that people know by name.
-pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
-    let is_one_of = |names: &[&str]| names.iter().any(|known| name == known);
-    if is_one_of(&["pi", "PI", "Pi", "π"]) {
-        return Some("numbers are kept exact; write it as a decimal, as in `3.14159265358979`");
-    }
-    is_one_of(&["inf", "infinity", "INFINITY"]).then_some("where nothing ends, leave it out")
-}
-
-/// The known name that differs from this one by a third of its letters at most, and by the fewest.
-pub(crate) fn closest(name: &str, known: Vec<String>) -> Option<String> {
-    let name = name.to_lowercase();
-    let with_distance = known.into_iter().map(|known| (distance(&name, &known.to_lowercase()), known));
-    let similar = with_distance.filter(|(distance, known)| 3 * distance <= known.chars().count());
-    similar.min().map(|(_, known)| known)
-}
-
-/// Levenshtein's distance, one row of its table for each letter of `left`.
-fn distance(left: &str, right: &str) -> usize {
-    let mut row: Vec<usize> = (0..=right.chars().count()).collect();
-    for (i, a) in left.chars().enumerate() {
-        let mut next = vec![i + 1];
-        for (b, pair) in right.chars().zip(row.windows(2)) {
-            let [diagonal, above] = *pair else { continue };
-            let beside = next.last().copied().unwrap_or(0);
-            next.push((diagonal + usize::from(a != b)).min(above + 1).min(beside + 1));
-        }
-        row = next;
-    }
-    row.last().copied().unwrap_or(0)
-}
-
-/// The names in some tokens, without that of the distance r.
-fn collect_names(tokens: TokenStream, names: &mut Vec<String>) {
-    for token in tokens {
-        match token {
-            TokenTree::Ident(name) if name == "r" => {}
-            TokenTree::Ident(name) => names.push(name.to_string()),
-            TokenTree::Group(group) => collect_names(group.stream(), names),
-            _ => {}
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
@@ -313,10 +270,6 @@ mod tests {
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
         assert_eq!(item.remedy(&format_ident!("R"), false), "write a number or a field of `Ball`");
-        assert_eq!((distance("kitten", "sitting"), distance("", "abc")), (3, 3));
-        let closest = |name, known: [&str; 2]| closest(name, known.map(str::to_owned).into());
-        assert_eq!(closest("ra", ["r", "rad"]).as_deref(), Some("rad"));
-        assert_eq!((closest("ab", ["r", "cd"]), closest("ρ", ["κ", "χψ"])), (None, None));
     }
 
     #[test]

@@ -10,6 +10,7 @@ pub(crate) mod literal;
 pub(crate) mod name;
 pub(crate) mod parse;
 pub(crate) mod positive;
+mod similar;
 mod slips;
 pub(crate) mod syntax;
 pub(crate) mod unit;

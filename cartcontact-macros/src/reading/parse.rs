@@ -7,8 +7,8 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::item::known_number;
 use crate::reading::literal;
+use crate::reading::similar::known_number;
 use crate::reading::slips::is_case;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 use crate::reading::{call, is_punct};

@@ -6,8 +6,9 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::is_punct;
-use crate::reading::item::{Item, Meaning, closest};
+use crate::reading::item::{Item, Meaning};
 use crate::reading::name::{is_same, unraw};
+use crate::reading::similar::closest;
 
 /// The option as it was written, at `place`.
 pub(crate) struct Positive {

@@ -18,13 +18,11 @@ use proc_macro2::Ident;
 use crate::diagnostics::Extent;
 use crate::number::Rational;
 
-#[derive(Clone)]
 pub(crate) struct Expression {
     pub(crate) kind: Kind,
     pub(crate) extent: Extent,
 }
 
-#[derive(Clone)]
 pub(crate) enum Kind {
     Number(Rational),
     Name(Ident),
@@ -38,19 +36,16 @@ pub(crate) enum Kind {
 }
 
 /// `sphere(R)` or, with a conic constant, `conic(R, k)`.
-#[derive(Clone)]
 pub(crate) struct Surface {
     pub(crate) radius: Expression,
     pub(crate) conic_constant: Option<Expression>,
 }
 
-#[derive(Clone)]
 pub(crate) struct Summand {
     pub(crate) subtracted: bool,
     pub(crate) expression: Expression,
 }
 
-#[derive(Clone)]
 pub(crate) struct Factor {
     pub(crate) divides: bool,
     pub(crate) expression: Expression,

@@ -1,4 +1,4 @@
-//! The whole way from tokens to proof.
+//! The whole way from tokens to proofs and code.
 
 #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 

@@ -5,8 +5,8 @@ use quote::quote;
 use super::run;
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
-use crate::own_units;
 use crate::start::Start;
+use crate::start::own_units;
 
 /// A geometry with the fields R, k and m.
 fn geometry(text: &str) -> Geometry {

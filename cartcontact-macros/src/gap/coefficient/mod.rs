@@ -7,8 +7,8 @@
 //! Products and powers of sums are *not* multiplied out: `(b - a) * (b + a)` is computed as written, since
 //! `b*b - a*a` loses digits where `a` and `b` are close, as the radii of congruent joint surfaces are.
 
+mod display;
 mod sign;
-mod write;
 
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -25,29 +25,29 @@ const MAXIMUM_POWER: u32 = 1024;
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Coefficient {
     /// Sorted by their powers; no number is zero, no two lists of powers are equal.
-    products: Vec<Product>,
+    pub(crate) products: Vec<Product>,
 }
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(test, derive(Debug))]
-struct Product {
+pub(crate) struct Product {
     /// No exponent is zero.
-    powers: Powers,
-    number: Rational,
+    pub(crate) powers: Powers,
+    pub(crate) number: Rational,
 }
 
-type Powers = LikeTerms<Atom, Rational>;
+pub(crate) type Powers = LikeTerms<Atom, Rational>;
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(test, derive(Debug))]
-enum Atom {
+pub(crate) enum Atom {
     Field {
         ident: Ident,
         is_positive: bool,
     },
     /// Has several products, the first with a positive number and the last with the number 1 or -1, or is the base
     /// of a power that is no integer.
-    Whole(Coefficient),
+    Sum(Coefficient),
 }
 
 impl Coefficient {
@@ -84,7 +84,7 @@ impl Coefficient {
     pub(crate) fn depends_on(&self, field: &Ident) -> bool {
         self.products.iter().flat_map(|product| product.powers.iter()).any(|(atom, _)| match atom {
             Atom::Field { ident, .. } => ident == field,
-            Atom::Whole(inner) => inner.depends_on(field),
+            Atom::Sum(inner) => inner.depends_on(field),
         })
     }
 
@@ -93,7 +93,7 @@ impl Coefficient {
         let atoms = self.products.iter().flat_map(|product| product.powers.iter());
         let sizes = atoms.map(|(atom, _)| match atom {
             Atom::Field { .. } => 1,
-            Atom::Whole(inner) => inner.size(),
+            Atom::Sum(inner) => inner.size(),
         });
         sizes.sum()
     }
@@ -103,7 +103,7 @@ impl Coefficient {
         self.products.iter().all(|product| {
             let wholes = product.powers.iter().all(|(atom, _)| match atom {
                 Atom::Field { .. } => true,
-                Atom::Whole(inner) => inner.is_representable(),
+                Atom::Sum(inner) => inner.is_representable(),
             });
             wholes && number::nearest(&product.number).is_some()
         })
@@ -156,7 +156,7 @@ impl Coefficient {
         let powers = match product.single_atom().filter(|_| product.number.is_one()) {
             Some(atom) => Powers::of(atom, exponent.clone()),
             // The root of a square is not the base where that is negative, so the powers stay apart.
-            None => Powers::of(Atom::Whole(self.clone()), exponent.clone()),
+            None => Powers::of(Atom::Sum(self.clone()), exponent.clone()),
         };
         Product { powers, number: Rational::one() }.limited().map(Into::into)
     }
@@ -191,7 +191,7 @@ impl Coefficient {
         }
         let size = self.products.last()?.number.abs();
         let number = if self.products.first()?.number.is_negative() { -size } else { size };
-        let atom = Atom::Whole(self.times_each(&number.recip()));
+        let atom = Atom::Sum(self.times_each(&number.recip()));
         Some(Product { powers: Powers::of(atom, Rational::one()), number })
     }
 
@@ -199,7 +199,7 @@ impl Coefficient {
     fn opened(&self) -> impl Iterator<Item = Product> {
         match self.products.as_slice() {
             [only] => match only.single_atom() {
-                Some(Atom::Whole(inner)) => inner.times_each(&only.number).products,
+                Some(Atom::Sum(inner)) => inner.times_each(&only.number).products,
                 _ => self.products.clone(),
             },
             _ => self.products.clone(),
@@ -246,7 +246,7 @@ impl From<Product> for Coefficient {
             return Coefficient { products: Vec::new() };
         }
         match product.single_atom() {
-            Some(Atom::Whole(inner)) if product.number.abs().is_one() || inner.products.len() == 1 => {
+            Some(Atom::Sum(inner)) if product.number.abs().is_one() || inner.products.len() == 1 => {
                 inner.times_each(&product.number)
             }
             _ => Coefficient { products: vec![product] },

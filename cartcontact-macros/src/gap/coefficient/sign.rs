@@ -43,7 +43,7 @@ impl Product {
             match atom {
                 Atom::Field { is_positive: is_declared, .. } if is_positive(*is_declared) => {}
                 Atom::Field { .. } => return None,
-                Atom::Whole(inner) => negative ^= inner.sign(is_positive)? == Sign::NotPositive,
+                Atom::Sum(inner) => negative ^= inner.sign(is_positive)? == Sign::NotPositive,
             }
         }
         Some(if negative { Sign::NotPositive } else { Sign::NotNegative })

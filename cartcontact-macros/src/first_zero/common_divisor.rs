@@ -23,8 +23,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::number::common_factor::common_factor;
-use crate::proof::integer_polynomial::IntegerPolynomial;
 
 /// Primes are taken upward from here. They stay far below 2^32, so that a product of two residues fits into a `u64`,
 /// and below 3 215 031 751, so that [`is_prime`] is exact: up to there are 4 · 10^7 of them, enough for 10^9 bits.

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use crate::proof::integer_polynomial::IntegerPolynomial;
+use crate::first_zero::integer_polynomial::IntegerPolynomial;
 
 /// The terms of a polynomial, each with the first bits of its coefficient.
 pub(crate) struct Outline {

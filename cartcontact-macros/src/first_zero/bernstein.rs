@@ -5,8 +5,8 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::proof::fixed_point::Numbers;
-use crate::proof::powers::Powers;
+use crate::first_zero::fixed_point::Numbers;
+use crate::first_zero::powers::Powers;
 
 /// A polynomial over a part in Bernstein's basis: p = Σ b_j C(n, j) x^j (1 − x)^(n−j) for x from 0 to 1.
 ///
@@ -145,8 +145,8 @@ const COARSE: u64 = 128;
 const FINEST: u64 = 2048;
 /// By so many bits the piece around a cluster is longer than its roots seem to be apart.
 const MARGIN: u64 = 1;
-/// A piece that is not shorter by so many bits comes about by halving as well.
-const SHORTEST: u64 = 5;
+/// A piece that is shorter by fewer bits comes about by halving as well.
+const LEAST_GAIN: u64 = 5;
 
 /// A place near which all roots of a part seem to be.
 pub(crate) struct Cluster {
@@ -174,7 +174,7 @@ impl Cluster {
     }
 
     fn piece(&self, bits: u64) -> Option<(BigInt, u64)> {
-        let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= SHORTEST)?;
+        let bits = bits.checked_sub(MARGIN).filter(|bits| *bits >= LEAST_GAIN)?;
         let centre: BigInt = &self.twice >> (self.finest + 1 - bits);
         let last: BigInt = (BigInt::one() << bits) - 4;
         let offset: BigInt = centre - 2;
@@ -220,10 +220,10 @@ fn either(left: Option<(usize, usize)>, right: Option<(usize, usize)>) -> Option
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
-    use crate::proof::fixed_point::binomials;
-    use crate::proof::integer_polynomial::IntegerPolynomial;
-    use crate::proof::part::{Part, Whole};
-    use crate::proof::source::Source;
+    use crate::first_zero::fixed_point::binomials;
+    use crate::first_zero::integer_polynomial::IntegerPolynomial;
+    use crate::first_zero::part::{Part, Whole};
+    use crate::first_zero::source::Source;
 
     fn over(source: &Source<'_>, part: &Part, digits: u64) -> Bernstein {
         Bernstein::new(&source.powers_over(part, digits), false)

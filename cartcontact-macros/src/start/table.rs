@@ -6,7 +6,7 @@
 //! thousandth is hardly a gap: for a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ), with something to
 //! spare. Gaps that open more suddenly have room at both ends; of others the flattest contacts are outside. There, the radius
 //! is iterated.
-//! Symbols have one table in [units of their own](crate::own_units), if they do no more than set these. Its window lies mostly
+//! Symbols have one table in [units of their own](crate::start::own_units), if they do no more than set these. Its window lies mostly
 //! below y = 1, because higher terms are mostly corrections.
 
 use core::ops::Range as Indices;
@@ -14,7 +14,8 @@ use core::ops::Range as Indices;
 use num_traits::ToPrimitive;
 
 use crate::gap::Gap;
-use crate::geometry::{Geometry, Range};
+use crate::gap::range::Range;
+use crate::geometry::Geometry;
 
 /// Rows per octave of the load integral.
 pub(crate) const ROWS_PER_OCTAVE: i32 = 4;

@@ -20,8 +20,10 @@ use num_traits::ToPrimitive;
 
 use crate::closed_forms::Seeded;
 use crate::geometry::Geometry;
-use crate::own_units;
-use crate::table::{LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top};
+use crate::start::own_units;
+use crate::start::table::{
+    LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top,
+};
 
 /// How much of a window may lie above the load integral at which two terms are equal.
 const MOST_OCTAVES_ABOVE_EQUALITY: f64 = 34.0;

@@ -16,9 +16,9 @@ use std::rc::Rc;
 
 use num_bigint::BigInt;
 
-use crate::proof::horner::{Abscissa, Table};
-use crate::proof::part::{Part, Whole};
-use crate::proof::powers::Powers;
+use crate::first_zero::horner::{Abscissa, Table};
+use crate::first_zero::part::{Part, Whole};
+use crate::first_zero::powers::Powers;
 
 /// Where a polynomial over a part is taken from.
 #[derive(Clone)]

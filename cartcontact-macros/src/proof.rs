@@ -13,33 +13,16 @@
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29-33, doi 10.1016/j.mechrescom.2010.11.006, Eq. (10).
 
-mod bernstein;
-mod common_divisor;
-pub(crate) mod end;
-pub(crate) mod equation;
-mod first_root;
-mod fixed_point;
-mod horner;
-mod integer_polynomial;
-mod minimum;
-mod outline;
-mod part;
-mod powers;
-mod search;
-mod source;
-mod taylor;
-
 use core::cmp::Ordering;
 
 use crate::diagnostics::Extent;
+use crate::first_zero::{End, first_zero};
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{self, Rational};
-use end::End;
-use equation::first_zero;
 
 /// Where delta0'(a) is known to be positive.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(PartialEq, Eq)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) enum Proof {
     /// For every a > 0, with the reason.

@@ -17,8 +17,8 @@
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use crate::proof::part::Part;
-use crate::proof::source::Source;
+use crate::first_zero::part::Part;
+use crate::first_zero::source::Source;
 
 /// What the minimum says about the roots in a part.
 #[derive(PartialEq, Eq)]
@@ -76,7 +76,7 @@ const FEWEST_BITS: u64 = 16;
 const SPARE_BITS: u64 = 16;
 
 impl<'a> Minimum<'a> {
-    /// Of a polynomial from that source; the dip is known in units of 2^-digits.
+    /// Of a polynomial from that source, with what its curvature is at least, in units of 2^-digits.
     pub(crate) fn new(part: &'a Part, source: &Source<'a>, curvature: BigInt, digits: u64) -> Self {
         let bracket = Bracket { lower: BigInt::zero(), upper: BigInt::one(), bits: 0 };
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }
@@ -260,9 +260,9 @@ mod tests {
     use core::cmp::Ordering;
 
     use super::*;
-    use crate::proof::bernstein::Bernstein;
-    use crate::proof::integer_polynomial::IntegerPolynomial;
-    use crate::proof::part::Whole;
+    use crate::first_zero::bernstein::Bernstein;
+    use crate::first_zero::integer_polynomial::IntegerPolynomial;
+    use crate::first_zero::part::Whole;
 
     /// (x - 4/3)^2 + height/2^bits, times 9 * 2^bits.
     fn parabola(height: i64, bits: u64) -> IntegerPolynomial {

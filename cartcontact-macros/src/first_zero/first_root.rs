@@ -11,11 +11,11 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Zero};
 
+use crate::first_zero::common_divisor::common_divisor;
+use crate::first_zero::integer_polynomial::IntegerPolynomial;
+use crate::first_zero::part::{Part, Whole};
+use crate::first_zero::source::Source;
 use crate::number::Rational;
-use crate::proof::common_divisor::common_divisor;
-use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::part::{Part, Whole};
-use crate::proof::source::Source;
 
 /// A positive root that has no positive root below it.
 pub(crate) struct FirstRoot {

@@ -2,8 +2,8 @@
 
 use core::cmp::Ordering;
 
+use crate::first_zero::first_root::FirstRoot;
 use crate::number::{self, Rational};
-use crate::proof::first_root::FirstRoot;
 
 /// The radius a with a^g = root, g = numerator/denominator.
 pub(crate) struct End {

@@ -17,7 +17,7 @@ use crate::closed_forms::Summand;
 use crate::geometry::Geometry;
 use crate::number::float::Float;
 use crate::number::{Rational, fraction, integer, rounded};
-use crate::table::{LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, top};
+use crate::start::table::{LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, top};
 
 pub(crate) struct Roots {
     pub(crate) table: Table,

@@ -1,11 +1,16 @@
 //! [`Geometry`] -> [`Start`]: what leads to the contact radius before the general solution has to.
 
+pub(crate) mod own_units;
+pub(crate) mod roots;
+pub(crate) mod seeds;
+pub(crate) mod table;
+
 use crate::closed_forms::ClosedForms;
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
-use crate::roots::{self, Roots};
-use crate::seeds::{self, Seeds};
+use roots::Roots;
+use seeds::Seeds;
 
 pub(crate) enum Start {
     /// A step from the radius to six digits, in a table.

@@ -3,13 +3,28 @@
 //! With n_1 the lowest exponent and g the greatest common divisor of the differences n_i - n_1, the sum is
 //! r^n_1 q(r^g), where q is a polynomial of the lowest degree possible.
 
+mod bernstein;
+mod common_divisor;
+mod end;
+mod first_root;
+mod fixed_point;
+mod horner;
+mod integer_polynomial;
+mod minimum;
+mod outline;
+mod part;
+mod powers;
+mod search;
+mod source;
+mod taylor;
+
 use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 
 use crate::number::Rational;
-use crate::proof::end::End;
-use crate::proof::integer_polynomial::{IntegerPolynomial, from_terms};
-use crate::proof::search::{TooIntricate, first_root};
+pub(crate) use end::End;
+use integer_polynomial::{IntegerPolynomial, from_terms};
+use search::{TooIntricate, first_root};
 
 /// Of the polynomial, and of the power g of its variable: together they bound the time that a proof takes. Enough for all
 /// integer exponents up to 1024.

@@ -27,8 +27,8 @@
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use crate::proof::fixed_point::{Numbers, binomials};
-use crate::proof::taylor::expand;
+use crate::first_zero::fixed_point::{Numbers, binomials};
+use crate::first_zero::taylor::expand;
 
 /// Σ c_j x^j over the interval from 0 to 1.
 pub(crate) struct Powers {

@@ -15,7 +15,7 @@
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use crate::proof::horner::{add_row, fraction, integer, negate};
+use crate::first_zero::horner::{add_row, fraction, integer, negate};
 
 const WORD: u64 = u64::BITS as u64;
 
@@ -89,7 +89,7 @@ fn add_product(sums: &mut [u64], row: &[u64], fraction: &[u64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::proof::fixed_point::binomials;
+    use crate::first_zero::fixed_point::binomials;
 
     /// With coefficients of very different lengths and mixed signs, against the definition.
     #[test]

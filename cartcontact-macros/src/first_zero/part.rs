@@ -15,10 +15,10 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::proof::fixed_point::Numbers;
-use crate::proof::horner::Table;
-use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::powers::{GUARD, Powers};
+use crate::first_zero::fixed_point::Numbers;
+use crate::first_zero::horner::Table;
+use crate::first_zero::integer_polynomial::IntegerPolynomial;
+use crate::first_zero::powers::{GUARD, Powers};
 
 /// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
 #[derive(Clone)]
@@ -139,7 +139,7 @@ fn common_multiple(degree: usize) -> BigInt {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::proof::fixed_point::binomials;
+    use crate::first_zero::fixed_point::binomials;
 
     #[test]
     fn ends_of_parts_are_where_they_say() {

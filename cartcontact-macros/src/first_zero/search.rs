@@ -30,15 +30,15 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
-use crate::proof::bernstein::{Bernstein, SignChanges};
-use crate::proof::common_divisor::square_free;
-use crate::proof::first_root::{FirstRoot, Place};
-use crate::proof::integer_polynomial::IntegerPolynomial;
-use crate::proof::minimum::{Minimum, Roots, Undecided};
-use crate::proof::outline::Outline;
-use crate::proof::part::{Part, Whole};
-use crate::proof::powers::Powers;
-use crate::proof::source::Source;
+use crate::first_zero::bernstein::{Bernstein, SignChanges};
+use crate::first_zero::common_divisor::square_free;
+use crate::first_zero::first_root::{FirstRoot, Place};
+use crate::first_zero::integer_polynomial::IntegerPolynomial;
+use crate::first_zero::minimum::{Minimum, Roots, Undecided};
+use crate::first_zero::outline::Outline;
+use crate::first_zero::part::{Part, Whole};
+use crate::first_zero::powers::Powers;
+use crate::first_zero::source::Source;
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
 const MAXIMUM_LENGTH: u64 = 1 << 19;

@@ -1,0 +1,97 @@
+//! Coefficients as people write them.
+
+use core::fmt::{Display, Formatter, Result};
+
+use num_traits::One;
+
+use super::{Atom, Coefficient, Product};
+use crate::number::{self, Rational};
+
+impl Display for Coefficient {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
+        if self.is_zero() {
+            return formatter.write_str("0");
+        }
+        for (index, product) in self.products.iter().enumerate() {
+            formatter.write_str(match (index, product.number.is_negative()) {
+                (0, true) => "-",
+                (0, false) => "",
+                (_, true) => " - ",
+                (_, false) => " + ",
+            })?;
+            product.fmt(formatter)?;
+        }
+        Ok(())
+    }
+}
+
+/// Its absolute value as far as the sign of its number goes.
+impl Display for Product {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
+        let (below, above): (Vec<_>, Vec<_>) =
+            self.powers.iter().partition(|(_, exponent)| exponent.is_negative());
+        let mut numerator: Vec<String> =
+            above.into_iter().map(|(atom, exponent)| raised(atom, exponent)).collect();
+        let mut denominator: Vec<String> =
+            below.into_iter().map(|(atom, exponent)| raised(atom, &exponent.abs())).collect();
+        let number = self.number.abs();
+        let short = number.numer().bits() <= 20 && number.denom().bits() <= 10;
+        let (above, below) = match short && !self.powers.is_empty() {
+            true => (number.numer().to_string(), number.denom().to_string()),
+            false => (number::decimal(&number), "1".to_owned()),
+        };
+        if above != "1" || numerator.is_empty() {
+            numerator.insert(0, above);
+        }
+        if below != "1" {
+            denominator.insert(0, below);
+        }
+        formatter.write_str(&numerator.join("·"))?;
+        match denominator.as_slice() {
+            [] => Ok(()),
+            [only] => write!(formatter, "/{only}"),
+            several => write!(formatter, "/({})", several.join("·")),
+        }
+    }
+}
+
+fn raised(atom: &Atom, exponent: &Rational) -> String {
+    let base = match atom {
+        Atom::Field { ident, .. } => ident.to_string(),
+        Atom::Sum(inner) => format!("({inner})"),
+    };
+    if exponent.is_one() {
+        return base;
+    }
+    let exponent = number::decimal(exponent);
+    if exponent.contains('/') { format!("{base}^({exponent})") } else { format!("{base}^{exponent}") }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use quote::format_ident;
+
+    use super::*;
+    use crate::number::fraction;
+
+    fn power(of: &Coefficient, numerator: i64, denominator: i64) -> Coefficient {
+        of.power(&fraction(numerator, denominator)).unwrap()
+    }
+
+    fn number(numerator: i64, denominator: i64) -> Coefficient {
+        Coefficient::constant(fraction(numerator, denominator))
+    }
+
+    #[test]
+    fn people_read_fractions() {
+        let radius = Coefficient::field(format_ident!("radius"));
+        assert_eq!(power(&radius, -1, 1).multiply(&number(1, 2)).to_string(), "1/(2·radius)");
+        assert_eq!(power(&radius, 3, 1).multiply(&number(1, 8)).to_string(), "radius^3/8");
+        assert_eq!(radius.multiply(&number(7, 64_000)).to_string(), "1.09375e-4·radius");
+        assert_eq!(power(&radius, 1, 3).to_string(), "radius^(1/3)");
+        let sum = radius.negated().add(&number(1, 1));
+        assert_eq!(power(&sum, -2, 1).to_string(), "1/(1 - radius)^2");
+        assert_eq!(number(1, 40).to_string(), "0.025");
+    }
+}
