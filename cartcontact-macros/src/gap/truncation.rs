@@ -62,6 +62,8 @@ pub(crate) struct Neglected {
 struct Bounds {
     below: Rational,
     above: Rational,
+    /// What e_j adds to a power that the gap has itself: that sum is rounded down, so that what cancels leaves nothing.
+    in_gap: Rational,
 }
 
 /// A weighted surface: w c_j for j = 1, 2, ..., and a bound of what they add up to from one on, in units of that.
@@ -91,7 +93,7 @@ impl Neglected {
                 Err(beyond) => return Some(Err(beyond)),
             }
         }
-        let sums = (0..count(highest_order)).map(|index| Bounds::of(&surfaces, index)).collect();
+        let sums = (0..count(highest_order)).map(|index| Bounds::of(&surfaces, &powers, index)).collect();
         Some(Ok(Neglected { powers, surfaces, sums, highest_order, radius: radius.clone() }))
     }
 
@@ -163,7 +165,7 @@ impl Neglected {
         let (mut rises, mut falls) = (false, false);
         for (j, sum) in (1..=last).zip(&self.sums) {
             let exponent = integer(2 * j);
-            below.add(exponent.clone(), sum.below.clone());
+            below.add(exponent.clone(), sum.in_gap.clone());
             if 2 * j > order {
                 rises |= sum.above.is_positive();
                 falls |= sum.below.is_negative();
@@ -232,9 +234,15 @@ impl Series {
 
 impl Bounds {
     /// Those for j = index + 1.
-    fn of(surfaces: &[Series], index: usize) -> Self {
+    fn of(surfaces: &[Series], powers: &Powers, index: usize) -> Self {
         let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
-        Bounds { below: floor(&sum, DIGITS), above: -floor(&-&sum, DIGITS) }
+        let (below, above) = (floor(&sum, DIGITS), -floor(&-&sum, DIGITS));
+        let exponent = integer(2 * (index + 1));
+        let in_gap = match powers.iter().find(|(power, _)| *power == exponent) {
+            Some((_, own)) => floor(&(own + sum), DIGITS) - own,
+            None => below.clone(),
+        };
+        Bounds { below, above, in_gap }
     }
 }
 

@@ -82,6 +82,21 @@ fn the_bound_covers_the_whole_range() {
     assert!(self::bound("conic(7, -1), order = 2, max_radius = 100").is_zero());
 }
 
+/// What is left opens with a higher power, of which the bound is relative.
+#[test]
+fn surfaces_may_lose_their_lowest_powers() {
+    for gap in [
+        "sphere(10) - r^2/20, order = 30, max_radius = 3",
+        "sphere(10) - r^2/20, order = auto, tolerance = 1e-2, max_radius = 1",
+        "sphere(3) - r^2/6, order = 12, max_radius = 0.5",
+        "upper = sphere(7), lower = -r^2/14, order = 30, max_radius = 3",
+        "conic(10, -0.5) - 0.05*r^2, order = 30, max_radius = 3",
+        "sphere(10) - r^2/20 - r^4/8000, order = 30, max_radius = 3",
+    ] {
+        assert!(bound(gap) < exact("1e-2"), "{gap}");
+    }
+}
+
 #[test]
 fn a_bound_below_the_format_is_one_in_it() {
     let least = Rational::from_float(2.0 * f64::MIN_POSITIVE).unwrap();
