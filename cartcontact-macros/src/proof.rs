@@ -78,17 +78,21 @@ fn of_fields(gap: &Gap) -> Proof {
 
 fn too_large(end: &mut End) -> String {
     let (shown, largest) = end.decimals();
-    let remedy = largest
-        .map_or_else(|| "a larger unit of length".to_owned(), |largest| format!("at most `{largest}`"));
+    let remedy = largest.map_or_else(
+        || "use a smaller unit of length".to_owned(),
+        |largest| format!("write at most `{largest}`"),
+    );
     format!(
-        "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc; \
-         write {remedy}"
+        "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc; {remedy}"
     )
 }
 
 fn unlimited(end: &mut End) -> String {
     let (shown, largest) = end.decimals();
-    let remedy = largest.map_or_else(String::new, |largest| format!("; add `max_radius = {largest}`"));
+    let remedy = largest.map_or_else(
+        || "; use a smaller unit of length".to_owned(),
+        |largest| format!("; add `max_radius = {largest}`"),
+    );
     format!(
         "the gap no longer exceeds its mean over the contact disc from r = {shown} on: beyond it the contact radius is \
          not determined{remedy}"

@@ -1,6 +1,7 @@
 //! The end of the admissible range: an algebraic number, compared exactly and written in decimals.
 
 use core::cmp::Ordering;
+use core::ops::RangeInclusive;
 
 use crate::first_zero::first_root::FirstRoot;
 use crate::number::{self, Rational};
@@ -15,7 +16,9 @@ pub(crate) struct End {
 /// Enough that seven digits hardly ever need the root more narrowly.
 const BITS: u64 = 48;
 /// Outside, numbers of seven digits have no `f64` next to them.
-const DECIMAL_EXPONENTS: core::ops::RangeInclusive<i64> = -300..=307;
+const DECIMAL_EXPONENTS: RangeInclusive<i64> = -307..=307;
+/// Outside, an end is known to its power of ten only: higher powers would take long.
+const SHOWN_EXPONENTS: RangeInclusive<i64> = -1000..=1000;
 
 impl End {
     pub(crate) fn new(root: FirstRoot, numerator: u32, denominator: u32) -> Self {
@@ -33,16 +36,17 @@ impl End {
     pub(crate) fn decimals(&mut self) -> (String, Option<String>) {
         self.root.narrow(BITS);
         let exponent = self.decimal_exponent();
-        let unit = |exponent: i64| number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
-        if !DECIMAL_EXPONENTS.contains(&exponent) {
-            return (
-                format!("1e{exponent}"),
-                (exponent > 0).then(|| format!("1e{}", DECIMAL_EXPONENTS.end())),
-            );
+        if !SHOWN_EXPONENTS.contains(&exponent) {
+            return (format!("1e{exponent}"), largest_below(exponent));
         }
+        let unit = |exponent: i64| number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
         let (fine, coarse) = (unit(exponent - 6), unit(exponent - 5));
         let mut mantissa = self.mantissa(&fine);
-        let shown = number::decimal(&(number::integer((mantissa + 5) / 10) * coarse));
+        let digits = (mantissa + 5) / 10;
+        if !DECIMAL_EXPONENTS.contains(&exponent) {
+            return (scientific(digits, exponent - 5), largest_below(exponent));
+        }
+        let shown = number::decimal(&(number::integer(digits) * coarse));
         while !self.exceeds_nearest(&(number::integer(mantissa) * &fine)) {
             mantissa -= 1;
         }
@@ -72,7 +76,7 @@ impl End {
         let binary =
             self.root.binary_exponent() * i64::from(self.denominator) / i64::from(self.numerator.max(1));
         let mut exponent = (binary * 30_103).div_euclid(100_000);
-        if !(-1000..=1000).contains(&exponent) {
+        if !SHOWN_EXPONENTS.contains(&exponent) {
             return exponent;
         }
         while !self.exceeds_power_of_ten(exponent) {
@@ -87,5 +91,20 @@ impl End {
     fn exceeds_power_of_ten(&mut self, exponent: i64) -> bool {
         let power = number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
         self.compare(&power) == Ordering::Greater
+    }
+}
+
+/// What may be written where the end has an exponent that no `f64` has, if it may be anything.
+fn largest_below(exponent: i64) -> Option<String> {
+    (exponent > 0).then(|| format!("1e{}", DECIMAL_EXPONENTS.end()))
+}
+
+/// `digits` times a power of ten.
+fn scientific(digits: u32, exponent: i64) -> String {
+    let digits = digits.to_string();
+    let exponent = exponent + digits.len() as i64 - 1;
+    match digits.trim_end_matches('0').split_at(1) {
+        (first, "") => format!("{first}e{exponent}"),
+        (first, others) => format!("{first}.{others}e{exponent}"),
     }
 }

@@ -29,7 +29,8 @@ use search::{TooIntricate, first_root};
 /// Of the polynomial, and of the power g of its variable: together they bound the time that a proof takes. Enough for all
 /// integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;
-const MAXIMUM_DENOMINATOR: u32 = 64;
+/// Of the power g: exponents of three decimals.
+const MAXIMUM_DENOMINATOR: u32 = 1000;
 
 /// The smallest r > 0 at which a sum of coefficient * r^exponent is zero, if there is one.
 ///
@@ -73,8 +74,8 @@ impl Equation {
                 Ok(Equation { polynomial: from_terms(&powers), numerator, denominator })
             }
             _ => Err(
-                "a gap with a negative term needs exponents with a small common denominator to be proved; round \
-                      them, as in `r^2.5`",
+                "a gap with a negative term needs exponents that differ by at most 1024 times a common fraction, such as \
+                 0.01, to be proved; round them, as in `r^2.5`",
             ),
         }
     }

@@ -143,6 +143,18 @@ fn ends_of_all_magnitudes_are_found() {
         assert!(message(&gap).ends_with(&format!("`max_radius = {remedy}`")), "{}", message(&gap));
         assert!(up_to(&gap, remedy) && !up_to(&gap, end));
     }
+    // 2 a - 8/3 b a^3 = 0.
+    let falling =
+        |first, second| message(&gap([("2", first), ("4", second)].map(|(n, c)| (exact(n), exact(c)))));
+    for (first, second, shown, remedy) in [
+        ("1e-300", "-1e300", "8.66025e-301", "`max_radius = 8.660254e-301`"),
+        ("1e-350", "-1e300", "8.66025e-326", "a smaller unit of length"),
+        ("4e-370", "-3e270", "1e-320", "a smaller unit of length"),
+        ("1e380", "-1e-350", "8.66025e364", "`max_radius = 1e307`"),
+    ] {
+        let message = falling(first, second);
+        assert!(message.contains(&format!("r = {shown} on")) && message.ends_with(remedy), "{message}");
+    }
 }
 
 #[test]

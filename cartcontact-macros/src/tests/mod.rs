@@ -277,7 +277,7 @@ fn each_fault_is_named() {
         ("-r^2 + r^4, max_radius = 1", "falls from the centre"),
         ("r^2 - r^1.0001", "falls from the centre"),
         ("1e-300*r^2 + 1e300*r^1022 - 1e-300*r^1023", "too intricate"),
-        ("r - r^1.001 + r^1.0001", "common denominator"),
+        ("r - r^1.001 + r^1.0001", "a common fraction"),
     ] {
         let messages = on_unit(text).err().unwrap();
         assert!(
