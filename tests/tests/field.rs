@@ -62,6 +62,24 @@ fn a_field_is_its_snapshots_for_every_geometry_and_load() -> Result<(), ContactE
     Ok(())
 }
 
+/// Also where the edge has moved by less than a rounding of its radius.
+#[test]
+fn the_edge_carries_nothing() -> Result<(), ContactError> {
+    let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
+    for force in [1.0, 2.0, 3.7, 100.0] {
+        let contact = Contact::new(Patellofemoral, medium, Constant(force))?;
+        let radius = contact.at(0.0)?.radius();
+        let times = [0.0, 1e-14, 1e-13, 1e-12, 1e-9, 1.0];
+        let mut values = [f64::NAN; 6];
+        contact.pressure_field(&times, &[radius], &mut values)?;
+        for (t, value) in times.into_iter().zip(values) {
+            let now = contact.at(t)?;
+            assert_eq!(value == 0.0, now.radius() <= radius, "{force} N, {t} s: {value:e}");
+        }
+    }
+    Ok(())
+}
+
 /// Once for the first row, and once for all.
 #[test]
 fn a_history_is_searched_twice_for_any_number_of_rows() -> Result<(), ContactError> {

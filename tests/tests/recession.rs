@@ -268,3 +268,21 @@ fn single_precision_notices_as_well() {
     assert_eq!(Single(&fall).recession(0.1, 39.9), None);
     assert!(Single(&fall).recession(0.1, 45.0).is_some_and(|since| (since - 40.0).abs() < 0.1));
 }
+
+/// Falls along lines that are as steep at their ends as they may be, F₁ = F₀/(1 + χ Δt), of rounded forces.
+#[test]
+fn rounded_falls_as_fast_as_the_memory_are_none_too_fast() {
+    for folds in [1e-4, 0.01, 0.02, 0.06, 0.5, 3.0] {
+        let duration = folds / CHI;
+        for k in 0..200 {
+            let first = 100.0 + f64::from(k) * 0.37;
+            let load = through(&[(0.0, first), (duration, first / (1.0 + folds))]);
+            assert_eq!(since(&load, CHI, 2.0 * duration), None, "{first} in {folds}");
+        }
+        let forces = (0..100).map(|k| (f64::from(k) * duration, 102.0 * (1.0 + folds).powi(-k)));
+        let load = through(&forces.collect::<Vec<_>>());
+        assert_eq!(since(&load, CHI, 99.0 * duration), None, "{folds}");
+        let too_fast = through(&[(0.0, 100.0), (duration, 100.0 * (1.0 - 1e-13) / (1.0 + folds))]);
+        assert!(since(&too_fast, CHI, 2.0 * duration).is_some(), "{folds}");
+    }
+}

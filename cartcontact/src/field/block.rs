@@ -126,7 +126,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     ) {
         let width = radii.len();
         for run in runs {
-            let in_base = run.start + radii[run.clone()].partition_point(|&r| r <= self.base.radius);
+            let in_base = run.start + radii[run.clone()].partition_point(|&r| r < self.base.radius);
             let (base, rows) = values.split_at_mut(width);
             take_rows_from(
                 base,
