@@ -38,11 +38,13 @@ where
     let mut march = March {
         contact,
         time,
-        radius,
+        // An edge that stands still may seem to recede by a rounding.
+        radius: radius.max(from.radius),
         force,
         now: from,
         // The pressures at the start have the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
+        strip: from.strip(contact.integral_per_load()),
         transition: Transition::none(reach),
     };
     let has_knots = knot_between(contact.load(), from.time, time).is_some();
@@ -56,9 +58,10 @@ where
     (march.transition, march.now)
 }
 
-/// What is left of the gain of a stretch at its end, F₂ − E F₁.
+/// What is left of the gain of a stretch at its end, F₂ − E F₁: a difference of what the forces have in common with
+/// few e-foldings, and of little with many.
 fn kept_of<T: Scalar>((first, last): (T, T), folds: T) -> T {
-    (last - first) - first * (-folds).exp_m1()
+    if folds < T::one() { (last - first) - first * (-folds).exp_m1() } else { last - first * (-folds).exp() }
 }
 
 /// A transition on its way.
@@ -70,7 +73,8 @@ struct March<'a, T, P, L> {
     /// The force there.
     force: T,
     now: Stage<T>,
-    /// Whether the transition has what lies between the rounded radius and the exact one.
+    /// What is left of what lies between the rounded radius and the exact one, and whether the transition has it.
+    strip: T,
     has_strip: bool,
     transition: Transition<T>,
 }
@@ -161,7 +165,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             self.now.impulse = run.impulse;
             let radius = self.radius_under(end, force);
             let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
-            self.now = Stage { time: end, radius, surplus, ..self.now };
+            self.arrive(Stage { time: end, radius, surplus, ..self.now });
+            let course = Course::straight(chi, last.duration(), (last.start.1, force));
+            self.strip *= self.share_of_strip(&course, surplus, force);
         }
         run.len()
     }
@@ -197,15 +203,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let skipped = piece.before(time);
         self.now.impulse.add(skipped.impulse());
         let force = skipped.end.1;
-        let radius = self.radius_under(time, force).max(self.now.radius);
+        let radius = self.radius_under(time, force);
+        self.set_strip(false);
         self.transition.advance(chi * skipped.duration(), self.quarter_m(), Increment::zero(), radius);
-        self.now = self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
+        self.arrive(self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius));
         Piece { start: skipped.end, end: piece.end }
     }
 
     fn advance_straight(&mut self, piece: Piece<T>) {
         let chi = self.contact.medium().chi();
-        self.set_strip(false);
         let piece = self.skip_what_fades(piece);
         let (forces, impulse) = ((piece.start.1, piece.end.1), piece.impulse());
         self.now.impulse.add(impulse);
@@ -219,27 +225,51 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// gains `gain`.
     fn cover(&mut self, high: T, course: Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        // Integrals over the radius begin and end at rounded ones.
-        self.set_strip(false);
         let folds = course.folds(chi);
-        let depth = high - self.now.radius;
-        if depth <= high * T::default_epsilon() * T::constant(16.0)
-            && self.transition.reach <= self.now.radius
-        {
+        let (depth, is_covered) = (high - self.now.radius, self.transition.reach <= self.now.radius);
+        if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
             self.cover_at_once(high, folds, forces);
             return;
         }
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
+        let is_left_out = surplus != exact_surplus && is_covered;
+        if is_left_out {
+            self.keep_strip();
+        } else {
+            // Integrals over the radius begin and end at rounded ones.
+            self.set_strip(false);
+        }
         let low = self.transition.reach.max(self.now.radius);
-        let is_left_out = surplus != exact_surplus && self.transition.reach <= self.now.radius;
+        let low = self.transition.reach.max(self.now.radius);
         let kept = is_left_out.then(|| kept_of(forces, folds));
+        let share_of_strip = self.share_of_strip(&course, surplus, forces.1);
         let mut increment = Stretch { contact, course, low, high, surplus }.increment();
         if let Some(kept) = kept {
             increment.carry(kept / contact.load_per_integral(), (low, high));
         }
         self.transition.advance(folds, self.quarter_m(), increment, low);
-        self.now = Stage { radius: high, surplus, ..self.now };
+        self.arrive(Stage { radius: high, surplus, ..self.now });
+        self.strip *= share_of_strip;
+    }
+
+    /// What is left of a strip at the end of a course, at which there is some force.
+    ///
+    /// Where Y′ vanishes there, a surplus is √(2 surplus/F) e-foldings old, and the strip 2/3 of that on average; where it
+    /// does not, the surplus is no more than rounding.
+    fn share_of_strip(&self, course: &Course<'_, T>, surplus: T, force: T) -> T {
+        let negligible = T::default_epsilon().sqrt() * T::constant(1.0 / 256.0);
+        if surplus.abs() <= force * negligible {
+            return T::one();
+        }
+        let chi = self.contact.medium().chi();
+        T::one() - chi * course.age(chi, surplus) * T::constant(2.0 / 3.0)
+    }
+
+    /// Goes on to a stage, at which the strip is new.
+    fn arrive(&mut self, stage: Stage<T>) {
+        self.strip = stage.strip(self.contact.integral_per_load());
+        self.now = stage;
     }
 
     /// The surplus at a later radius, up to which the hereditary load gains `gain`.
@@ -249,38 +279,49 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.surplus + (gain - contact.load_per_integral() * growth)
     }
 
-    /// Adds or takes away what lies between the rounded radius and the exact one.
+    /// Adds what is left of what lies between the rounded radius and the exact one, or takes away what an integral from the
+    /// rounded one on will have there: as much as if it were new.
     fn set_strip(&mut self, wanted: bool) {
         if wanted == self.has_strip {
             return;
         }
+        if !wanted {
+            self.strip = self.now.strip(self.contact.integral_per_load());
+        }
         let (radius, reach) = (self.now.radius, self.transition.reach);
-        let strip = self.now.strip(self.contact.integral_per_load());
-        let increment = Increment::at(radius, if wanted { strip } else { -strip }, reach);
+        let increment = Increment::at(radius, if wanted { self.strip } else { -self.strip }, reach);
         self.transition.add(self.quarter_m(), increment, reach);
         self.has_strip = wanted;
+    }
+
+    /// Counts the strip with what is covered: the surplus that it is of is left out from now on.
+    fn keep_strip(&mut self) {
+        self.set_strip(true);
+        (self.strip, self.has_strip) = (T::zero(), false);
     }
 
     /// Lays what a stretch gains at its last radius, which is the first one but for some roundings.
     ///
     /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over radii
     /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
-    /// the course; with one radius for all of it the pressure is off by the share by which the radius grew.
+    /// the course; with one radius for all of it the pressure is off by the share by which the radius grew. The strip is as
+    /// old as all else.
     fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T)) {
         let kept = Stage { radius: high, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
         let increment = Increment::at(high, kept.strip(self.contact.integral_per_load()), low);
         self.transition.advance(folds, self.quarter_m(), increment, low);
+        self.strip *= (-folds).exp();
         self.now.radius = high;
     }
 
-    /// The contact radius at a time under a force at the impulse so far; a contact never exceeds that at the end.
+    /// The contact radius at a time under a force at the impulse so far: not less than now, nor more than at the end.
     fn radius_under(&self, time: T, force: T) -> T {
         if time >= self.time && force >= self.force {
             return self.radius;
         }
         let hereditary = force + self.contact.medium().chi() * self.now.impulse.value;
-        self.contact.radius_under(hereditary).unwrap_or(self.radius).min(self.radius)
+        self.contact.radius_under(hereditary).unwrap_or(self.radius).max(self.now.radius).min(self.radius)
     }
 
     fn quarter_m(&self) -> T {
