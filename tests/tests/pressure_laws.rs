@@ -5,7 +5,7 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::{Rise, Swing, histories, through};
+use tests::loads::{Knots, Rise, Swing, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, cases};
@@ -77,6 +77,39 @@ fn pressure_relaxes_like_the_load_at_a_constant_approach() -> Result<(), Contact
             }
         }
     }
+    Ok(())
+}
+
+/// A load that tells its force and its impulse only.
+struct Unannounced<'a>(&'a Knots);
+
+impl Load<f64> for Unannounced<'_> {
+    fn force(&self, t: f64) -> f64 {
+        self.0.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.0.impulse(t)
+    }
+}
+
+#[test]
+fn jumps_and_kinks_are_found_where_no_knot_tells_of_them() -> Result<(), ContactError> {
+    let mut errors = Errors::of(budget::PRESSURE);
+    for (name, load) in histories(CHI) {
+        for case in cases() {
+            for t in [0.05, 0.2, 0.9, 1.1, 3.0, 15.0].map(|folds| folds / CHI) {
+                let (told, found) =
+                    (contact(case, &load, 5.0, t)?, contact(case, Unannounced(&load), 5.0, t)?);
+                let (told, found) = (told.at(t)?, found.at(t)?);
+                for r in [0.0, 2.0, 4.0] {
+                    let edge = edge(told.radius(), r);
+                    errors.add(found.pressure(r), told.pressure(r), edge, &(name, case, t, r));
+                }
+            }
+        }
+    }
+    errors.check();
     Ok(())
 }
 

@@ -228,7 +228,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let folds = course.folds(chi);
         let (depth, is_covered) = (high - self.now.radius, self.transition.reach <= self.now.radius);
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
-            self.cover_at_once(high, folds, forces);
+            self.cover_at_once(high, folds, forces, gain);
             return;
         }
         let exact_surplus = self.surplus_at(high, gain);
@@ -240,7 +240,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             // Integrals over the radius begin and end at rounded ones.
             self.set_strip(false);
         }
-        let low = self.transition.reach.max(self.now.radius);
         let low = self.transition.reach.max(self.now.radius);
         let kept = is_left_out.then(|| kept_of(forces, folds));
         let share_of_strip = self.share_of_strip(&course, surplus, forces.1);
@@ -264,6 +263,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
         let chi = self.contact.medium().chi();
         T::one() - chi * course.age(chi, surplus) * T::constant(2.0 / 3.0)
+    }
+
+    /// Lets time pass in which nothing is covered.
+    fn fade(&mut self, folds: T) {
+        self.set_strip(true);
+        self.transition.advance(folds, self.quarter_m(), Increment::zero(), self.now.radius);
     }
 
     /// Goes on to a stage, at which the strip is new.
@@ -304,15 +309,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     ///
     /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over radii
     /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
-    /// the course; with one radius for all of it the pressure is off by the share by which the radius grew. The strip is as
-    /// old as all else.
-    fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T)) {
+    /// the course; with one radius for all of it the pressure is off by the share by which the radius grew. All of it
+    /// includes the strip, which is as old as the rest.
+    fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T), gain: T) {
+        self.set_strip(true);
         let kept = Stage { radius: high, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
         let increment = Increment::at(high, kept.strip(self.contact.integral_per_load()), low);
         self.transition.advance(folds, self.quarter_m(), increment, low);
-        self.strip *= (-folds).exp();
-        self.now.radius = high;
+        let surplus = surplus_that_counts(self.surplus_at(high, gain), forces.1);
+        self.now = Stage { radius: high, surplus, ..self.now };
     }
 
     /// The contact radius at a time under a force at the impulse so far: not less than now, nor more than at the end.

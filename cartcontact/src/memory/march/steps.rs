@@ -6,6 +6,9 @@
 //! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, nor than some roundings of
 //! the time, so the march ends.
 //!
+//! **Jumps and kinks of which no knot tells** are polynomials in no step. A limited number of steps is halved further because
+//! of them, down to roundings of the time; what then is still none is a jump.
+//!
 //! What drains follows from the force wherever a step resolves it, so that the two ways agree in the end even if the impulse
 //! is that of another load.
 
@@ -16,44 +19,88 @@ use crate::{GapProfile, Scalar};
 
 /// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
 const MOST_DOUBTS: u32 = 256;
+/// How often the shortest steps are halved further at most: for some sixty jumps and kinks, by 32 halvings each.
+const MOST_HALVINGS: u32 = 2048;
+
+/// The length of steps.
+struct Pace<T> {
+    step: T,
+    /// How short steps are at most, and those of which only a limited number is: still long enough to move the time, also
+    /// where all of it is few of its roundings.
+    shortest: T,
+    least: T,
+    /// How many more may be shorter than the shortest.
+    halvings: u32,
+}
+
+impl<T: Scalar> Pace<T> {
+    fn over(duration: T, end: T) -> Self {
+        let least = end * T::default_epsilon() * T::constant(4.0);
+        let shortest = (duration * T::constant(1.0 / 1_048_576.0)).max(least);
+        Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
+    }
+
+    /// The end of a step from a time on; the last one must not leave a rest that is too short to divide.
+    fn stop(&self, start: T, end: T) -> T {
+        let rest = self.step.min(self.shortest);
+        if start + self.step + rest < end { start + self.step } else { end }
+    }
+
+    /// False if the step may not be shortened.
+    fn halve(&mut self) -> bool {
+        let is_long = self.step > self.shortest;
+        if !is_long && (self.step <= self.least || self.halvings == 0) {
+            return false;
+        }
+        self.halvings -= u32::from(!is_long);
+        self.step = (self.step * T::constant(0.5)).max(if is_long { self.shortest } else { self.least });
+        true
+    }
+
+    fn double(&mut self) {
+        self.step += self.step;
+    }
+}
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// Continues to a time before which there is no knot.
     pub(super) fn advance_in_steps(&mut self, end: T) {
-        let half = T::constant(0.5);
-        let share = (end - self.now.time) * T::constant(1.0 / 1_048_576.0);
-        // A step must move the time, also where all of them are few roundings of it.
-        let shortest = share.max(end * T::default_epsilon() * T::constant(4.0));
-        let mut step = end - self.now.time;
+        let mut pace = Pace::over(end - self.now.time, end);
         let mut doubts = MOST_DOUBTS;
         while self.now.time < end {
             let start = self.now.time;
-            // The last step must not leave a rest that is too short to divide.
-            let stop = if start + step + shortest < end { start + step } else { end };
+            let stop = pace.stop(start, end);
             let force = self.force_series(stop);
-            let is_doubtful = doubts > 0 && self.misses(&force, stop);
-            if (force.is_rough() || is_doubtful) && step > shortest {
-                doubts -= u32::from(is_doubtful);
-                step = (step * half).max(shortest);
+            if force.is_rough() {
+                if !pace.halve() {
+                    self.advance_through_jump(&force, stop);
+                    pace.double();
+                }
                 continue;
             }
-            let middle = start + (stop - start) * half;
+            if doubts > 0 && pace.step > pace.shortest && self.misses(&force, stop) {
+                doubts -= 1;
+                pace.halve();
+                continue;
+            }
+            let middle = start + (stop - start) * T::constant(0.5);
             let mut halves = self.clone();
             halves.advance_smooth(&self.force_series(middle), middle);
-            if halves.now.radius <= self.transition.reach && stop - start > shortest {
+            if halves.now.radius <= self.transition.reach && stop - start > pace.shortest {
                 // Nothing of the first half counts, so the second would only be compared with itself.
                 *self = halves;
-                step += step;
+                pace.double();
                 continue;
             }
             halves.advance_smooth(&halves.force_series(stop), stop);
             let mut whole = self.clone();
             whole.advance_smooth(&force, stop);
-            let agree = whole.transition.agrees_with(&halves.transition, halves.now.radius);
-            if agree || step <= shortest {
+            if whole.transition.agrees_with(&halves.transition, halves.now.radius) {
+                *self = halves;
+                pace.double();
+            } else if !pace.halve() {
                 *self = halves;
             }
-            step = if agree { step + step } else { (step * half).max(shortest) };
         }
     }
 
@@ -74,17 +121,43 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues along a step, and through a jump at its end, of which a knot may tell or not.
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
-        let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let start = self.now.time;
-        let (first, last, impulse) = (load.force(start), load.force_before(end), load.impulse(end));
+        let chi = self.contact.medium().chi();
+        let (first, last) = self.forces_until(end);
+        let gained = self.take_impulse(force, end);
+        let radius = self.radius_under(end, last);
+        let gain = force.gain() + chi * (gained - force.impulse().0);
+        self.cover(radius, Course::smooth(force), (first, last), gain);
+        self.now.time = end;
+        self.jump(last, self.force_now());
+    }
+
+    /// Continues through a step in which the force jumps, as if it did so at its end.
+    fn advance_through_jump(&mut self, force: &ForceSeries<T>, end: T) {
+        let chi = self.contact.medium().chi();
+        let (first, last) = self.forces_until(end);
+        let gained = self.take_impulse(force, end);
+        let radius = self.radius_under(end, last);
+        self.fade(chi * (end - self.now.time));
+        self.cover(radius, Course::Step, (first, last), (last - first) + chi * gained);
+        self.now.time = end;
+        self.jump(last, self.force_now());
+    }
+
+    /// The force now, and just before a time.
+    fn forces_until(&self, end: T) -> (T, T) {
+        let load = self.contact.load();
+        (load.force(self.now.time), load.force_before(end))
+    }
+
+    /// Adds what the impulse gains in a step until its end, and returns it.
+    fn take_impulse(&mut self, force: &ForceSeries<T>, end: T) -> T {
+        let load = self.contact.load();
+        let impulse = load.impulse(end);
         // Where the series is rough, the difference of two impulses may be the better one.
         let (of_series, uncertainty) = force.impulse();
         let is_better = uncertainty <= impulse * T::default_epsilon();
-        let gained = if is_better { of_series } else { impulse - load.impulse(start) };
+        let gained = if is_better { of_series } else { impulse - load.impulse(self.now.time) };
         self.now.impulse.add(gained);
-        let radius = self.radius_under(end, last);
-        self.cover(radius, Course::smooth(force), (first, last), force.gain() + chi * (gained - of_series));
-        self.now.time = end;
-        self.jump(last, self.force_now());
+        gained
     }
 }
