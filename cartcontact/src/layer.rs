@@ -8,6 +8,17 @@ use crate::scalar::is_size;
 /// One biphasic layer on its bone.
 ///
 /// Any consistent units do; the field's own are mm, N, MPa = N/mm² and s.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::{Layer, Medium};
+///
+/// let patella = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
+/// let femur = Layer { thickness: 0.5, ..patella };
+/// assert_eq!(Medium::between(patella, femur)?, Medium::between(femur, patella)?);
+/// # Ok::<(), cartcontact::MediumError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer<T> {
     /// Thickness h, in mm.

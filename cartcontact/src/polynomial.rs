@@ -62,6 +62,17 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
     /// # Errors
     ///
     /// [`ProfileError`] as [`new`](Self::new), and if the geometry is not admissible up to `max_radius`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, Polynomial, ProfileError};
+    /// let oblate = [(0.025, 2.0), (-1e-4, 4.0)];
+    /// assert_eq!(Polynomial::with_max_radius(oblate, 10.0)?.max_radius(), 10.0);
+    /// let beyond = Polynomial::with_max_radius(oblate, 14.0);
+    /// assert!(matches!(beyond, Err(ProfileError::NotAdmissible { fails_at, .. }) if (fails_at - 13.69306).abs() < 1e-5));
+    /// # Ok::<(), ProfileError>(())
+    /// ```
     pub fn with_max_radius(terms: S, max_radius: T) -> Result<Self, ProfileError> {
         Self::on_range(terms, Some(max_radius))
     }

@@ -4,6 +4,19 @@ use crate::Scalar;
 use crate::scalar::smallest_normal;
 
 /// A part of a load that is linear in time, from one time in s with its force in N to another.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::load::{Load, Piece, PiecewiseLinear};
+///
+/// let ramp_and_hold = PiecewiseLinear::new([(0.0, 0.0), (20.0, 100.0)])?;
+/// let mut pieces = [Piece { start: (0.0, 0.0), end: (0.0, 0.0) }; 4];
+/// assert_eq!(ramp_and_hold.straight_pieces((5.0, 30.0), &mut pieces), 2);
+/// assert_eq!(pieces[0], Piece { start: (5.0, 25.0), end: (20.0, 100.0) });
+/// assert_eq!(pieces[1], Piece { start: (20.0, 100.0), end: (30.0, 100.0) });
+/// # Ok::<(), cartcontact::load::LoadError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<T> {
     /// The time at which it starts, and the force from then on.

@@ -9,6 +9,21 @@ use crate::shown::Shown;
 const MOST: usize = 6;
 
 /// The names and values of the fields that a geometry depends on; an error keeps the first six.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::{GapProfile, ProfileError, gap_profile};
+///
+/// #[gap_profile(r^2 / (2 * radius))]
+/// struct Ball {
+///     radius: f64,
+/// }
+///
+/// let checked: Result<(), ProfileError> = GapProfile::<f64>::check(&Ball { radius: -20.0 });
+/// let Err(ProfileError::NotOpening { parameters, .. }) = checked else { unreachable!() };
+/// assert_eq!(parameters.iter().collect::<Vec<_>>(), [("radius", -20.0)]);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parameters {
     names: &'static [&'static str],

@@ -44,7 +44,7 @@ where
         now: from,
         // The pressures at the start have the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
-        strip: from.strip(contact.integral_per_load()),
+        strip: T::zero(),
         transition: Transition::none(reach),
     };
     let has_knots = knot_between(contact.load(), from.time, time).is_some();
@@ -73,9 +73,9 @@ struct March<'a, T, P, L> {
     /// The force there.
     force: T,
     now: Stage<T>,
-    /// What is left of what lies between the rounded radius and the exact one, and whether the transition has it.
-    strip: T,
+    /// Whether the transition has what lies between the rounded radius and the exact one, and what is left of it if not.
     has_strip: bool,
+    strip: T,
     transition: Transition<T>,
 }
 
@@ -302,7 +302,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// Counts the strip with what is covered: the surplus that it is of is left out from now on.
     fn keep_strip(&mut self) {
         self.set_strip(true);
-        (self.strip, self.has_strip) = (T::zero(), false);
+        (self.has_strip, self.strip) = (false, T::zero());
     }
 
     /// Lays what a stretch gains at its last radius, which is the first one but for some roundings.
