@@ -64,6 +64,25 @@ impl Load<f64> for Rise {
     }
 }
 
+/// A load of a user's own that falls exponentially.
+#[derive(Clone, Copy, Debug)]
+pub struct Fall {
+    /// The first force.
+    pub force: f64,
+    /// How fast.
+    pub rate: f64,
+}
+
+impl Load<f64> for Fall {
+    fn force(&self, t: f64) -> f64 {
+        self.force * (-self.rate * t).exp()
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        -self.force * (-self.rate * t).exp_m1() / self.rate
+    }
+}
+
 /// A load of a user's own that swings about its mean.
 #[derive(Clone, Copy, Debug)]
 pub struct Swing {

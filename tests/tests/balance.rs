@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_4, TAU};
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial};
 use tests::budget;
-use tests::loads::{Rise, Swing, histories};
+use tests::loads::{Fall, Rise, Swing, histories, through};
 use tests::measure::Errors;
 use tests::planted;
 use tests::profiles::{Case, cases};
@@ -36,7 +36,7 @@ fn pressure_carries_a_slow_load_of_a_users_own() {
 
 #[test]
 fn pressure_carries_a_quick_load_of_a_users_own() {
-    errors_under("quick rise", &Rise { start: 10.0, rise: 90.0, rate: 0.1 }, &TIMES).check_worst();
+    check_load("quick rise", &Rise { start: 10.0, rise: 90.0, rate: 0.1 }, &TIMES);
 }
 
 #[test]
@@ -76,6 +76,20 @@ fn pressure_carries_a_falling_load_of_a_users_own() {
         &Rise { start: 100.0, rise: -100.0, rate: 0.99 * CHI },
         &TIMES[..5],
     );
+}
+
+/// What the load once was is many times what it is: a rounding of the hereditary load may be more than the load.
+#[test]
+fn pressure_carries_loads_that_have_fallen_for_long() {
+    let errors = |share: f64| {
+        let load = Fall { force: 100.0, rate: share * CHI };
+        errors_under("exponential", &load, &[0.7, 2.5, 10.0, 30.0, 41.0])
+    };
+    [1.0, 0.9, 0.5].map(|share| errors(share).check());
+    errors(0.999).check_worst();
+    // As steep at every knot as it may be: F₁ = F₀/(1 + χ Δt).
+    let falls: Vec<(f64, f64)> = (0..=14).map(|k| (3.0 * f64::from(k) / CHI, 4f64.powi(10 - k))).collect();
+    check_load("straight", &through(&falls), &[2.0, 3.0, 7.5, 9.0, 30.0, 41.0, 42.0]);
 }
 
 /// After a long history the rounding of the hereditary load, and so of radii, is a share of what a step adds.

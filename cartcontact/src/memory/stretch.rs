@@ -17,6 +17,8 @@ pub(super) struct Stretch<'a, T, P, L> {
     pub(super) high: T,
     /// What the hereditary load at the end exceeds that of the radius `high`, which is rounded.
     pub(super) surplus: T,
+    /// Whether all that the course lays counts, and not only what it does from `low` on.
+    pub(super) is_whole: bool,
 }
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
@@ -128,17 +130,29 @@ fn is_instant<T: Scalar>(folds: T) -> bool {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
-    /// What the stretch adds to the pressure.
+    /// Whether what the stretch adds is integrated over time, up to the exact radius at its end.
     ///
     /// A falling load can make τ(s) steep like a square root, and so can one that is not straight, where the edge nearly
-    /// stands still; they are integrated over time, all others over the radius, which needs no inversion of J.
+    /// stands still; all others are integrated over the radius, which needs no inversion of J.
+    pub(super) fn is_over_time(&self) -> bool {
+        match self.course {
+            Course::Linear { load_rate, .. } => load_rate < T::zero(),
+            Course::Smooth(_) => self.begins_covered(),
+            Course::Step => false,
+        }
+    }
+
+    /// What the stretch adds to the pressure.
     pub(super) fn increment(&self) -> Increment<T> {
         // Rounding can put the radii in the wrong order.
         if self.low >= self.high {
             return Increment::zero();
         }
+        if !self.is_over_time() {
+            return radius_form::increment(self);
+        }
         match self.course {
-            Course::Linear { rate, load_rate, .. } if load_rate < T::zero() => {
+            Course::Linear { rate, load_rate, .. } => {
                 let chi = self.contact.medium().chi();
                 let (rate, rise) = (rate / chi, -load_rate / chi);
                 let half = T::constant(0.5);
@@ -149,10 +163,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                     |x| (x * (rate + half * rise * x), rate + rise * x),
                 )
             }
-            Course::Smooth(force) if self.begins_covered() => {
+            Course::Smooth(force) => {
                 time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
-            _ => radius_form::increment(self),
+            Course::Step => Increment::zero(),
         }
     }
 

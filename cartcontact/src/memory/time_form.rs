@@ -8,8 +8,8 @@
 //! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1} / s⁴ · dx
 //! ```
 //!
-//! with s from the inverse of J. The integrand stays smooth where the load falls as fast as e^(−χ t), Y′ = 0;
-//! over the radius it would have the square root of a zero. Panels keep their distance from where Y, continued
+//! with s from the inverse of J, up to the exact radius at the end. The integrand stays smooth where the load falls as fast
+//! as e^(−χ t), Y′ = 0; over the radius it would have the square root of a zero. Panels keep their distance from where Y, continued
 //! backwards, reaches zero.
 //!
 //! The other singularities are where δ₀′ vanishes in the plane of complex radii. Where one is near, s changes so fast
@@ -45,14 +45,14 @@ where
     let final_integral =
         contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.integral_per_load();
     let history = History { contact, final_integral, low, shortfall };
-    let longest = chi * stretch.age_at(stretch.high - low);
+    let longest =
+        if stretch.is_whole { stretch.course.folds(chi) } else { chi * stretch.age_at(stretch.high - low) };
     let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
     let most = Rule::FINEST.folds::<T>();
 
     let mut sum = Increment::zero();
-    // The age of the rounded radius, at which the stretch ends.
-    let mut start = chi * stretch.age_at(T::zero());
-    let mut length = longest - start;
+    let mut start = T::zero();
+    let mut length = longest;
     let shortest = length * T::default_epsilon().sqrt() * T::constant(1.0 / 16.0);
     let (mut is_simple, mut halvings) = (true, 0);
     // Beyond two panels' worth of e-foldings nothing counts any more.

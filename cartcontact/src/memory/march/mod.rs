@@ -4,6 +4,12 @@
 //! two stages computed on their own would not agree on what lies between them. So only differences are used: a
 //! surplus follows from the one before it by what Y and J gained since, both without cancellation.
 //!
+//! **The strip** is what lies between the rounded radius and the exact one. Integrals over the radius begin and end at
+//! rounded radii: under loads that are held or rise, so that a strip is new, what they will have in the first one is taken
+//! away before, and the last one is added when nothing more is covered. Integrals over time know nothing of rounded radii,
+//! nor does what is laid at once where the edge stands still: there the strip stays, and fades with the rest. Under a load
+//! that falls as fast as e^(−χ t) one that was added as new would soon be all the pressure there is.
+//!
 //! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
 //! [`run`](super::run), the others one by one.
 //!
@@ -44,7 +50,6 @@ where
         now: from,
         // The pressures at the start have the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
-        strip: T::zero(),
         transition: Transition::none(reach),
     };
     let has_knots = knot_between(contact.load(), from.time, time).is_some();
@@ -53,7 +58,7 @@ where
         (true, false) => march.advance_in_one_piece(),
         (false, _) => march.advance_from_knot_to_knot(),
     }
-    march.set_strip(true);
+    march.add_strip();
     march.transition.offset = not_negative(march.transition.offset);
     (march.transition, march.now)
 }
@@ -73,9 +78,8 @@ struct March<'a, T, P, L> {
     /// The force there.
     force: T,
     now: Stage<T>,
-    /// Whether the transition has what lies between the rounded radius and the exact one, and what is left of it if not.
+    /// Whether the transition has what lies between the rounded radius and the exact one.
     has_strip: bool,
-    strip: T,
     transition: Transition<T>,
 }
 
@@ -159,15 +163,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let share = (-self.faded_since(last)).exp();
         if let Some(increment) = run.increment(contact, self.transition.reach, share) {
             let folds = chi * (end - self.now.time);
-            // Times know nothing of rounded radii.
-            self.set_strip(true);
+            // Times know nothing of rounded radii: what they lay includes the strips.
+            self.add_strip();
             self.transition.advance(folds, self.quarter_m(), increment, self.transition.reach);
             self.now.impulse = run.impulse;
             let radius = self.radius_under(end, force);
             let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
-            self.arrive(Stage { time: end, radius, surplus, ..self.now });
-            let course = Course::straight(chi, last.duration(), (last.start.1, force));
-            self.strip *= self.share_of_strip(&course, surplus, force);
+            self.now = Stage { time: end, radius, surplus, ..self.now };
         }
         run.len()
     }
@@ -204,9 +206,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.impulse.add(skipped.impulse());
         let force = skipped.end.1;
         let radius = self.radius_under(time, force);
-        self.set_strip(false);
+        self.leave_strip();
         self.transition.advance(chi * skipped.duration(), self.quarter_m(), Increment::zero(), radius);
-        self.arrive(self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius));
+        self.now = self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
     }
 
@@ -233,48 +235,29 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
-        let is_left_out = surplus != exact_surplus && is_covered;
-        if is_left_out {
-            self.keep_strip();
-        } else {
-            // Integrals over the radius begin and end at rounded ones.
-            self.set_strip(false);
-        }
+        let is_left_out = surplus != exact_surplus;
         let low = self.transition.reach.max(self.now.radius);
-        let kept = is_left_out.then(|| kept_of(forces, folds));
-        let share_of_strip = self.share_of_strip(&course, surplus, forces.1);
-        let mut increment = Stretch { contact, course, low, high, surplus }.increment();
-        if let Some(kept) = kept {
-            increment.carry(kept / contact.load_per_integral(), (low, high));
+        let stretch = Stretch { contact, course, low, high, surplus, is_whole: is_covered };
+        let is_over_time = stretch.is_over_time();
+        if is_covered && (is_over_time || is_left_out) {
+            self.add_strip();
+        } else if is_covered {
+            self.leave_strip();
+        }
+        let mut increment = stretch.increment();
+        if is_covered && is_left_out && !is_over_time {
+            increment.carry(kept_of(forces, folds) / contact.load_per_integral(), (low, high));
         }
         self.transition.advance(folds, self.quarter_m(), increment, low);
-        self.arrive(Stage { radius: high, surplus, ..self.now });
-        self.strip *= share_of_strip;
-    }
-
-    /// What is left of a strip at the end of a course, at which there is some force.
-    ///
-    /// Where Y′ vanishes there, a surplus is √(2 surplus/F) e-foldings old, and the strip 2/3 of that on average; where it
-    /// does not, the surplus is no more than rounding.
-    fn share_of_strip(&self, course: &Course<'_, T>, surplus: T, force: T) -> T {
-        let negligible = T::default_epsilon().sqrt() * T::constant(1.0 / 256.0);
-        if surplus.abs() <= force * negligible {
-            return T::one();
-        }
-        let chi = self.contact.medium().chi();
-        T::one() - chi * course.age(chi, surplus) * T::constant(2.0 / 3.0)
+        self.now = Stage { radius: high, surplus, ..self.now };
+        // Of a surplus that is left out there is none.
+        self.has_strip = is_over_time;
     }
 
     /// Lets time pass in which nothing is covered.
     fn fade(&mut self, folds: T) {
-        self.set_strip(true);
+        self.add_strip();
         self.transition.advance(folds, self.quarter_m(), Increment::zero(), self.now.radius);
-    }
-
-    /// Goes on to a stage, at which the strip is new.
-    fn arrive(&mut self, stage: Stage<T>) {
-        self.strip = stage.strip(self.contact.integral_per_load());
-        self.now = stage;
     }
 
     /// The surplus at a later radius, up to which the hereditary load gains `gain`.
@@ -284,25 +267,26 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.surplus + (gain - contact.load_per_integral() * growth)
     }
 
-    /// Adds what is left of what lies between the rounded radius and the exact one, or takes away what an integral from the
-    /// rounded one on will have there: as much as if it were new.
-    fn set_strip(&mut self, wanted: bool) {
-        if wanted == self.has_strip {
-            return;
+    /// Adds what lies between the rounded radius and the exact one.
+    fn add_strip(&mut self) {
+        if !self.has_strip {
+            self.add_at_edge(self.now.strip(self.contact.integral_per_load()));
+            self.has_strip = true;
         }
-        if !wanted {
-            self.strip = self.now.strip(self.contact.integral_per_load());
-        }
-        let (radius, reach) = (self.now.radius, self.transition.reach);
-        let increment = Increment::at(radius, if wanted { self.strip } else { -self.strip }, reach);
-        self.transition.add(self.quarter_m(), increment, reach);
-        self.has_strip = wanted;
     }
 
-    /// Counts the strip with what is covered: the surplus that it is of is left out from now on.
-    fn keep_strip(&mut self) {
-        self.set_strip(true);
-        (self.has_strip, self.strip) = (false, T::zero());
+    /// Takes away what an integral over the radius, which begins at the rounded one, will have between that and the exact
+    /// one.
+    fn leave_strip(&mut self) {
+        if self.has_strip {
+            self.add_at_edge(-self.now.strip(self.contact.integral_per_load()));
+            self.has_strip = false;
+        }
+    }
+
+    fn add_at_edge(&mut self, weight: T) {
+        let reach = self.transition.reach;
+        self.transition.add(self.quarter_m(), Increment::at(self.now.radius, weight, reach), reach);
     }
 
     /// Lays what a stretch gains at its last radius, which is the first one but for some roundings.
@@ -312,7 +296,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// the course; with one radius for all of it the pressure is off by the share by which the radius grew. All of it
     /// includes the strip, which is as old as the rest.
     fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T), gain: T) {
-        self.set_strip(true);
+        self.add_strip();
         let kept = Stage { radius: high, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
         let increment = Increment::at(high, kept.strip(self.contact.integral_per_load()), low);
