@@ -85,7 +85,7 @@ fn pressure_carries_loads_that_have_fallen_for_long() {
         let load = Fall { force: 100.0, rate: share * CHI };
         errors_under("exponential", &load, &[0.7, 2.5, 10.0, 30.0, 41.0])
     };
-    [1.0, 0.9, 0.5].map(|share| errors(share).check());
+    [1.0, 0.9, 0.5].into_iter().for_each(|share| errors(share).check());
     errors(0.999).check_worst();
     // As steep at every knot as it may be: F₁ = F₀/(1 + χ Δt).
     let falls: Vec<(f64, f64)> = (0..=14).map(|k| (3.0 * f64::from(k) / CHI, 4f64.powi(10 - k))).collect();
