@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::evaluate::binary::{scale, split};
 use crate::medium::MediumError;
-use crate::scalar::is_size;
+use crate::scalar::{is_single, is_size};
 
 /// One biphasic layer on its bone.
 ///
@@ -108,6 +108,13 @@ impl<T: Scalar> Layer<T> {
 ///
 /// Zeros and what is no number are no powers of two times a fraction, and leave the range nowhere.
 fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N], divisors: [T; M]) -> T {
+    // Of five numbers between 1/most and most all products are in range.
+    let most = T::constant(if is_single::<T>() { 3e7 } else { 1e60 });
+    let least = most.recip();
+    if factors.iter().chain(&divisors).all(|&x| least <= x && x <= most) {
+        let product = factors.into_iter().fold(T::one(), |product, factor| product * factor);
+        return divisors.into_iter().fold(product, |quotient, divisor| quotient / divisor);
+    }
     let parts = |x: T| if x > T::zero() && x.is_finite() { split(x) } else { (x, 0) };
     let (mut fraction, mut exponent) = (T::one(), 0);
     for (factor, octaves) in factors.map(parts) {
