@@ -152,7 +152,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_run(&mut self, pieces: &[Piece<T>]) -> usize {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // One piece alone costs less over the radius.
-        if pieces.len() < 2 || self.transition.reach > self.now.radius {
+        if pieces.len() < 2 || !self.is_covered() {
             return 0;
         }
         let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
@@ -228,7 +228,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn cover(&mut self, high: T, course: Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let folds = course.folds(chi);
-        let (depth, is_covered) = (high - self.now.radius, self.transition.reach <= self.now.radius);
+        let (depth, is_covered) = (high - self.now.radius, self.is_covered());
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
             self.cover_at_once(high, folds, forces, gain);
             return;
@@ -254,9 +254,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.has_strip = is_over_time;
     }
 
+    /// Whether the contact has reached the radii that the transition is for.
+    fn is_covered(&self) -> bool {
+        self.transition.reach <= self.now.radius
+    }
+
     /// Lets time pass in which nothing is covered.
     fn fade(&mut self, folds: T) {
-        self.add_strip();
+        if self.is_covered() {
+            self.add_strip();
+        }
         self.transition.advance(folds, self.quarter_m(), Increment::zero(), self.now.radius);
     }
 
