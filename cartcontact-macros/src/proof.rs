@@ -78,10 +78,7 @@ fn of_fields(gap: &Gap) -> Proof {
 
 fn too_large(end: &mut End) -> String {
     let (shown, largest) = end.decimals();
-    let remedy = largest.map_or_else(
-        || "use a smaller unit of length".to_owned(),
-        |largest| format!("write at most `{largest}`"),
-    );
+    let remedy = remedy(largest, "write at most `");
     format!(
         "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc; {remedy}"
     )
@@ -89,14 +86,19 @@ fn too_large(end: &mut End) -> String {
 
 fn unlimited(end: &mut End) -> String {
     let (shown, largest) = end.decimals();
-    let remedy = largest.map_or_else(
-        || "; use a smaller unit of length".to_owned(),
-        |largest| format!("; add `max_radius = {largest}`"),
-    );
+    let remedy = remedy(largest, "add `max_radius = ");
     format!(
         "the gap no longer exceeds its mean over the contact disc from r = {shown} on: beyond it the contact radius is \
-         not determined{remedy}"
+         not determined; {remedy}"
     )
+}
+
+/// What to do about an end below which `largest` is, where an `f64` is.
+fn remedy(largest: Option<String>, way: &str) -> String {
+    match largest {
+        Some(largest) => format!("{way}{largest}`"),
+        None => "use a smaller unit of length".to_owned(),
+    }
 }
 
 /// n and C n/(n+2) of each term; nothing if a coefficient is no number.

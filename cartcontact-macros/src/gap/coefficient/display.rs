@@ -69,19 +69,10 @@ fn raised(atom: &Atom, exponent: &Rational) -> String {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use quote::format_ident;
 
     use super::*;
-    use crate::number::fraction;
-
-    fn power(of: &Coefficient, numerator: i64, denominator: i64) -> Coefficient {
-        of.power(&fraction(numerator, denominator)).unwrap()
-    }
-
-    fn number(numerator: i64, denominator: i64) -> Coefficient {
-        Coefficient::constant(fraction(numerator, denominator))
-    }
+    use crate::gap::coefficient::samples::{number, power};
 
     #[test]
     fn people_read_fractions() {

@@ -8,6 +8,8 @@
 //! `b*b - a*a` loses digits where `a` and `b` are close, as the radii of congruent joint surfaces are.
 
 mod display;
+#[cfg(test)]
+pub(crate) mod samples;
 mod sign;
 
 use num_bigint::BigInt;
