@@ -130,29 +130,17 @@ fn is_instant<T: Scalar>(folds: T) -> bool {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
-    /// Whether what the stretch adds is integrated over time, up to the exact radius at its end.
+    /// What the stretch adds to the pressure, and whether it is integrated over time, up to the exact radius at its end.
     ///
     /// A falling load can make τ(s) steep like a square root, and so can one that is not straight, where the edge nearly
     /// stands still; all others are integrated over the radius, which needs no inversion of J.
-    pub(super) fn is_over_time(&self) -> bool {
-        match self.course {
-            Course::Linear { load_rate, .. } => load_rate < T::zero(),
-            Course::Smooth(_) => self.begins_covered(),
-            Course::Step => false,
-        }
-    }
-
-    /// What the stretch adds to the pressure.
-    pub(super) fn increment(&self) -> Increment<T> {
+    pub(super) fn increment(&self) -> (Increment<T>, bool) {
         // Rounding can put the radii in the wrong order.
         if self.low >= self.high {
-            return Increment::zero();
+            return (Increment::zero(), false);
         }
-        if !self.is_over_time() {
-            return radius_form::increment(self);
-        }
-        match self.course {
-            Course::Linear { rate, load_rate, .. } => {
+        let over_time = match self.course {
+            Course::Linear { rate, load_rate, .. } if load_rate < T::zero() => {
                 let chi = self.contact.medium().chi();
                 let (rate, rise) = (rate / chi, -load_rate / chi);
                 let half = T::constant(0.5);
@@ -163,11 +151,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                     |x| (x * (rate + half * rise * x), rate + rise * x),
                 )
             }
-            Course::Smooth(force) => {
+            Course::Smooth(force) if self.begins_covered() => {
                 time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
-            Course::Step => Increment::zero(),
-        }
+            _ => return (radius_form::increment(self), false),
+        };
+        (over_time, true)
     }
 
     /// Whether the hereditary load is well above zero throughout.

@@ -238,13 +238,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let is_left_out = surplus != exact_surplus;
         let low = self.transition.reach.max(self.now.radius);
         let stretch = Stretch { contact, course, low, high, surplus, is_whole: is_covered };
-        let is_over_time = stretch.is_over_time();
+        let (mut increment, is_over_time) = stretch.increment();
         if is_covered && (is_over_time || is_left_out) {
             self.add_strip();
         } else if is_covered {
             self.leave_strip();
         }
-        let mut increment = stretch.increment();
         if is_covered && is_left_out && !is_over_time {
             increment.carry(kept_of(forces, folds) / contact.load_per_integral(), (low, high));
         }

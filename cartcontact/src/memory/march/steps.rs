@@ -123,9 +123,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
         let chi = self.contact.medium().chi();
         let (first, last) = self.forces_until(end);
-        let gained = self.take_impulse(force, end);
+        let (gained, of_series) = self.take_impulse(force, end);
         let radius = self.radius_under(end, last);
-        let gain = force.gain() + chi * (gained - force.impulse().0);
+        let gain = force.gain() + chi * (gained - of_series);
         self.cover(radius, Course::smooth(force), (first, last), gain);
         self.now.time = end;
         self.jump(last, self.force_now());
@@ -135,7 +135,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_through_jump(&mut self, force: &ForceSeries<T>, end: T) {
         let chi = self.contact.medium().chi();
         let (first, last) = self.forces_until(end);
-        let gained = self.take_impulse(force, end);
+        let (gained, _) = self.take_impulse(force, end);
         let radius = self.radius_under(end, last);
         self.fade(chi * (end - self.now.time));
         self.cover(radius, Course::Step, (first, last), (last - first) + chi * gained);
@@ -149,8 +149,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         (load.force(self.now.time), load.force_before(end))
     }
 
-    /// Adds what the impulse gains in a step until its end, and returns it.
-    fn take_impulse(&mut self, force: &ForceSeries<T>, end: T) -> T {
+    /// Adds what the impulse gains in a step until its end, and returns it with what the series makes of it.
+    fn take_impulse(&mut self, force: &ForceSeries<T>, end: T) -> (T, T) {
         let load = self.contact.load();
         let impulse = load.impulse(end);
         // Where the series is rough, the difference of two impulses may be the better one.
@@ -158,6 +158,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let is_better = uncertainty <= impulse * T::default_epsilon();
         let gained = if is_better { of_series } else { impulse - load.impulse(self.now.time) };
         self.now.impulse.add(gained);
-        gained
+        (gained, of_series)
     }
 }
