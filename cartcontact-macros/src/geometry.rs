@@ -39,9 +39,10 @@ pub(crate) fn geometry(
     let is_whole = complete && !attribute.lacks_option;
     let Some((range, options)) = range.zip(options).filter(|_| is_whole) else {
         // What could be evaluated may have faults of its own.
-        match complete {
-            true => drop(Gap::terms(shape.powers, diagnostics)),
-            false => Gap::check_rest(shape.powers, diagnostics),
+        if complete {
+            drop(Gap::terms(shape.powers, diagnostics));
+        } else {
+            Gap::check_rest(shape.powers, diagnostics);
         }
         return None;
     };

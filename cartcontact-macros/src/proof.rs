@@ -70,9 +70,10 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, (Extent, St
 /// What is known although the coefficients depend on fields.
 fn of_fields(gap: &Gap) -> Proof {
     let positive = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotNegative);
-    match gap.terms.iter().all(positive) {
-        true => Proof::AllRadii { by: "no coefficient can be negative, whatever values the fields may have" },
-        false => Proof::AtRunTime,
+    if gap.terms.iter().all(positive) {
+        Proof::AllRadii { by: "no coefficient can be negative, whatever values the fields may have" }
+    } else {
+        Proof::AtRunTime
     }
 }
 

@@ -94,9 +94,10 @@ fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
 /// seem to go on.
 fn factor(coefficient: &str, power: &str) -> String {
     let is_sum = coefficient.contains(" + ") || coefficient.contains(" - ");
-    match is_sum || (coefficient.contains('/') && !power.is_empty()) {
-        true => format!("({coefficient})"),
-        false => coefficient.to_owned(),
+    if is_sum || (coefficient.contains('/') && !power.is_empty()) {
+        format!("({coefficient})")
+    } else {
+        coefficient.to_owned()
     }
 }
 
@@ -179,9 +180,10 @@ fn admissibility(item: &Item, geometry: &Geometry) -> String {
 /// Why a gap is admissible; what is declared of its fields is a part of it, as `check` refuses other values.
 fn reason(item: &Item, geometry: &Geometry, by: &'static str) -> &'static str {
     let is_declared = item.fields.iter().any(|field| field.used && field.is_positive);
-    match is_declared && !geometry.gap.is_constant() {
-        true => "no coefficient can be negative with the fields declared positive",
-        false => by,
+    if is_declared && !geometry.gap.is_constant() {
+        "no coefficient can be negative with the fields declared positive"
+    } else {
+        by
     }
 }
 
@@ -223,13 +225,15 @@ fn effort(operations: &[Operations], shared: Operations) -> String {
     let names =
         ["gap", "approach", "slope of the approach", "load integral", "log kernel", "pressure kernel"];
     let lines = names.iter().zip(operations).map(|(name, count)| format!("{name:21} {count}\n"));
-    let beside = match shared == Operations::default() {
-        true => String::new(),
-        false => format!("coefficients          {shared}, in addition\n"),
+    let beside = if shared == Operations::default() {
+        String::new()
+    } else {
+        format!("coefficients          {shared}, in addition\n")
     };
-    let legend = match operations.iter().any(|count| count.is_double) {
-        true => "Double words round a result only once; a × of them takes 24 plain operations, a + 11.\n\n",
-        false => "",
+    let legend = if operations.iter().any(|count| count.is_double) {
+        "Double words round a result only once; a × of them takes 24 plain operations, a + 11.\n\n"
+    } else {
+        ""
     };
     format!("Operations of a call:\n\n{legend}```text\n{}{beside}```", lines.collect::<String>())
 }

@@ -20,13 +20,11 @@ pub(super) fn block(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    match geometry.gap.is_constant() {
-        true => implementation(item, &item.generics, &constants(geometry)),
-        false => {
-            let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
-            of_fields(item, names, geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
-        }
+    if geometry.gap.is_constant() {
+        return implementation(item, &item.generics, &constants(geometry));
     }
+    let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
+    of_fields(item, names, geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
 }
 
 /// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors: of a gap
@@ -93,9 +91,10 @@ fn constants(geometry: &Geometry) -> TokenStream {
 /// The method `terms`, over the scalar type of the fields, or over any if they have none.
 fn of_fields(item: &Item, names: &Names, count: usize, body: &TokenStream) -> TokenStream {
     let Names { krate, scalar } = names;
-    let (generics, parameter) = match item.generics.has_type(scalar) {
-        true => (bounded_generics(item, names), None),
-        false => (item.generics.clone(), Some(quote!(<#scalar: #krate::Scalar>))),
+    let (generics, parameter) = if item.generics.has_type(scalar) {
+        (bounded_generics(item, names), None)
+    } else {
+        (item.generics.clone(), Some(quote!(<#scalar: #krate::Scalar>)))
     };
     let terms = quote! {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.

@@ -93,10 +93,13 @@ impl<'a> Source<'a> {
     /// The nearest one that has so many digits; if there is none but the whole, the polynomial over its interval.
     fn having(&self, digits: u64) -> Self {
         match &self.near {
-            Some(near) if self.digits() < digits => match near.wider.is_whole() {
-                true => self.with_digits(digits),
-                false => near.wider.having(digits),
-            },
+            Some(near) if self.digits() < digits => {
+                if near.wider.is_whole() {
+                    self.with_digits(digits)
+                } else {
+                    near.wider.having(digits)
+                }
+            }
             _ => self.clone(),
         }
     }

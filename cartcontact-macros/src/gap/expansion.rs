@@ -85,10 +85,7 @@ fn read_order(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Or
 fn read_tolerance(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Rational, Extent)> {
     let tolerance = evaluator.number(written, TOLERANCE)?;
     let is_fraction = tolerance.is_positive() && tolerance < Rational::one() && nearest(&tolerance).is_some();
-    match is_fraction {
-        true => Some((tolerance, written.extent)),
-        false => evaluator.fault(written.extent, TOLERANCE),
-    }
+    if is_fraction { Some((tolerance, written.extent)) } else { evaluator.fault(written.extent, TOLERANCE) }
 }
 
 const ORDER: &str = "order must be an even number, as in `order = 4`, or `auto`";
@@ -114,16 +111,17 @@ pub(crate) fn expand(
     let order = wanted.order(order, *place, options.tolerance.as_ref())?;
     let too_hard = |message: &'static str| (*place, message.to_owned());
     let error = match (wanted.neglected(order)?, limit) {
-        (Ok(neglected), Some(limit)) => match neglected.bound(order).map_err(too_hard)? {
+        (Bounded::By(neglected), Some(limit)) => match neglected.bound(order).map_err(too_hard)? {
             None => return Err((limit, OVERWHELMED.to_owned())),
             bound => bound,
         },
         _ => None,
     };
     // What is bounded has been compared with the range.
-    let unchecked = match error.is_none() && limit.is_some() {
-        true => shape.surfaces.iter().filter(|surface| !surface.shape.is_zero()).cloned().collect(),
-        false => Vec::new(),
+    let unchecked = if error.is_none() && limit.is_some() {
+        shape.surfaces.iter().filter(|surface| !surface.shape.is_zero()).cloned().collect()
+    } else {
+        Vec::new()
     };
     Ok((expanded(shape, order)?, Some(Truncation { order, error, unchecked })))
 }
@@ -152,6 +150,12 @@ fn without_surfaces(
     Err((place, message))
 }
 
+/// What is neglected has a bound, or a reason why none is known when the program is compiled.
+enum Bounded {
+    By(Neglected),
+    Not(&'static str),
+}
+
 /// Surfaces and the range on which they are wanted; `limit` is where its end was written.
 struct Wanted<'a> {
     shape: &'a Shape,
@@ -168,8 +172,10 @@ impl Wanted<'_> {
         tolerance: Option<&(Rational, Extent)>,
     ) -> Result<u32, Fault> {
         let too_hard = |message: &'static str| (place, message.to_owned());
-        let neglected =
-            |highest, extent: Extent| self.neglected(highest)?.map_err(|reason| (extent, reason.to_owned()));
+        let neglected = |highest, extent: Extent| match self.neglected(highest)? {
+            Bounded::By(neglected) => Ok(neglected),
+            Bounded::Not(reason) => Err((extent, reason.to_owned())),
+        };
         match (order, tolerance) {
             (Order::Fixed(order), None) => Ok(*order),
             (Order::Smallest, None) => {
@@ -192,19 +198,19 @@ impl Wanted<'_> {
         }
     }
 
-    /// What orders up to the highest neglect, or why that cannot be bounded when the program is compiled.
-    fn neglected(&self, highest: u32) -> Result<Result<Neglected, &'static str>, Fault> {
+    /// What orders up to the highest neglect.
+    fn neglected(&self, highest: u32) -> Result<Bounded, Fault> {
         let (radius, limit) = match (self.range, self.limit) {
             (Range::Limited(radius), Some(limit)) => (radius, limit),
-            (Range::Symbolic(_), _) => return Ok(Err(RANGE_OF_FIELDS)),
-            _ => return Ok(Err(NO_RANGE)),
+            (Range::Symbolic(_), _) => return Ok(Bounded::Not(RANGE_OF_FIELDS)),
+            _ => return Ok(Bounded::Not(NO_RANGE)),
         };
         if self.shape.powers.terms().iter().any(|(exponent, _)| !is_of_a_gap(exponent)) {
-            return Ok(Err(NOT_A_GAP));
+            return Ok(Bounded::Not(NOT_A_GAP));
         }
         match Neglected::new(self.shape, radius, highest) {
-            None => Ok(Err(GAP_OF_FIELDS)),
-            Some(Ok(neglected)) => Ok(Ok(neglected)),
+            None => Ok(Bounded::Not(GAP_OF_FIELDS)),
+            Some(Ok(neglected)) => Ok(Bounded::By(neglected)),
             Some(Err(BeyondRim(rim))) => Err((limit, beyond_rim(rim))),
         }
     }

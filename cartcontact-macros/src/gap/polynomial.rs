@@ -114,9 +114,10 @@ impl Polynomial {
         for (exponent, monomial) in self.terms() {
             for (other_exponent, other_monomial) in other.terms() {
                 let coefficient = monomial.coefficient.multiply(&other_monomial.coefficient);
-                let extent = match is_single {
-                    true => monomial.extent,
-                    false => Extent::between(monomial.extent, other_monomial.extent),
+                let extent = if is_single {
+                    monomial.extent
+                } else {
+                    Extent::between(monomial.extent, other_monomial.extent)
                 };
                 let monomial = Monomial { coefficient, extent };
                 product.accumulate(exponent + other_exponent, monomial);

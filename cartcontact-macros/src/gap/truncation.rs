@@ -150,10 +150,7 @@ impl Neglected {
         }
         while within - too_low > 2 {
             let middle = (too_low + within) / 4 * 2;
-            match self.is_within(tolerance, middle)? {
-                true => within = middle,
-                false => too_low = middle,
-            }
+            if self.is_within(tolerance, middle)? { within = middle } else { too_low = middle }
         }
         Ok(Some(within))
     }
@@ -224,10 +221,7 @@ impl Series {
         }
         let terms = surface.series(count(highest_order) as u32).ok()?;
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
-        let rest = match shape.is_negative() {
-            true => Rational::one(),
-            false => (Rational::one() - ratio).recip(),
-        };
+        let rest = if shape.is_negative() { Rational::one() } else { (Rational::one() - ratio).recip() };
         Some(Ok(Series { terms, rest }))
     }
 }

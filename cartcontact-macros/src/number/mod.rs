@@ -130,9 +130,10 @@ pub(crate) fn decimal(value: &Rational) -> String {
     let (numerator, denominator) = (value.numer(), value.denom());
     let is_short = numerator.bits() + denominator.bits() < 40;
     let is_binary = || denominator.magnitude().count_ones() == 1;
-    match is_short && !is_binary() && !is_written(value, shortest) {
-        true => format!("{numerator}/{denominator}"),
-        false => plain(shortest),
+    if is_short && !is_binary() && !is_written(value, shortest) {
+        format!("{numerator}/{denominator}")
+    } else {
+        plain(shortest)
     }
 }
 

@@ -89,9 +89,10 @@ impl Rational {
     /// The inverse of a number that is not zero.
     pub(crate) fn recip(&self) -> Self {
         let [numerator, denominator] = [&self.denominator, &self.numerator];
-        match self.is_negative() {
-            true => Rational { numerator: -numerator, denominator: -denominator },
-            false => Rational { numerator: numerator.clone(), denominator: denominator.clone() },
+        if self.is_negative() {
+            Rational { numerator: -numerator, denominator: -denominator }
+        } else {
+            Rational { numerator: numerator.clone(), denominator: denominator.clone() }
         }
     }
 
@@ -166,9 +167,12 @@ impl One for Rational {
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
         let signs = self.numerator.sign().cmp(&other.numerator.sign());
-        signs.then_with(|| match self.denominator == other.denominator {
-            true => self.numerator.cmp(&other.numerator),
-            false => (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator)),
+        signs.then_with(|| {
+            if self.denominator == other.denominator {
+                self.numerator.cmp(&other.numerator)
+            } else {
+                (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+            }
         })
     }
 }
@@ -181,9 +185,10 @@ impl PartialOrd for Rational {
 
 impl Display for Rational {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> Written {
-        match self.is_integer() {
-            true => self.numerator.fmt(formatter),
-            false => write!(formatter, "{}/{}", self.numerator, self.denominator),
+        if self.is_integer() {
+            self.numerator.fmt(formatter)
+        } else {
+            write!(formatter, "{}/{}", self.numerator, self.denominator)
         }
     }
 }

@@ -89,13 +89,12 @@ impl Parser<'_> {
     }
 
     pub(super) fn case(&mut self, word: &Ident) -> Expression {
-        let message = match word == "let" {
-            true => {
-                "a gap is one expression, without `let`; write the number in place of its name".to_owned()
-            }
-            false => format!(
+        let message = if word == "let" {
+            "a gap is one expression, without `let`; write the number in place of its name".to_owned()
+        } else {
+            format!(
                 "a gap is one expression for all radii, without cases such as `{word}`; use a sum of powers"
-            ),
+            )
         };
         self.diagnostics.report(word.span(), message);
         self.rest = &[];

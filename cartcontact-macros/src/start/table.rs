@@ -25,8 +25,8 @@ const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
 const OCTAVES_ABOVE: f64 = 4.0;
 /// A gap over its radius that is hardly one.
 const FLATTEST: f64 = 1.0 / 1024.0;
-/// While the logarithms of all that a step computes are below the bound, none of it leaves the format, also where factors of
-/// exponents are beside it; and products with what J is off by at the seed keep as many digits as that has.
+/// The largest |log₂| of all that a step computes, without factors of exponents, for which none of it leaves the format and
+/// products with what J is off by at the seed keep as many digits as that has.
 pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
 pub(crate) const LARGEST_SINGLE: f64 = 100.0;
 

@@ -36,9 +36,10 @@ impl Display for Product {
             below.into_iter().map(|(atom, exponent)| raised(atom, &exponent.abs())).collect();
         let number = self.number.abs();
         let short = number.numer().bits() <= 20 && number.denom().bits() <= 10;
-        let (above, below) = match short && !self.powers.is_empty() {
-            true => (number.numer().to_string(), number.denom().to_string()),
-            false => (number::decimal(&number), "1".to_owned()),
+        let (above, below) = if short && !self.powers.is_empty() {
+            (number.numer().to_string(), number.denom().to_string())
+        } else {
+            (number::decimal(&number), "1".to_owned())
         };
         if above != "1" || numerator.is_empty() {
             numerator.insert(0, above);

@@ -227,9 +227,10 @@ impl Product {
 
     fn limited(self) -> Result<Product, &'static str> {
         let limit = number::integer(MAXIMUM_POWER);
-        match self.powers.iter().all(|(_, exponent)| exponent.abs() <= limit) {
-            true => Ok(self),
-            false => Err("a field may be raised to powers up to 1024; write a lower one"),
+        if self.powers.iter().all(|(_, exponent)| exponent.abs() <= limit) {
+            Ok(self)
+        } else {
+            Err("a field may be raised to powers up to 1024; write a lower one")
         }
     }
 
