@@ -8,8 +8,8 @@ mod scenes;
 
 use std::hint::black_box;
 
-use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, GapProfile, Medium, Scalar};
+use cartcontact::load::Load;
+use cartcontact::{Contact, GapProfile, Scalar};
 use gungraun::prelude::*;
 use scenes::{
     Ball, Blunt, BluntBall, FlatBall, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS,
@@ -126,29 +126,12 @@ fn pressure_kernel<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, a| profile.pressure_kernel(a, 3.0))
 }
 
-type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
-
-/// A load that rises in 100 uneven steps.
-///
-/// # Panics
-///
-/// If it has no solution: counting the instructions of an error would be of no use.
-#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-fn measured() -> Contact<f64, Patellofemoral, Knots> {
-    let knots = (0..100).map(|k| (2.0 * f64::from(k), LOAD * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
-    let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
-    let load = PiecewiseLinear::new(knots).expect("a valid load");
-    let contact = Contact::new(Patellofemoral, medium, load).expect("a valid contact");
-    contact.at(400.0).expect("a contact that never shrinks");
-    contact
-}
-
 #[library_benchmark]
 #[bench::constant_load(contact(Patellofemoral))]
 #[bench::fractional_powers(contact(Blunt))]
 #[bench::a_field(contact(Ball { radius: 20.0 }))]
 #[bench::polynomial(contact(run_time()))]
-#[bench::hundred_knots(measured())]
+#[bench::hundred_knots(scenes::hundred_knots(RATE))]
 fn cold_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
     contact.at(black_box(200.0)).map_or(0.0, |now| now.pressure(black_box(3.0)))
 }
@@ -168,7 +151,7 @@ fn empty<L>(contact: Contact<f64, Patellofemoral, L>) -> Field<L> {
 
 #[library_benchmark(setup = empty)]
 #[bench::constant_load(contact(Patellofemoral))]
-#[bench::hundred_knots(measured())]
+#[bench::hundred_knots(scenes::hundred_knots(RATE))]
 fn field<L: Load<f64>>(mut field: Field<L>) -> Field<L> {
     // The shape is right and the times are in range.
     let _ = field.contact.pressure_field(&field.times, &field.radii, &mut field.values);

@@ -5,7 +5,7 @@ pub(crate) mod by_hand;
 
 use std::hint::black_box;
 
-use cartcontact::load::Load;
+use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
 use gauss_quad::GaussLegendre;
 use roots::{SimpleConvergency, find_root_newton_raphson};
@@ -85,6 +85,22 @@ pub(crate) fn run_time() -> RunTime {
 pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
     let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
     Contact::new(profile, medium, load::Constant(LOAD)).expect("a valid contact")
+}
+
+/// The paper's joint under a load that rises through 100 knots, every second piece of it level.
+pub(crate) type HundredKnots = Contact<f64, Patellofemoral, PiecewiseLinear<f64, Vec<(f64, f64)>>>;
+
+/// The [`HundredKnots`] in a medium with a rate of the memory.
+///
+/// # Panics
+///
+/// Never with rates of up to 2: the other numbers are valid, too.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
+    let knots = (0..100).map(|k| (2.0 * f64::from(k), LOAD * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
+    let medium = Medium::from_constants(STIFFNESS, rate).expect("a valid medium");
+    Contact::new(Patellofemoral, medium, PiecewiseLinear::new(knots).expect("a valid load"))
+        .expect("a valid contact")
 }
 
 /// One pressure, cold: nothing is kept from an earlier call.
