@@ -7,8 +7,8 @@
 //! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
 //! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here.
 //!
-//! What is `seen` is the worst error in all tests that draw the same numbers in every run. Tests fail if it is exceeded
-//! noticeably, so that it has to be kept; and where it was seen, also if it is no longer reached.
+//! What is `seen` is the worst error in all tests that draw the same numbers in every run. Every test fails above 1.25 times
+//! that; the test in which it was seen also fails below 0.75 times that, so that the table tells what is so.
 
 /// What is allowed for one quantity.
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +133,7 @@ pub const BALANCE: Allowance = allow_as_seen(
     [Some(4.0), None],
     "some hundred pressures near the edge, where their own errors are largest, and the quadrature of the test",
 );
-/// 2π ∫ P r dr against F under a load of a user's own: 1e-14.
+/// 2π ∫ P r dr against F under a user-defined load: 1e-14.
 pub const BALANCE_OF_OTHER_LOADS: Allowance = allow_as_seen(
     "force balance of other loads",
     [45.0, f64::NAN],

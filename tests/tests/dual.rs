@@ -14,7 +14,7 @@ struct Ball<T> {
     radius: T,
 }
 
-/// A ball with a plain radius, used with any scalar.
+/// A geometry of constants, of which one power is not whole, used with any scalar.
 #[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
 struct Plain;
 

@@ -1,4 +1,4 @@
-//! A load of a user's own whose impulse is not that of its force is refused, and no other is; what cannot be told apart
+//! A user-defined load whose impulse is not that of its force is refused, and no other is; what cannot be told apart
 //! takes no long time.
 
 use core::cell::Cell;
@@ -247,7 +247,7 @@ fn no_impulse_that_is_meant_well_is_refused() {
         let (name, load) = honest(&mut stream, chi, t);
         let found = contact(chi, inexact(&mut stream, load, t)).at(t).err();
         // A decay may leave the format.
-        let is_good = matches!(found, None | Some(ContactError::OutOfRange { .. }));
+        let is_good = matches!(found, None | Some(ContactError::Unrepresentable { .. }));
         assert!(is_good, "case {case}, {name}: {found:?}");
     }
 }

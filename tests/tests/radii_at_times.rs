@@ -41,7 +41,7 @@ fn radii_under_every_history() {
     }
 }
 
-/// To search it takes a load of a user's own as long as many radii.
+/// To search it takes a user-defined load as long as many radii.
 #[test]
 fn a_history_is_searched_once_for_all_times() {
     for (name, load) in histories(CHI) {

@@ -1,4 +1,4 @@
-//! A load of a user's own that falls faster than the contact can follow is noticed, and no other is refused.
+//! A user-defined load that falls faster than the contact can follow is noticed, and no other is refused.
 
 use core::f64::consts::PI;
 

@@ -48,7 +48,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     Ok(())
 }
 
-/// A load of a user's own that is not one.
+/// A user-defined load that is not one.
 struct Wrong {
     force: f64,
     impulse: f64,
