@@ -296,7 +296,7 @@ const _: () = {
             } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::elsewhere(move || {
+                    __cartcontact::generated::out_of_line(move || {
                         __cartcontact::generated::invert(
                             __load_integral,
                             __limit,
@@ -382,7 +382,7 @@ const _: () = {
             } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::elsewhere(move || {
+                    __cartcontact::generated::out_of_line(move || {
                         __cartcontact::GapProfile::radius_within(
                             self,
                             __load_integral,

@@ -181,7 +181,7 @@ const _: () = {
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::elsewhere(move || {
+                    __cartcontact::generated::out_of_line(move || {
                         __cartcontact::generated::invert_one_term(
                             __load_integral,
                             (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
@@ -214,7 +214,7 @@ const _: () = {
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::elsewhere(move || {
+                    __cartcontact::generated::out_of_line(move || {
                         __cartcontact::GapProfile::radius_within(
                             self,
                             __load_integral,

@@ -241,7 +241,7 @@ const _: () = {
             } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::elsewhere(move || {
+                    __cartcontact::generated::out_of_line(move || {
                         __cartcontact::generated::invert(
                             __load_integral,
                             __limit,

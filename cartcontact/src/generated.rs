@@ -22,10 +22,10 @@ pub use crate::evaluate::steepness::{
 };
 pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
-pub use crate::radius::elsewhere;
 pub use crate::radius::leading_term::radius_of_real_powers;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;
+pub use crate::radius::out_of_line;
 pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
 pub use crate::radius::table::units::{EqualTerms, OwnUnits, Squared};
 pub use crate::radius::table::{Quarters, Rows, Table};

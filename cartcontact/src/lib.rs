@@ -21,7 +21,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # The way of the data
+//! # How the data flows
 //!
 //! A geometry ([`GapProfile`]: an item with [`#[gap_profile]`](macro@gap_profile), or a [`Polynomial`] known at run
 //! time only), a [`Medium`] made of [`Layer`]s and a [`load`] make a [`Contact`]. At a time it gives a [`Snapshot`],
@@ -63,6 +63,9 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("cartcontact needs mathematical functions; enable the feature `std` or `libm`");
 
+// From a geometry (`profile`, `polynomial`, generated code by way of `generated`; `admissibility`: how far it holds), a
+// `medium` of `layer`s and a `load` to a `contact`; from there by `radius` and `memory` to a `snapshot`, a `field` of
+// pressures or its `matrix`. `evaluate`, `quadrature`, `scalar` and `dispatch` (to vectors) know nothing of contacts.
 mod admissibility;
 mod contact;
 mod dispatch;

@@ -14,9 +14,9 @@ use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
 use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
-use crate::radius::elsewhere;
 use crate::radius::leading_term::radius_of_real_powers;
 use crate::radius::newton::{invert, positive_terms};
+use crate::radius::out_of_line;
 use crate::scalar::{floor, is_plain};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
@@ -188,7 +188,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
         );
         match found {
             Some(radius) => Ok(radius),
-            None => elsewhere(|| self.general_radius_within(load_integral, limit)),
+            None => out_of_line(|| self.general_radius_within(load_integral, limit)),
         }
     }
 

@@ -95,10 +95,10 @@ impl Rule {
     /// highest · (highest/first)^((n+1)/(n−2)),    (n+1)/(n−2) ≥ 3/2 for n ≤ 8 and ≥ 1 for all n
     /// ```
     ///
-    /// All are over the size of the function, and count for `share` of what the integral is for.
+    /// All are over the size of the function, and count for the share `remaining` of what the integral is for.
     #[inline(always)]
-    pub(crate) fn resolves<T: Scalar>(&self, first: T, highest: T, share: T) -> bool {
-        let (height, ratio) = (share * highest.abs(), (highest / first).abs());
+    pub(crate) fn resolves<T: Scalar>(&self, first: T, highest: T, remaining: T) -> bool {
+        let (height, ratio) = (remaining * highest.abs(), (highest / first).abs());
         let fall = if self.len() <= 8 { ratio * ratio.sqrt() } else { ratio };
         let epsilon = T::default_epsilon();
         // What is no more than rounding says nothing.
@@ -107,7 +107,7 @@ impl Rule {
 
     /// Whether it [`resolves`](Self::resolves) the function that has `values` at the nodes.
     #[inline(always)]
-    pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], share: T) -> bool {
+    pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], remaining: T) -> bool {
         let (mut first, mut highest) = (T::zero(), T::zero());
         let (pairs, _) = values.as_chunks::<2>();
         for (pair, factors) in pairs.iter().zip(self.coefficients::<T>()) {
@@ -116,7 +116,7 @@ impl Rule {
             highest += factors.1 * difference;
         }
         let size = values.last().map_or(T::zero(), |&value| value);
-        self.resolves(first / size, highest / size, share)
+        self.resolves(first / size, highest / size, remaining)
     }
 
     /// The nodes on [low, high], pair by pair from the middle outwards, with their weights.

@@ -95,23 +95,23 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             return self.undrained_pressure(self.stage(), r);
         }
         let start = self.start_of_memory();
-        let (change, _) = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
+        let change = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
         change.apply(self.initial_pressure(start, r), r)
     }
 
-    /// The pressure P(0, t) on the axis, the largest of all, in MPa.
+    /// The pressure P(0, t) on the axis, the largest of all, in MPa, within 8 units in the last place.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }
 
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
-    /// covered from the start; and the stage that they belong to.
-    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) -> Stage<T> {
+    /// covered from the start.
+    pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
         let start = self.start_of_memory();
-        let (from_start, now) = march(self.contact, start, (self.time, self.radius), start.radius);
+        let from_start = march(self.contact, start, (self.time, self.radius), start.radius);
         // A loop without branches; what it gives beyond the start means nothing and is replaced by the next.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
-        let share = if start.time.is_zero() { m } else { T::zero() };
+        let initial_stiffness = if start.time.is_zero() { m } else { T::zero() };
         let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()) * T::constant(0.25));
         let initial = &mut *pressures;
         wide(
@@ -119,7 +119,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             move || {
                 for (pressure, &r) in initial.iter_mut().zip(radii) {
                     let kernel = profile.quick_pressure_kernel(a, r) + strip * ((a - r) * (a + r));
-                    *pressure = from_start.apply(share * kernel, r);
+                    *pressure = from_start.apply(initial_stiffness * kernel, r);
                 }
             },
         );
@@ -127,10 +127,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             if r >= self.radius {
                 *pressure = T::zero();
             } else if r > start.radius {
-                *pressure = march(self.contact, start, (self.time, self.radius), r).0.offset;
+                *pressure = march(self.contact, start, (self.time, self.radius), r).offset;
             }
         }
-        now
     }
 
     /// The pressure at the start of the memory that still counts.
@@ -145,7 +144,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
     }
 
-    pub(crate) fn stage(&self) -> Stage<T> {
+    fn stage(&self) -> Stage<T> {
         self.contact.stage(self.time, self.radius)
     }
 

@@ -87,7 +87,7 @@ impl LoadRecord {
         let since = match error {
             ContactError::Receding { since, .. } => since,
             ContactError::BeyondRange { leaves_at, .. } => leaves_at,
-            ContactError::OutOfRange { time, .. } | ContactError::Radius { time, .. } => time,
+            ContactError::Unrepresentable { time, .. } | ContactError::Radius { time, .. } => time,
             _ => 0.0,
         };
         let row = self.knots.iter().rposition(|&(time, _)| time <= since);

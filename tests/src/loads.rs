@@ -43,7 +43,7 @@ pub fn histories(chi: f64) -> Vec<(&'static str, Knots)> {
     ]
 }
 
-/// A load of a user's own, with the two required methods only: it rises exponentially to its final value.
+/// A user-defined load, with the two required methods only: it rises exponentially to its final value.
 #[derive(Clone, Copy, Debug)]
 pub struct Rise {
     /// The first force.
@@ -64,7 +64,7 @@ impl Load<f64> for Rise {
     }
 }
 
-/// A load of a user's own that falls exponentially.
+/// A user-defined load that falls exponentially.
 #[derive(Clone, Copy, Debug)]
 pub struct Fall {
     /// The first force.
@@ -83,7 +83,7 @@ impl Load<f64> for Fall {
     }
 }
 
-/// A load of a user's own that swings about its mean.
+/// A user-defined load that swings about its mean.
 #[derive(Clone, Copy, Debug)]
 pub struct Swing {
     /// The mean force.

@@ -90,8 +90,8 @@ fn from_start(
     }
 }
 
-/// A radius from a table is as long as what compilers take for too long: left to them, it is now a call, whose result
-/// goes through memory, and now not, which spares up to half of its time.
+/// How a radius is compiled into its callers. One from a table is as long as what compilers hesitate about: left to them, it
+/// is a call with its result in memory in one program and not in the next, which makes up to half of its time.
 fn inlining(gap: &Gap, start: Option<&Start>) -> TokenStream {
     match start {
         Some(Start::Roots(_)) => quote!(#[inline(always)]),
@@ -141,11 +141,11 @@ fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, name
 
 /// The radius that was perhaps found, or by `general`, out of the way.
 fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -> TokenStream {
-    let (elsewhere, a) = (names.generated("elsewhere"), local("a"));
+    let (out_of_line, a) = (names.generated("out_of_line"), local("a"));
     quote! {
         match #found {
             ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
-            ::core::option::Option::None => #elsewhere(move || { #general }),
+            ::core::option::Option::None => #out_of_line(move || { #general }),
         }
     }
 }

@@ -42,9 +42,9 @@ pub enum ContactError {
         /// The time at which the edge begins to recede, in s.
         since: f64,
     },
-    /// A number that the result depends on is so small that it loses digits, or infinite;
-    /// [`Contact::at`](crate::Contact::at) lists them.
-    OutOfRange {
+    /// A number that the result depends on is so small that the format cannot hold all its digits, or infinite;
+    /// [`Contact::at`](crate::Contact::at) lists these numbers.
+    Unrepresentable {
         /// The time, in s.
         time: f64,
         /// The force at that time, in N.
@@ -122,7 +122,7 @@ impl fmt::Display for ContactError {
                 Shown(since),
                 Shown(time)
             ),
-            Self::OutOfRange { time, force } => write!(
+            Self::Unrepresentable { time, force } => write!(
                 f,
                 "at time {}, where the force is {}, a number that the result depends on is too small or too large for \
                  the format to hold all its digits; choose units in which force, length and time are nearer to 1",
@@ -136,8 +136,7 @@ impl fmt::Display for ContactError {
             }
             Self::Unsorted { index, time } => write!(
                 f,
-                "the time at index {index} is {}, which is before the one in front of it; sort the times in ascending \
-                 order",
+                "the time at index {index} is {}, earlier than the time before it; sort the times in ascending order",
                 Shown(time)
             ),
         }

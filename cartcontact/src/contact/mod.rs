@@ -4,7 +4,7 @@ mod common_sizes;
 mod error;
 mod loading;
 mod radii;
-mod range;
+mod radius;
 
 use core::fmt;
 
@@ -125,14 +125,19 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # References
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
-    // As large as what compilers take for too large: left to them, it is now compiled into a loop over times and now
-    // not, which makes 40 % of its instructions.
+    // Always: it is as large as what compilers hesitate about, so that a change elsewhere would decide whether it is compiled
+    // into a loop over times, which is worth 40 % of the instructions.
     #[inline(always)]
     pub fn at(&self, t: T) -> Result<Snapshot<'_, T, P, L>, ContactError> {
         Ok(Snapshot::new(self, t, self.radius_at(t)?))
     }
 
-    /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order.
+    /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order: Eq. (14), doi
+    /// 10.1016/j.mechrescom.2010.11.006.
+    ///
+    /// # Accuracy
+    ///
+    /// That of [`at`](Self::at).
     ///
     /// # Errors
     ///
@@ -158,8 +163,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         radii::fill(self, times, radii, !self.recedes_until(radii::latest(times)))
     }
 
-    /// [`radii`](Self::radii) at as many times, until which the edge does not [recede](Self::recedes_until).
-    pub(crate) fn covered_radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
+    /// [`radii`](Self::radii) where the caller knows that the edge does not [recede](Self::recedes_until) up to any time.
+    pub(crate) fn advancing_radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         radii::fill(self, times, radii, true)
     }
 
@@ -167,8 +172,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// `values` is row-major, times × radii: `values[i * radii.len() + j]` belongs to `times[i]` and
     /// `radii[j]`. Times are in ascending order, equal ones allowed; radii may come in any order, and
-    /// ascending ones are quickest. The quadratures number as many as times and radii together, not as many
-    /// as values.
+    /// ascending ones are quickest. The number of quadratures grows like the number of times plus that of radii, not like
+    /// that of values.
     ///
     /// # Accuracy
     ///
@@ -206,9 +211,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.integral_per_load
     }
 
+    /// The load integral J = Y/(π m/4) of a hereditary load.
+    #[inline(always)]
+    pub(crate) fn load_integral_of(&self, hereditary: T) -> T {
+        hereditary * self.integral_per_load
+    }
+
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of(hereditary * self.integral_per_load)
+        self.radius_of(self.load_integral_of(hereditary))
     }
 
     /// The contact radius of a load integral.
@@ -219,7 +230,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radii under many hereditary loads, which are replaced by their load integrals.
     pub(crate) fn radii_under(&self, hereditary: &mut [T], radii: &mut [T]) -> Result<(), RadiusError> {
         for load in hereditary.iter_mut() {
-            *load *= self.integral_per_load;
+            *load = self.load_integral_of(*load);
         }
         self.radii_of(hereditary, radii)
     }

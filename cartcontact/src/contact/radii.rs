@@ -21,21 +21,24 @@ pub(super) fn latest<T: Scalar>(times: &[T]) -> T {
         .fold(T::zero(), |latest, &time| if (time > latest) & time.is_finite() { time } else { latest })
 }
 
-/// The radii at as many times; `is_covered` says that the edge does not recede up to any of them. To find that out once
-/// for all spares a load of a user's own to be searched for every block.
+/// The radii at as many times; `is_advancing` says that the edge is known not to recede up to any of them, so that a
+/// user-defined load need not be searched again for every block.
 pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
     radii: &mut [T],
-    is_covered: bool,
+    is_advancing: bool,
 ) -> Result<(), ContactError> {
     let mut load_integrals = [T::zero(); BLOCK];
     for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
         let load_integrals = &mut load_integrals[..times.len()];
-        if !(Block { contact, times, load_integrals, radii }).fill(is_covered) {
+        if !(Block { contact, times, load_integrals, radii }).fill(is_advancing) {
             for (radius, &time) in radii.iter_mut().zip(times) {
-                *radius =
-                    if is_covered { contact.covered_radius_at(time)? } else { contact.radius_at(time)? };
+                *radius = if is_advancing {
+                    contact.advancing_radius_at(time)?
+                } else {
+                    contact.radius_at(time)?
+                };
             }
         }
     }
@@ -51,13 +54,13 @@ struct Block<'a, T, P, L> {
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// False if there is a fault; the radii are then not to be used.
-    fn fill(&mut self, is_covered: bool) -> bool {
+    fn fill(&mut self, is_advancing: bool) -> bool {
         let is_common = wide(
             #[inline(always)]
             || self.take_load_integrals(),
         );
         (is_common || self.has_loads())
-            && (is_covered || !self.contact.recedes_until(latest(self.times)))
+            && (is_advancing || !self.contact.recedes_until(latest(self.times)))
             && self.take_radii()
             && (is_common && self.has_common_radii() || self.keeps_digits())
     }

@@ -14,8 +14,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.common_radius_at(t, || !self.recedes_until(t)).map_or_else(|| self.checked_radius_at(t), Ok)
     }
 
-    /// [`radius_at`](Self::radius_at) a time until which the edge does not [recede](Self::recedes_until).
-    pub(crate) fn covered_radius_at(&self, t: T) -> Result<T, ContactError> {
+    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not [recede](Self::recedes_until) up to `t`.
+    pub(crate) fn advancing_radius_at(&self, t: T) -> Result<T, ContactError> {
         self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
     }
 
@@ -25,14 +25,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.load.recession(self.medium.chi(), t).is_some()
     }
 
-    /// The contact radius, if all numbers on the way to it are of common size and the history is one that the solution
-    /// covers.
+    /// The contact radius, if all numbers on the way to it are of common size and the edge never recedes.
     #[inline(always)]
-    fn common_radius_at(&self, t: T, is_covered: impl FnOnce() -> bool) -> Option<T> {
+    fn common_radius_at(&self, t: T, is_advancing: impl FnOnce() -> bool) -> Option<T> {
         let (sizes, chi, loading) = (CommonSizes::new(), self.medium.chi(), self.loading(t));
-        let load_integral = loading.hereditary * self.integral_per_load;
+        let load_integral = self.load_integral_of(loading.hereditary);
         let is_common = sizes.contain_rate(chi) & sizes.contain_load(t, loading, load_integral);
-        if !is_common || !is_covered() {
+        if !is_common || !is_advancing() {
             return None;
         }
         self.radius_of(load_integral).ok().filter(|&radius| sizes.contain(radius))
@@ -42,7 +41,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline(never)]
     fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
         let loading = self.loading_at(t)?;
-        let load_integral = loading.hereditary * self.integral_per_load;
+        let load_integral = self.load_integral_of(loading.hereditary);
         let radius = self.radius_of(load_integral).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
@@ -54,7 +53,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if self.keeps_digits(loading.force, radius, load_integral) {
             Ok(radius)
         } else {
-            Err(ContactError::OutOfRange { time: t.value(), force: loading.force.value() })
+            Err(ContactError::Unrepresentable { time: t.value(), force: loading.force.value() })
         }
     }
 
@@ -73,7 +72,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)
     }
 
-    /// The loading at a time that the solution covers.
+    /// The loading at a time up to which the edge never recedes.
     fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
         let loading = self.valid_loading(t)?;
         let (time, force) = (t.value(), loading.force.value());
@@ -82,7 +81,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             let receding = ContactError::Receding { time, since: since.value() };
             return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
         }
-        if self.has_digits(loading) { Ok(loading) } else { Err(ContactError::OutOfRange { time, force }) }
+        if self.has_digits(loading) {
+            Ok(loading)
+        } else {
+            Err(ContactError::Unrepresentable { time, force })
+        }
     }
 
     /// The loading at a time, from a load that a user may have got wrong.
@@ -104,8 +107,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// Whether there is no load, or one with all its digits.
     pub(super) fn has_digits(&self, loading: Loading<T>) -> bool {
-        let Loading { hereditary, .. } = loading;
-        hereditary.is_zero() || loading.has_digits(self.medium.chi(), hereditary * self.integral_per_load)
+        loading.hereditary.is_zero()
+            || loading.has_digits(self.medium.chi(), self.load_integral_of(loading.hereditary))
     }
 
     /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit; 0 if it never is.

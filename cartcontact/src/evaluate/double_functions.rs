@@ -25,11 +25,11 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, phi: DoubleWord<T>) -> DoubleWor
     gain.plus_word(T::one()).scaled(power_of_two(octaves))
 }
 
-/// ln(1 − depth) of the `share` 1 − depth, which is a normal number below 1; either has all its digits.
-pub(crate) fn log_of_share<T: Scalar>(share: DoubleWord<T>, depth: DoubleWord<T>) -> DoubleWord<T> {
-    let octaves = exponent(share.high());
-    let (fraction, octaves) = centred(share.scaled(power_of_two(-octaves)), octaves);
-    // Next to 1 the depth has the digits that the share has lost.
+/// ln(1 − depth) of the `ratio` 1 − depth, which is a normal number below 1; either has all its digits.
+pub(crate) fn double_log_of_ratio<T: Scalar>(ratio: DoubleWord<T>, depth: DoubleWord<T>) -> DoubleWord<T> {
+    let octaves = exponent(ratio.high());
+    let (fraction, octaves) = centred(ratio.scaled(power_of_two(-octaves)), octaves);
+    // Next to 1 the depth has the digits that the ratio has lost.
     let beyond = if octaves == 0 { -depth } else { fraction.plus_word(-T::one()) };
     logarithm(beyond, octaves)
 }
@@ -139,7 +139,7 @@ mod tests {
             let q = T::constant(least.powf(f64::from(k) / 1e4));
             let depth = DoubleWord::sum(T::one(), -q);
             if q < T::one() {
-                let logarithm = log_of_share(DoubleWord::of(q), depth);
+                let logarithm = double_log_of_ratio(DoubleWord::of(q), depth);
                 largest = largest.max(difference(negative_exp_m1(logarithm), -depth));
             }
         }

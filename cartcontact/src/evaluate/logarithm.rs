@@ -1,4 +1,4 @@
-//! ln of a share of a length without branches and tables, for loops over many values that become vector code.
+//! ln of the ratio of two lengths without branches and tables, for loops over many values that become vector code.
 
 use core::f64::consts::{LN_2, SQRT_2};
 
@@ -7,17 +7,17 @@ use super::series::odd_reciprocals;
 use crate::Scalar;
 use crate::scalar::{is, smallest_normal};
 
-/// ln(1 − depth) of the `share` 1 − depth, both in (0, 1], where either is exact; within 2.5 ε, which is
+/// ln(1 − depth) of the `ratio` 1 − depth, both in (0, 1], where either is exact; within 2.5 ε, which is
 /// where ln f takes half of ln 2 away again.
 ///
-/// share = 2^e f with 1/√2 ≤ f < √2. Next to 1 the depth has the digits that the share has lost: f − 1 is −depth where
+/// ratio = 2^e f with 1/√2 ≤ f < √2. Next to 1 the depth has the digits that the ratio has lost: f − 1 is −depth where
 /// e = 0. ln f = 2 artanh t with t = (f − 1)/(f + 1), |t| ≤ 0.172; of its series 2e-21 is left out after t²⁵, and 4e-10
 /// after t⁹ for single precision.
 #[inline(always)]
-pub(crate) fn log_of_share<T: Scalar>(share: T, depth: T) -> T {
+pub(crate) fn log_of_ratio<T: Scalar>(ratio: T, depth: T) -> T {
     let (one, two) = (T::one(), T::constant(2.0));
-    let share = share.max(smallest_normal());
-    let (octaves, fraction) = (exponent(share), fraction(share));
+    let ratio = ratio.max(smallest_normal());
+    let (octaves, fraction) = (exponent(ratio), fraction(ratio));
     let is_upper = fraction >= T::constant(SQRT_2);
     let octaves = octaves + i32::from(is_upper);
     let fraction = if is_upper { fraction * T::constant(0.5) } else { fraction };
@@ -53,12 +53,12 @@ mod tests {
         let mut largest = 0.0_f64;
         for k in 1..=200_000 {
             let size = T::constant(smallest.powf(f64::from(k) / 2e5));
-            let mut compare = |share: T, depth: T, exact: f64| {
+            let mut compare = |ratio: T, depth: T, exact: f64| {
                 largest =
-                    largest.max((log_of_share(share, depth).value() - exact).abs() / (exact.abs() * epsilon));
+                    largest.max((log_of_ratio(ratio, depth).value() - exact).abs() / (exact.abs() * epsilon));
             };
             compare(size, one - size, size.value().ln());
-            // Of a small share it is the share that is given exactly.
+            // Of a small ratio it is the ratio that is given exactly.
             if size < T::constant(0.5) {
                 compare(one - size, size, (-size.value()).ln_1p());
             }
@@ -71,7 +71,7 @@ mod tests {
         for error in [largest_error::<f64>(1e-18), largest_error::<f32>(1e-18)] {
             assert!(error <= 2.5, "{error}");
         }
-        assert_eq!((log_of_share(1.0, 0.0), log_of_share(1.0_f32, 0.0)), (0.0, 0.0));
-        assert!(log_of_share(0.0, 1.0) < -708.0);
+        assert_eq!((log_of_ratio(1.0, 0.0), log_of_ratio(1.0_f32, 0.0)), (0.0, 0.0));
+        assert!(log_of_ratio(0.0, 1.0) < -708.0);
     }
 }

@@ -12,7 +12,7 @@
 //! K = n (n+2) δ² (1 − (n+1)/3 δ (1 − (n−1)/4 δ (1 − (n−2)/5 δ (1 − …))))
 //! ```
 
-use super::double_functions::{log_of_share, negative_exp_m1};
+use super::double_functions::{double_log_of_ratio, negative_exp_m1};
 use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::scalar::is_plain;
@@ -75,7 +75,7 @@ pub(crate) fn kernel<T: Scalar>(
     if next.high() * inset.high() < T::constant(0.25) {
         return kernel_near_edge(inset, next, n);
     }
-    let rise = negative_exp_m1(log_of_share(ratio, inset).times(n));
+    let rise = negative_exp_m1(double_log_of_ratio(ratio, inset).times(n));
     let square = ratio.times(ratio);
     let fall = inset.times(ratio.plus_word(T::one())).times(n);
     fall.plus(square.times(rise).scaled(T::constant(2.0)))

@@ -24,21 +24,22 @@ use super::halved::Halved;
 use super::power::{fractional_power, quarter_power, quarters, quick_whole_term, real_fractional_power};
 use crate::Scalar;
 
-/// J and its derivatives at a radius, divided by the lowest power a^k of J; the derivatives in units of a number j p, that
-/// the highest power of a J′ may be free of a coefficient.
+/// J and its first two derivatives at a radius a, as a step of Halley's method takes them.
+///
+/// a^k is the lowest power of J, or 1; u is a number, mostly the one that frees the highest power in a J′/u of its coefficient.
 #[derive(Clone, Copy, Debug)]
 pub struct Steepness<T> {
     /// a^k.
     pub power: T,
-    /// J.
+    /// J/a^k.
     pub value: T,
-    /// How much a^k J is too large, where that is known.
+    /// By how much the product of both exceeds J, where that is known; otherwise 0.
     pub excess: T,
-    /// a J′/(j p).
+    /// a J′/(u a^k).
     pub first: T,
-    /// a² J″/(2 j² p²).
+    /// a² J″/(2 u² a^k).
     pub half_second: T,
-    /// 1/(j p).
+    /// 1/u.
     pub per_unit: T,
 }
 

@@ -75,7 +75,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     ) -> Result<(), ContactError> {
         self.count = times.len();
         self.times[..times.len()].copy_from_slice(times);
-        contact.covered_radii(times, &mut self.radii[..times.len()])?;
+        contact.advancing_radii(times, &mut self.radii[..times.len()])?;
         panel.changes(times, &mut self.since_previous, &mut self.since_base);
         self.panel = Some(panel);
         Ok(())
@@ -87,10 +87,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
         for &time in &times[..most] {
-            let radius = contact.covered_radius_at(time)?;
+            let radius = contact.advancing_radius_at(time)?;
             let before = self.edge_before(self.count);
             let start = contact.stage(before.time, before.radius);
-            let (transition, _) = march(contact, start, (time, radius), before.radius);
+            let transition = march(contact, start, (time, radius), before.radius);
             let change = Change::of(transition, chi * (time - before.time));
             let since_base = match self.count.checked_sub(1) {
                 Some(previous) => self.since_base.get(previous).then(change),
@@ -157,7 +157,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             Some(panel) => panel.first_pressure(before, now, r),
             None => {
                 let start = contact.stage(before.time, before.radius);
-                march(contact, start, (now.time, now.radius), r).0.offset
+                march(contact, start, (now.time, now.radius), r).offset
             }
         }
     }

@@ -63,7 +63,7 @@ where
     L: Load<T>,
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
-    // Once for all: to search a history takes a load of a user's own as long as many rows.
+    // Once for all: to search a history takes a user-defined load as long as many rows.
     if times.last().is_some_and(|&last| contact.recedes_until(last)) {
         times.iter().try_for_each(|&time| contact.radius_at(time).map(drop))?;
     }

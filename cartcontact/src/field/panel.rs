@@ -26,7 +26,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{FEW_FOLDS, age_along_line, decay_gain, not_negative};
+use crate::memory::{FEW_FOLDS, Line, decay_gain, not_negative};
 use crate::profile::GapProfile;
 use crate::quadrature::NODES_4;
 use crate::scalar::smallest_normal;
@@ -43,7 +43,8 @@ pub(super) struct Panel<'a, T, P, L> {
     /// q of the module documentation, and q (a² − a₁²), times half the duration.
     slope: Interpolant<T>,
     offset: Interpolant<T>,
-    load_rate: T,
+    /// F′.
+    force_rate: T,
 }
 
 impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
@@ -75,14 +76,14 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
             return None;
         }
         let force = load.force(start.time);
-        let load_rate = (load.force_before(end) - force) / duration;
+        let force_rate = (load.force_before(end) - force) / duration;
         let hereditary = force + chi * load.impulse(start.time);
         // q and q (a² − a₁²) at the time z after the start.
         let densities = |x: T| {
             let z = half * (T::one() + x);
-            let gain = z * (load_rate + chi * (force + T::constant(0.5) * load_rate * z));
+            let gain = z * (force_rate + chi * (force + T::constant(0.5) * force_rate * z));
             let a = contact.radius_under(hereditary + gain).ok()?;
-            let rate = (load_rate + chi * (force + load_rate * z)).max(T::zero());
+            let rate = (force_rate + chi * (force + force_rate * z)).max(T::zero());
             let square = a * a;
             let growth = (T::one() + decay_gain(chi * z)) * square * square;
             let slope = T::frac_2_pi() * half * rate / growth;
@@ -98,7 +99,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let (slope, offset) = (Interpolant::through(slopes), Interpolant::through(offsets));
         let size = slope.size();
         let resolved = slope.is_resolved(size) && offset.is_resolved(size * start.radius * start.radius);
-        resolved.then(|| Self { contact, start, scale: half.recip(), slope, offset, load_rate })
+        resolved.then(|| Self { contact, start, scale: half.recip(), slope, offset, force_rate })
     }
 
     /// The changes at `times`, from the one before, the first from the start, and from the start.
@@ -159,8 +160,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let deficit =
             contact.load_per_integral() * contact.profile().load_integral_drop(now.radius, now.radius - r);
-        let rate = self.load_rate + chi * contact.load().force_before(now.time);
-        let age = age_along_line(rate, (chi, self.load_rate), deficit);
+        let age = Line::to(contact.load().force_before(now.time), self.force_rate, chi).age(deficit);
         let elapsed = now.time - self.start.time;
         let (offset, slope) = self.integrals(elapsed, age.min(now.time - before.time));
         let faded = T::one() + decay_gain(chi * elapsed);

@@ -21,8 +21,9 @@ pub use piecewise_linear::PiecewiseLinear;
 ///
 /// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip or
 /// must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the contact
-/// recede, which this solution does not cover. Some fifty jumps and kinks of which [`next_knot`](Self::next_knot) does
-/// not tell are found between two times, but take thousands of forces each; more of them leave errors of 1e-7.
+/// recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not report are
+/// found too, about fifty between two times, at the cost of thousands of calls of [`force`](Self::force) each; with more of
+/// them pressures are off by up to 1e-7.
 ///
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
 /// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through the
@@ -62,7 +63,8 @@ pub trait Load<T: Scalar> {
         self.force(t)
     }
 
-    /// The first time after `t` at which the load jumps or has a kink.
+    /// The first time after `t`, in s, at which the load jumps or has a kink; none if there is no such time. A load that
+    /// jumps provides [`force_before`](Self::force_before), too.
     fn next_knot(&self, _t: T) -> Option<T> {
         None
     }
@@ -90,8 +92,8 @@ pub trait Load<T: Scalar> {
         count
     }
 
-    /// The time up to `t` from which the history is not one that the solution covers, if there is one: the hereditary
-    /// load F + χ ∫F falls, so that the edge recedes, or the load is not what it says, a
+    /// The first time up to `t`, in s, from which the solution does not hold, if there is one: the hereditary load F + χ ∫F
+    /// falls there, so that the edge recedes, or the force and the impulse are in
     /// [`contradiction`](Self::contradiction).
     ///
     /// The provided method follows the force between knots as closely as it varies, and finds every fall by more than
@@ -149,7 +151,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for &L {
     }
 }
 
-/// The first knot of a load after one time and before another; what else a load of a user's own may name is no knot.
+/// The first knot of a load after one time and before another; any other answer of a user-defined load is ignored.
 #[inline]
 pub(crate) fn knot_between<T: Scalar, L: Load<T> + ?Sized>(load: &L, from: T, until: T) -> Option<T> {
     load.next_knot(from).filter(|&knot| from < knot && knot < until)

@@ -80,7 +80,7 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
     }
 }
 
-/// Nothing; but no number at a time that is none.
+/// Zero before the load is applied; NaN if the time is.
 fn before_the_start<T: Scalar>(t: T) -> T {
     if t.value().is_nan() { t } else { T::zero() }
 }

@@ -68,8 +68,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         tolerance: contradiction::tolerance(hereditary, chi),
         time: zero,
         impulse: zero,
-        highest: zero,
-        fallen: zero,
+        crest: Crest { time: zero, fallen: zero },
         doubts: MOST_DOUBTS,
         suspicion: None,
     };
@@ -94,23 +93,40 @@ struct Search<'a, T, L: ?Sized> {
     time: T,
     /// ∫F up to now.
     impulse: T,
-    /// When the hereditary load was highest so far, and by how much it is lower now.
-    highest: T,
-    fallen: T,
+    /// The highest hereditary load so far.
+    crest: Crest<T>,
     /// How many more panels may be halved that are short, or because of their impulse.
     doubts: u32,
     /// A contradiction that a fall would explain, if one is found before its end; the shortest so far.
     suspicion: Option<Contradiction<T>>,
 }
 
+/// When the hereditary load was highest, and by how much it has fallen since.
+#[derive(Clone, Copy)]
+struct Crest<T> {
+    time: T,
+    fallen: T,
+}
+
 /// What a panel tells.
 enum Finding<T> {
     /// The hereditary load falls from a time on.
     Falls(T),
-    /// It does not; when it was highest, and by how much it is lower at the end.
-    Rises(T, T),
+    /// It does not; with its crest at the end of the panel.
+    Rises(Crest<T>),
     /// It may fall between the nodes.
-    Unclear(T, T),
+    Unclear(Crest<T>),
+}
+
+/// Whether a panel that leaves something open is halved.
+#[derive(Clone, Copy, PartialEq)]
+enum Halving {
+    /// Always.
+    Free,
+    /// As long as the search [doubts](Search::doubts): the panel is short.
+    Limited,
+    /// No more: its halves would hardly hold another number.
+    Over,
 }
 
 impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
@@ -130,17 +146,20 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 return fault;
             }
             // Half of it is no less than `short`, and is one: rounded, it may reach to the end like the whole.
-            let is_short = step <= short + short || self.time + step * half + least >= end;
-            let is_least = step <= least + least;
-            (self.highest, self.fallen) = match self.finding(&force, (stop, impulse), (is_short, is_least)) {
+            let halving = if step <= least + least {
+                Halving::Over
+            } else if step <= short + short || self.time + step * half + least >= end {
+                Halving::Limited
+            } else {
+                Halving::Free
+            };
+            self.crest = match self.finding(&force, (stop, impulse), halving) {
                 None => {
                     step *= half;
                     continue;
                 }
                 Some(Finding::Falls(since)) => return Some(Fault::Falls(since)),
-                Some(Finding::Rises(highest, fallen) | Finding::Unclear(highest, fallen)) => {
-                    (highest, fallen)
-                }
+                Some(Finding::Rises(crest) | Finding::Unclear(crest)) => crest,
             };
             (self.time, self.impulse) = (stop, impulse);
             // Also where no knot tells of a jump.
@@ -155,15 +174,14 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         None
     }
 
-    /// What a panel tells; none if it is to be halved: of those that are short only a limited number is, and of the least
-    /// none.
+    /// What a panel tells; none if it is to be halved.
     fn finding(
         &mut self,
         force: &ForceSeries<T>,
         (stop, impulse): (T, T),
-        (is_short, is_least): (bool, bool),
+        halving: Halving,
     ) -> Option<Finding<T>> {
-        if self.misses(force, (stop, impulse), is_short) {
+        if self.misses(force, (stop, impulse), halving) {
             return None;
         }
         let hereditary = self.load.force_before(stop) + self.chi * impulse;
@@ -171,14 +189,14 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let finding = self.examine(force, stop, rounding);
         let is_vague = match finding {
             // A rough series does not tell since when.
-            Finding::Falls(_) => force.is_rough() && !is_short,
-            Finding::Unclear(..) => !is_short || (!is_least && self.doubts()),
-            Finding::Rises(..) => false,
+            Finding::Falls(_) => force.is_rough() && halving == Halving::Free,
+            Finding::Unclear(_) => self.may_halve(halving),
+            Finding::Rises(_) => false,
         };
         (!is_vague).then_some(finding)
     }
 
-    /// The first force of a panel that is none, or its impulse at the end if that is none.
+    /// The first invalid force of a panel, or the impulse at its end if that is not finite.
     fn invalid(&self, force: &ForceSeries<T>, (end, impulse): (T, T)) -> Option<Fault<T>> {
         let (time, error) = if let Some((time, force)) = force.invalid_force(end, self.negligible) {
             (time, LoadError::InvalidForce { time: time.value(), force: force.value() })
@@ -198,19 +216,19 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             return None;
         }
         let rounding = (before + self.chi * self.impulse) * T::default_epsilon() * T::constant(8.0);
-        let fallen = self.fallen + (before - after);
+        let fallen = self.crest.fallen + (before - after);
         if fallen > T::zero() {
-            self.fallen = fallen;
+            self.crest.fallen = fallen;
         } else {
-            (self.highest, self.fallen) = (self.time, T::zero());
+            self.crest = Crest { time: self.time, fallen: T::zero() };
         }
-        (fallen > rounding).then_some(self.highest)
+        (fallen > rounding).then_some(self.crest.time)
     }
 
     /// Whether a panel is to be halved because its nodes miss what the load does between them.
-    fn misses(&mut self, force: &ForceSeries<T>, (stop, impulse): (T, T), is_short: bool) -> bool {
+    fn misses(&mut self, force: &ForceSeries<T>, (stop, impulse): (T, T), halving: Halving) -> bool {
         if force.is_unresolved() {
-            return !is_short;
+            return halving == Halving::Free;
         }
         let epsilon = T::default_epsilon();
         let gain = impulse - self.impulse;
@@ -219,7 +237,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             return false;
         }
         self.suspect(force, (stop, impulse));
-        !is_short && self.doubts()
+        halving == Halving::Free && self.doubts()
     }
 
     /// Notes a contradiction on a panel, unless one that ends no later is known.
@@ -231,7 +249,16 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         }
     }
 
-    /// Whether one more panel may be halved.
+    /// Whether a panel is halved that leaves something open.
+    fn may_halve(&mut self, halving: Halving) -> bool {
+        match halving {
+            Halving::Free => true,
+            Halving::Limited => self.doubts(),
+            Halving::Over => false,
+        }
+    }
+
+    /// Whether one more panel may be halved that is short, or because of its impulse.
     fn doubts(&mut self) -> bool {
         let may_doubt = self.doubts > 0;
         self.doubts = self.doubts.saturating_sub(1);
@@ -243,11 +270,11 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let zero = T::zero();
         let dip = force.deepest_dip();
         let gain = force.gain();
-        if dip <= zero && self.fallen <= gain {
-            return Finding::Rises(end, zero);
+        if dip <= zero && self.crest.fallen <= gain {
+            return Finding::Rises(Crest { time: end, fallen: zero });
         }
         let rounding = rounding + force.uncertainty();
-        let mut fallen = self.fallen;
+        let mut fallen = self.crest.fallen;
         // The node at which the hereditary load is highest; none while it was higher before the panel.
         let mut highest = fallen.is_zero().then_some(ForceSeries::<T>::START);
         let growths = force.growth_since_nodes();
@@ -258,15 +285,11 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             if fallen <= zero {
                 (highest, fallen) = (Some(node), zero);
             } else if fallen > rounding {
-                return Finding::Falls(highest.map_or(self.highest, |node| force.time_of_turn(node, end)));
+                return Finding::Falls(highest.map_or(self.crest.time, |node| force.time_of_turn(node, end)));
             }
         }
-        let highest = highest.map_or(self.highest, |node| force.time(node, end));
-        if dip > rounding + force.noise() {
-            Finding::Unclear(highest, fallen)
-        } else {
-            Finding::Rises(highest, fallen)
-        }
+        let crest = Crest { time: highest.map_or(self.crest.time, |node| force.time(node, end)), fallen };
+        if dip > rounding + force.noise() { Finding::Unclear(crest) } else { Finding::Rises(crest) }
     }
 }
 

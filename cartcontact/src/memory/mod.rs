@@ -11,8 +11,22 @@
 //!
 //! Source: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (25), (28), doi 10.1016/j.mechrescom.2010.11.006,
 //! integrated by parts.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | `march` | goes from one time to another, from knot to knot of the load; `march::steps`: where the load is not straight |
+//! | `run` | many short straight pieces of the load at once |
+//! | `stretch` | one stretch of history without a knot: by `radius_form` (loads that are held or rise) or `time_form` (all others) |
+//! | `nodes` | the nodes of an integral over the radius |
+//! | `line`, `fading` | how long ago Y was smaller, along a straight load; what is left after some e-foldings |
+//!
+//! A few words, throughout: a *stage* is a time with its contact radius; the *age* of a radius is the time since the edge
+//! passed it; a *fold* is one e-folding, a duration of 1/χ; a *deficit* is by how much Y was smaller than at the end of a
+//! stretch, and the *surplus* of a stage by how much Y exceeds that of its rounded radius; the *strip* is the ring between
+//! the rounded radius and the exact one; the *reach* of a transition is the largest radius that it holds for.
 
 mod fading;
+mod line;
 mod march;
 mod nodes;
 mod radius_form;
@@ -24,8 +38,8 @@ use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
+pub(crate) use line::Line;
 pub(crate) use march::march;
-pub(crate) use stretch::age_along_line;
 
 /// A stage of the contact: a time with the radius at it.
 ///
@@ -186,7 +200,7 @@ impl<T: Scalar> Increment<T> {
     ///
     /// After a long history the rounding of radii is a share of the layer's thickness, but not of its load
     /// (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds. With s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)² the last term is left out.
-    fn carry(&mut self, load: T, (low, high): (T, T)) {
+    fn scale_to_load(&mut self, load: T, (low, high): (T, T)) {
         let two = T::constant(2.0);
         let square = low * low;
         let carried = (self.slope * square + two * self.offset) * square;

@@ -24,212 +24,165 @@ const MARGIN: f64 = 1.5;
 /// distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the length), that of 31 folds.
 const FOLDS_AT_DISTANCE: f64 = 14.4;
 
-pub(super) fn increment<T, P, L>(stretch: &Stretch<'_, T, P, L>) -> Increment<T>
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let profile = stretch.contact.profile();
-    let deepest = stretch.high - stretch.low;
-    // J′ of positive terms rises with the radius.
-    let is_steepest_at_edge = profile.has_only_positive_terms() && stretch.course.is_held();
-    if is_steepest_at_edge && changes_little(stretch) {
-        return increment_of_panel(stretch, Rule::EIGHT, (T::zero(), deepest)).0;
-    }
-    let quarter_left = stretch.high * T::constant(0.75);
-    let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(quarter_left) };
-    let mut sum = Increment::zero();
-    let (mut depth, mut age) = (T::zero(), T::zero());
-    while depth < core {
-        let (end, rule) = next_panel(stretch, (depth, age), core, is_steepest_at_edge);
-        let (increment, is_steady) = increment_of_panel(stretch, rule, (depth, end));
-        sum = sum.plus(if is_steady {
-            increment
-        } else {
-            increment_of_panel(stretch, Rule::FINEST, (depth, end)).0
-        });
-        depth = end;
-        if depth < deepest {
-            age = stretch.age_at(depth);
-            if is_all_that_counts(stretch, (depth, age), &sum) {
-                return sum;
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
+    /// What the stretch adds to the pressure, up to the rounded radius at its end.
+    pub(super) fn increment_over_radius(&self) -> Increment<T> {
+        let profile = self.contact.profile();
+        let deepest = self.high - self.low;
+        // J′ of positive terms rises with the radius.
+        let is_steepest_at_edge = profile.has_only_positive_terms() && self.course.is_held();
+        if is_steepest_at_edge && self.changes_little() {
+            return self.increment_of_panel(Rule::EIGHT, (T::zero(), deepest)).0;
+        }
+        let quarter_left = self.high * T::constant(0.75);
+        let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(quarter_left) };
+        let mut sum = Increment::zero();
+        let (mut depth, mut age) = (T::zero(), T::zero());
+        while depth < core {
+            let (end, rule) = self.next_panel((depth, age), core, is_steepest_at_edge);
+            let (increment, is_steady) = self.increment_of_panel(rule, (depth, end));
+            sum = sum.plus(if is_steady {
+                increment
+            } else {
+                self.increment_of_panel(Rule::FINEST, (depth, end)).0
+            });
+            depth = end;
+            if depth < deepest {
+                age = self.age_at(depth);
+                if self.is_all_that_counts((depth, age), &sum) {
+                    return sum;
+                }
             }
         }
-    }
-    if core < deepest {
-        sum = sum.plus(increment_of_core(stretch, stretch.high - core));
-    }
-    sum
-}
-
-/// The end of the panel that begins at a depth with an age, at most `core`, and the rule for it.
-fn next_panel<T, P, L>(
-    stretch: &Stretch<'_, T, P, L>,
-    (depth, age): (T, T),
-    core: T,
-    is_steepest_at_edge: bool,
-) -> (T, &'static Rule)
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let most = Rule::FINEST.folds::<T>();
-    // Whatever the rate, some thousand panels are the most there can be.
-    let shortest = (stretch.high - stretch.low) * T::constant(1.0 / 4096.0);
-    let (of_powers, of_fading) = folds_per_length(stretch, depth, age);
-    let rate = of_powers + of_fading;
-    let end =
-        if rate * (core - depth) <= most { core } else { (depth + (most / rate).max(shortest)).min(core) };
-    if is_steepest_at_edge {
-        return (end, Rule::for_folds(rate * (end - depth)));
-    }
-    let (end, fading) = end_of_panel(stretch, (depth, age), end, shortest);
-    let length = end - depth;
-    (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
-}
-
-/// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
-fn is_all_that_counts<T, P, L>(
-    stretch: &Stretch<'_, T, P, L>,
-    (depth, age): (T, T),
-    sum: &Increment<T>,
-) -> bool
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let (profile, chi) = (stretch.contact.profile(), stretch.contact.medium().chi());
-    let negligible = T::default_epsilon() * T::constant(0.0625);
-    let uncertainty = T::default_epsilon() * T::constant(8.0);
-    let (low, top) = (stretch.low, stretch.high - depth);
-    let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
-    // Two powers near the zeroth may differ by less than their rounding, which then is what may be left.
-    let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
-    let rest_offset = rest * ((top - low) * (top + low));
-    rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible
-}
-
-/// The increment by a rule between two depths, and whether s δ₀′ rises with the radius from node to node, as that of
-/// positive terms does.
-///
-/// Where δ₀′ nearly vanishes and rises again further in, at u = 0, the integrand is like u² e^(−c u³), which grows
-/// faster in the plane of complex radii than any exponential that is as steep in the panel: for c = 1/2 on one side
-/// of it 12 nodes take the place of 8. The finest rule leaves 1e-16 for all c that its panels allow, on either side or
-/// on both.
-fn increment_of_panel<T, P, L>(
-    stretch: &Stretch<'_, T, P, L>,
-    rule: &Rule,
-    (start, end): (T, T),
-) -> (Increment<T>, bool)
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    wide(
-        #[inline(always)]
-        || {
-            let (mut nodes, edge) = (Nodes::none(), stretch.high);
-            nodes.take(stretch, rule, (start, end), |depth, weight| Node { s: edge - depth, depth, weight });
-            let is_steady = stretch.contact.profile().has_only_positive_terms() || nodes.are_steady();
-            (nodes.increment(stretch.low), is_steady)
-        },
-    )
-}
-
-/// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
-/// and by how many e-foldings it does, with a margin of 1.3.
-///
-/// The rate at its beginning does not bound that at its end where δ₀′ nearly vanishes there and rises further in.
-fn end_of_panel<T, P, L>(stretch: &Stretch<'_, T, P, L>, (depth, age): (T, T), end: T, shortest: T) -> (T, T)
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let rate = stretch.contact.medium().chi() * T::constant(1.3);
-    let most = Rule::FINEST.folds::<T>();
-    let mut length = end - depth;
-    loop {
-        let end = stretch.age_at(depth + length);
-        let shortly_before = stretch.age_at(depth + length * T::constant(63.0 / 64.0));
-        let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
-        // What is no number, as derivatives may be, gets no better.
-        let is_halved = fading > most && length > shortest;
-        if !is_halved {
-            return (depth + length, fading);
+        if core < deepest {
+            sum = sum.plus(self.increment_of_core(self.high - core));
         }
-        length *= T::constant(0.5);
+        sum
     }
-}
 
-/// The increment of the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
-fn increment_of_core<T, P, L>(stretch: &Stretch<'_, T, P, L>, top: T) -> Increment<T>
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
-    let ends = (fourth_root(stretch.low), fourth_root(top));
-    wide(
-        #[inline(always)]
-        || {
-            let mut nodes = Nodes::none();
-            nodes.take(stretch, Rule::FINEST, ends, |x, weight| {
-                let cube = x * x * x;
-                let s = (cube * x).max(stretch.low);
-                Node { s, depth: stretch.high - s, weight: weight * T::constant(4.0) * cube }
-            });
-            nodes.increment(stretch.low)
-        },
-    )
-}
+    /// The end of the panel that begins at a depth with an age, at most `core`, and the rule for it.
+    fn next_panel(&self, (depth, age): (T, T), core: T, is_steepest_at_edge: bool) -> (T, &'static Rule) {
+        let most = Rule::FINEST.folds::<T>();
+        // Whatever the rate, some thousand panels are the most there can be.
+        let shortest = (self.high - self.low) * T::constant(1.0 / 4096.0);
+        let (of_powers, of_fading) = self.folds_per_length(depth, age);
+        let rate = of_powers + of_fading;
+        let end = if rate * (core - depth) <= most {
+            core
+        } else {
+            (depth + (most / rate).max(shortest)).min(core)
+        };
+        if is_steepest_at_edge {
+            return (end, Rule::for_folds(rate * (end - depth)));
+        }
+        let (end, fading) = self.end_of_panel((depth, age), end, shortest);
+        let length = end - depth;
+        (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
+    }
 
-/// Whether the shortest rule suffices for all of a stretch of a held load under positive terms, whatever its panels are.
-///
-/// The [`folds_per_length`] are greatest at the edge, where ages grow by J′/Y′ per length. Of a term of the power p, over
-/// the share u of the radius, that is p u/(1 − (1−u)^p) < 1 + p u times as much in all as the ages grow, which is χ times
-/// the duration at most.
-fn changes_little<T, P, L>(stretch: &Stretch<'_, T, P, L>) -> bool
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let (contact, high) = (stretch.contact, stretch.high);
-    let (n, length) = (contact.profile().highest_exponent(), high - stretch.low);
-    let powers = (n + T::one()) * length;
-    let fading = stretch.course.folds(contact.medium().chi()) * (high + (n + T::constant(4.0)) * length);
-    let centre = folds_at_centre(contact.profile()) * length;
-    // Everything times the radius, and nothing divided.
-    T::constant(MARGIN) * (powers + fading) + centre <= Rule::EIGHT.folds::<T>() * high
-}
+    /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
+    fn is_all_that_counts(&self, (depth, age): (T, T), sum: &Increment<T>) -> bool {
+        let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
+        let negligible = T::default_epsilon() * T::constant(0.0625);
+        let uncertainty = T::default_epsilon() * T::constant(8.0);
+        let (low, top) = (self.low, self.high - depth);
+        let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
+        // Two powers near the zeroth may differ by less than their rounding, which then is what may be left.
+        let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
+        let rest_offset = rest * ((top - low) * (top + low));
+        rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible
+    }
 
-/// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and
-/// e^(−χ age).
-///
-/// That is the logarithmic slope of its powers and of e^(−χ age), with a [`MARGIN`], and that of singularities,
-/// [`FOLDS_AT_DISTANCE`].
-fn folds_per_length<T, P, L>(stretch: &Stretch<'_, T, P, L>, depth: T, age: T) -> (T, T)
-where
-    T: Scalar,
-    P: GapProfile<T>,
-    L: Load<T>,
-{
-    let (profile, chi) = (stretch.contact.profile(), stretch.contact.medium().chi());
-    let top = stretch.high - depth;
-    let step = (top - stretch.low) * T::constant(1.0 / 64.0);
-    // δ₀′ (s² − low²); what a high power adds may be little here, but no low rule integrates it.
-    let powers = (profile.highest_exponent() + T::one()) / top;
-    let fading = chi * (stretch.age_at(depth + step) - age) / step;
-    let of_singularity =
-        stretch.singularity(top).map_or(T::zero(), |distance| T::constant(FOLDS_AT_DISTANCE) / distance);
-    let of_centre = folds_at_centre(profile) / top;
-    (powers * T::constant(MARGIN) + of_singularity + of_centre, fading * T::constant(MARGIN))
+    /// The increment by a rule between two depths, and whether s δ₀′ rises with the radius from node to node, as that of
+    /// positive terms does.
+    ///
+    /// Where δ₀′ nearly vanishes and rises again further in, at u = 0, the integrand is like u² e^(−c u³), which grows
+    /// faster in the plane of complex radii than any exponential that is as steep in the panel: for c = 1/2 on one side
+    /// of it 12 nodes take the place of 8. The finest rule leaves 1e-16 for all c that its panels allow, on either side or
+    /// on both.
+    fn increment_of_panel(&self, rule: &Rule, (start, end): (T, T)) -> (Increment<T>, bool) {
+        wide(
+            #[inline(always)]
+            || {
+                let (mut nodes, edge) = (Nodes::none(), self.high);
+                nodes.take(self, rule, (start, end), |depth, weight| Node { s: edge - depth, depth, weight });
+                let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
+                (nodes.increment(self.low), is_steady)
+            },
+        )
+    }
+
+    /// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
+    /// and by how many e-foldings it does, with a margin of 1.3.
+    ///
+    /// The rate at its beginning does not bound that at its end where δ₀′ nearly vanishes there and rises further in.
+    fn end_of_panel(&self, (depth, age): (T, T), end: T, shortest: T) -> (T, T) {
+        let rate = self.contact.medium().chi() * T::constant(1.3);
+        let most = Rule::FINEST.folds::<T>();
+        let mut length = end - depth;
+        loop {
+            let end = self.age_at(depth + length);
+            let shortly_before = self.age_at(depth + length * T::constant(63.0 / 64.0));
+            let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
+            // What is no number, as derivatives may be, gets no better.
+            let is_halved = fading > most && length > shortest;
+            if !is_halved {
+                return (depth + length, fading);
+            }
+            length *= T::constant(0.5);
+        }
+    }
+
+    /// The increment of the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
+    fn increment_of_core(&self, top: T) -> Increment<T> {
+        let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
+        let ends = (fourth_root(self.low), fourth_root(top));
+        wide(
+            #[inline(always)]
+            || {
+                let mut nodes = Nodes::none();
+                nodes.take(self, Rule::FINEST, ends, |x, weight| {
+                    let cube = x * x * x;
+                    let s = (cube * x).max(self.low);
+                    Node { s, depth: self.high - s, weight: weight * T::constant(4.0) * cube }
+                });
+                nodes.increment(self.low)
+            },
+        )
+    }
+
+    /// Whether the shortest rule suffices for all of a stretch of a held load under positive terms, whatever its panels are.
+    ///
+    /// The [`folds_per_length`] are greatest at the edge, where ages grow by J′/Y′ per length. Of a term of the power p, over
+    /// the share u of the radius, that is p u/(1 − (1−u)^p) < 1 + p u times as much in all as the ages grow, which is χ times
+    /// the duration at most.
+    fn changes_little(&self) -> bool {
+        let (contact, high) = (self.contact, self.high);
+        let (n, length) = (contact.profile().highest_exponent(), high - self.low);
+        let powers = (n + T::one()) * length;
+        let fading = self.course.folds(contact.medium().chi()) * (high + (n + T::constant(4.0)) * length);
+        let centre = folds_at_centre(contact.profile()) * length;
+        // Everything times the radius, and nothing divided.
+        T::constant(MARGIN) * (powers + fading) + centre <= Rule::EIGHT.folds::<T>() * high
+    }
+
+    /// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and
+    /// e^(−χ age).
+    ///
+    /// That is the logarithmic slope of its powers and of e^(−χ age), with a [`MARGIN`], and that of singularities,
+    /// [`FOLDS_AT_DISTANCE`].
+    fn folds_per_length(&self, depth: T, age: T) -> (T, T) {
+        let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
+        let top = self.high - depth;
+        let step = (top - self.low) * T::constant(1.0 / 64.0);
+        // δ₀′ (s² − low²); what a high power adds may be little here, but no low rule integrates it.
+        let powers = (profile.highest_exponent() + T::one()) / top;
+        let fading = chi * (self.age_at(depth + step) - age) / step;
+        let of_singularity =
+            self.singularity(top).map_or(T::zero(), |distance| T::constant(FOLDS_AT_DISTANCE) / distance);
+        let of_centre = folds_at_centre(profile) / top;
+        (powers * T::constant(MARGIN) + of_singularity + of_centre, fading * T::constant(MARGIN))
+    }
 }
 
 /// What the centre counts as, over its distance: s^(n−1) next to s = 0 is noticed by a short rule from far away.

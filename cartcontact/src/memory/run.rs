@@ -62,7 +62,7 @@ const RULES: [ShortRule; 5] = [
 pub(super) struct Run<T> {
     count: usize,
     rule: &'static Rule,
-    /// χ times the durations, and times what follows in all.
+    /// χ times the duration of each piece, and of all pieces after it.
     folds: Pieces<T>,
     since_end: Pieces<T>,
     /// The hereditary loads at the ends, R and B of the module documentation.
@@ -127,7 +127,7 @@ impl<T: Scalar> Run<T> {
             run.impulse.add(piece.impulse());
             force = piece.end.1;
         }
-        run.date(&pieces[..run.count], chi);
+        run.set_times_since_ends(&pieces[..run.count], chi);
         run
     }
 
@@ -141,8 +141,8 @@ impl<T: Scalar> Run<T> {
         self.count += 1;
     }
 
-    /// Notes how long its pieces end before the last one does.
-    fn date(&mut self, pieces: &[Piece<T>], chi: T) {
+    /// Sets how many e-foldings before the last piece the others end.
+    fn set_times_since_ends(&mut self, pieces: &[Piece<T>], chi: T) {
         if let Some(last) = pieces.last() {
             for (since_end, piece) in self.since_end.iter_mut().zip(pieces) {
                 *since_end = chi * (last.end.0 - piece.end.0);
@@ -158,8 +158,13 @@ impl<T: Scalar> Run<T> {
     /// What the run adds to pressures at radii up to `low`, which are covered before it begins; none if the rule turns
     /// out to be too short.
     ///
-    /// `share` is what is left at the time that counts of what is there at the end.
-    pub(super) fn increment<P, L>(&self, contact: &Contact<T, P, L>, low: T, share: T) -> Option<Increment<T>>
+    /// Of what is there at the end, the share `remaining` is left at the time that counts.
+    pub(super) fn increment<P, L>(
+        &self,
+        contact: &Contact<T, P, L>,
+        low: T,
+        remaining: T,
+    ) -> Option<Increment<T>>
     where
         P: GapProfile<T>,
         L: Load<T>,
@@ -171,6 +176,7 @@ impl<T: Scalar> Run<T> {
         let radii = &mut radii[nodes];
         wide(
             #[inline(always)]
+            // Until the radii are found, their places hold the ages.
             || self.fill(hereditary, weights, radii),
         );
         contact.radii_under(hereditary, radii).ok()?;
@@ -180,7 +186,7 @@ impl<T: Scalar> Run<T> {
                 // The weights are forces.
                 let factor = T::constant(2.0) * contact.integral_per_load();
                 let increment = Increment::over_time(radii, weights, low).times(factor);
-                self.is_resolved(radii, share).then_some(increment)
+                self.is_resolved(radii, remaining).then_some(increment)
             },
         )
     }
@@ -213,10 +219,10 @@ impl<T: Scalar> Run<T> {
         values.chunks_exact_mut(self.count.max(1))
     }
 
-    /// Whether the rule integrates a function of the radii at the nodes of every piece, of which `share` is left of what
-    /// is left at the end.
+    /// Whether the rule integrates a function of the radii at the nodes of every piece, of which the share
+    /// `remaining` is left of what is left at the end.
     #[inline(always)]
-    fn is_resolved(&self, radii: &[T], share: T) -> bool {
+    fn is_resolved(&self, radii: &[T], remaining: T) -> bool {
         let none = [T::zero(); MOST_PIECES];
         let (mut first, mut highest) = (none, none);
         let pairs = radii.chunks_exact(2 * self.count.max(1)).zip(self.rule.coefficients::<T>());
@@ -231,7 +237,7 @@ impl<T: Scalar> Run<T> {
         }
         let sums = first.iter().zip(&highest).zip(&self.since_end);
         sums.zip(radii).fold(true, |all, (((&first, &highest), &since_end), &size)| {
-            all & self.rule.resolves(first / size, highest / size, share * decay(since_end))
+            all & self.rule.resolves(first / size, highest / size, remaining * decay(since_end))
         })
     }
 }

@@ -1,11 +1,10 @@
 //! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
 
-use super::{Increment, radius_form, time_form};
+use super::line::Line;
+use super::{Increment, time_form};
 use crate::contact::Contact;
-use crate::evaluate::binary::{scale, split};
 use crate::evaluate::exponential::decay;
 use crate::load::{ForceSeries, Load};
-use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 
 /// The radii from `low` to `high` that the edge passed while the load took a course.
@@ -25,8 +24,8 @@ pub(super) struct Stretch<'a, T, P, L> {
 pub(super) enum Course<'a, T> {
     /// At once, at the end.
     Step,
-    /// Along a straight load: Y′ at the end, F′, and the duration.
-    Linear { rate: T, load_rate: T, duration: T },
+    /// Along a straight load.
+    Linear { line: Line<T>, duration: T },
     /// Along any other load.
     Smooth(&'a ForceSeries<T>),
 }
@@ -37,9 +36,7 @@ impl<'a, T: Scalar> Course<'a, T> {
         if last > first && is_instant(chi * duration) {
             return Self::Step;
         }
-        let load_rate = (last - first) / duration;
-        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
-        Self::Linear { rate: (load_rate + chi * last).max(T::zero()), load_rate, duration }
+        Self::Linear { line: Line::to(last, (last - first) / duration, chi), duration }
     }
 
     /// A load of any other kind.
@@ -60,68 +57,20 @@ impl<'a, T: Scalar> Course<'a, T> {
     pub(super) fn is_held(&self) -> bool {
         match self {
             Self::Step => true,
-            Self::Linear { load_rate, .. } => load_rate.is_zero(),
+            Self::Linear { line, .. } => line.force_rate.is_zero(),
             Self::Smooth(_) => false,
         }
     }
 
     /// How long before the end Y was smaller than at the end by `deficit`.
     #[inline(always)]
-    pub(super) fn age(&self, chi: T, deficit: T) -> T {
+    pub(super) fn age(&self, deficit: T) -> T {
         match *self {
             Self::Step => T::zero(),
-            Self::Linear { rate, load_rate, .. } => age_along_line(rate, (chi, load_rate), deficit),
+            Self::Linear { line, .. } => line.age(deficit),
             Self::Smooth(force) => force.age(deficit),
         }
     }
-}
-
-/// How long before the end of a straight load, where Y grows at `rate`, Y was smaller than at the end by `deficit`.
-#[inline]
-pub(crate) fn age_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
-    if load_rate.is_zero() {
-        return deficit / rate;
-    }
-    if has_root_along_line(rate, (chi, load_rate), deficit) {
-        root_along_line(rate, (chi, load_rate), deficit)
-    } else {
-        age_in_units(rate, (chi, load_rate), deficit)
-    }
-}
-
-/// The age of a deficit along a straight load, if it [has one](has_root_along_line) by this formula.
-///
-/// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
-/// Y′ at the time found.
-#[inline(always)]
-fn root_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
-    let two = T::constant(2.0);
-    let (straight, bend) = (rate * rate, two * chi * load_rate * deficit);
-    // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes at the end,
-    // count as a long time after it.
-    two * deficit / (rate + (straight - bend).abs().sqrt())
-}
-
-/// Whether the squares of rates are in range.
-#[inline(always)]
-fn has_root_along_line<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> bool {
-    let size = rate * rate + (T::constant(2.0) * chi * load_rate * deficit).abs();
-    size.is_finite() & (size * T::default_epsilon() > smallest_normal())
-}
-
-/// The age of a deficit along a straight load whose squares of rates are out of range: the same root, with all rates
-/// in units of a power of two near the largest, so that not a bit depends on the units of the load.
-fn age_in_units<T: Scalar>(rate: T, (chi, load_rate): (T, T), deficit: T) -> T {
-    let two = T::constant(2.0);
-    let curved = chi.sqrt() * load_rate.abs().sqrt() * deficit.abs().sqrt();
-    let largest = rate.max(curved);
-    if largest.is_zero() {
-        return T::zero();
-    }
-    let (_, exponent) = split(largest);
-    let [rate, load_rate, deficit] = [rate, load_rate, deficit].map(|x| scale(x, -exponent));
-    let then = (rate * rate - two * chi * load_rate * deficit).abs().sqrt();
-    two * deficit / (rate + then)
 }
 
 /// Whether nothing drains in so few e-foldings.
@@ -140,9 +89,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             return (Increment::zero(), false);
         }
         let over_time = match self.course {
-            Course::Linear { rate, load_rate, .. } if load_rate < T::zero() => {
-                let chi = self.contact.medium().chi();
-                let (rate, rise) = (rate / chi, -load_rate / chi);
+            Course::Linear { line, .. } if line.force_rate < T::zero() => {
+                let (rate, rise) = (line.hereditary_rate / line.chi, -line.force_rate / line.chi);
                 let half = T::constant(0.5);
                 time_form::increment(
                     self,
@@ -151,16 +99,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                     |x| (x * (rate + half * rise * x), rate + rise * x),
                 )
             }
-            Course::Smooth(force) if self.begins_covered() => {
+            Course::Smooth(force) if self.begins_loaded() => {
                 time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
-            _ => return (radius_form::increment(self), false),
+            _ => return (self.increment_over_radius(), false),
         };
         (over_time, true)
     }
 
     /// Whether the hereditary load is well above zero throughout.
-    fn begins_covered(&self) -> bool {
+    fn begins_loaded(&self) -> bool {
         let profile = self.contact.profile();
         let sixteenth = T::constant(1.0 / 16.0);
         profile.quick_load_integral(self.low) >= profile.quick_load_integral(self.high) * sixteenth
@@ -170,7 +118,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     #[inline]
     pub(super) fn age_at(&self, depth: T) -> T {
         let drop = self.contact.profile().load_integral_drop(self.high, depth);
-        self.course.age(self.contact.medium().chi(), self.deficit(drop))
+        self.course.age(self.deficit(drop))
     }
 
     /// By how much the hereditary load at the end exceeds that of a radius whose J is less by a drop.
@@ -182,21 +130,19 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// Leaves of weights, laid at radii whose J is less by some drops, what is left at the end: e^(−χ age) of each.
     #[inline(always)]
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
-        let chi = self.contact.medium().chi();
         // Where a formula gives all ages, vectors take them.
         match self.course {
-            Course::Linear { rate, load_rate, .. } if load_rate.is_zero() => self.fade_by(
+            Course::Linear { line, .. } if line.force_rate.is_zero() => self.fade_by(
                 #[inline(always)]
-                |deficit| deficit / rate,
+                |deficit| line.age_while_held(deficit),
                 (weights, drops),
             ),
-            Course::Linear { rate, load_rate, .. } if self.has_roots(rate, (chi, load_rate), drops) => self
-                .fade_by(
-                    #[inline(always)]
-                    |deficit| root_along_line(rate, (chi, load_rate), deficit),
-                    (weights, drops),
-                ),
-            _ => self.fade_by(|deficit| self.course.age(chi, deficit), (weights, drops)),
+            Course::Linear { line, .. } if self.have_roots(line, drops) => self.fade_by(
+                #[inline(always)]
+                |deficit| line.root(deficit),
+                (weights, drops),
+            ),
+            _ => self.fade_by(|deficit| self.course.age(deficit), (weights, drops)),
         }
     }
 
@@ -209,13 +155,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         }
     }
 
-    /// Whether all drops have an age by [`root_along_line`].
+    /// Whether all drops have an age by [`Line::root`].
     #[inline(always)]
-    fn has_roots(&self, rate: T, (chi, load_rate): (T, T), drops: &[T]) -> bool {
+    fn have_roots(&self, line: Line<T>, drops: &[T]) -> bool {
         drops.iter().fold(
             true,
             #[inline(always)]
-            |all, &drop| all & has_root_along_line(rate, (chi, load_rate), self.deficit(drop)),
+            |all, &drop| all & line.has_root(self.deficit(drop)),
         )
     }
 
@@ -229,10 +175,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let half = T::constant(0.5);
         let off_axis = |radius: T, degree: T| radius * T::constant(2.8) / degree;
         match self.course {
-            Course::Linear { rate, load_rate, .. } if load_rate > T::zero() => {
-                let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
+            Course::Linear { line: Line { chi, force_rate, hereditary_rate }, .. }
+                if force_rate > T::zero() =>
+            {
+                let profile = self.contact.profile();
                 let load_integral = profile.quick_load_integral(top);
-                let deficit = (rate / load_rate) * (rate / chi) * half;
+                let deficit = (hereditary_rate / force_rate) * (hereditary_rate / chi) * half;
                 // In shares of J at `top`: the deficit is a force, and over π m/4 it may be out of range.
                 let share_of_deficit = deficit / (self.contact.load_per_integral() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;

@@ -26,7 +26,7 @@ use crate::load::Load;
 use crate::quadrature::{MOST_NODES, Rule};
 use crate::{GapProfile, Scalar};
 
-/// How often panels are halved at most. A geometry of a user's own may have radii that no panel resolves.
+/// How often panels are halved at most. A user-defined geometry may have radii that no panel resolves.
 const MOST_HALVINGS: u32 = 256;
 
 /// The increment of a stretch during which the hereditary load falls short of its final value by D and rises at D′,

@@ -71,7 +71,7 @@ impl core::error::Error for RadiusError {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ProfileError {
-    /// There are no terms.
+    /// No term has a coefficient other than zero.
     Empty,
     /// A field that is declared positive has another value.
     NotPositive {
@@ -136,7 +136,8 @@ impl fmt::Display for ProfileError {
             Self::Empty => {
                 write!(
                     f,
-                    "the gap has no terms; give at least one (coefficient, exponent), such as (0.025, 2)"
+                    "the gap has no term with a coefficient other than 0; give at least one (coefficient, exponent), such as \
+                     (0.025, 2)"
                 )
             }
             Self::NotPositive { field, value } => write!(

@@ -132,10 +132,24 @@ pub trait GapProfile<T: Scalar> {
 
     /// The contact radius `a`, in mm, at which J(a) equals `load_integral`: Eq. (14) solved.
     ///
+    /// # Examples
+    ///
+    /// ```
+    /// use cartcontact::{GapProfile, gap_profile};
+    ///
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// // J(a) = C a⁶/12, Eq. (18).
+    /// let a: f64 = Paraboloid.radius(200.0)?;
+    /// assert!((a - (12.0 * 200.0 / 0.025_f64).powf(1.0 / 6.0)).abs() < 1e-14);
+    /// # Ok::<(), cartcontact::RadiusError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius).
-    // Left to compilers, it is a call with its result in memory in one program and not in the next, see `radius_within`.
+    // Always: otherwise it is a call with its result in memory in one program and not in the next.
     #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
         self.radius_within(load_integral, self.max_radius())
@@ -189,7 +203,8 @@ pub trait GapProfile<T: Scalar> {
         Ok(())
     }
 
-    /// The end of the admissible range of contact radii, in mm; infinity if there is none.
+    /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its mean
+    /// over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: how long ago the

@@ -9,7 +9,7 @@
 use crate::dispatch::wide;
 use crate::evaluate::exponent::Exponent;
 use crate::evaluate::exponential::{decay, loss};
-use crate::evaluate::logarithm::log_of_share;
+use crate::evaluate::logarithm::log_of_ratio;
 use crate::evaluate::power::term_of_drop;
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
@@ -107,7 +107,7 @@ fn fill_block<T: Scalar>(
 ) {
     let mut shrinkings = [T::zero(); BLOCK];
     for ((x, &radius), &depth) in shrinkings.iter_mut().zip(radii).zip(depths) {
-        *x = -log_of_share(radius / a, depth / a);
+        *x = -log_of_ratio(radius / a, depth / a);
     }
     slopes.fill(T::zero());
     drops.fill(T::zero());

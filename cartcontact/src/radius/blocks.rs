@@ -12,11 +12,12 @@ const BLOCK: usize = 64;
 const SMALL_BLOCK: usize = 16;
 
 impl Table {
-    /// The radii of many load integrals by a step; blocks that are not all in the table, and few, by `general`.
+    /// The radii of many load integrals by a step, in vector code. A block with a value outside the table, and what is left
+    /// over, go to `general` one by one.
     ///
     /// # Errors
     ///
-    /// The first of those of `general`, and if the slices differ in length.
+    /// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
     #[inline(always)]
     pub(super) fn find_all<T: Scalar>(
         &self,

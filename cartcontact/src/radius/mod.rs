@@ -9,7 +9,7 @@
 //! | [`newton`] | all else | Newton's method inside a bracket |
 //!
 //! The first that applies is tried; what it does not lead to, be it zero, not a number, or beyond the range, is left to the
-//! last two, [`elsewhere`], which also name the fault. [`blocks`] takes many radii in vector code.
+//! last two, [`out_of_line`], which also name the fault. [`blocks`] takes many radii in vector code.
 
 mod blocks;
 pub(crate) mod leading_term;
@@ -22,18 +22,18 @@ pub(crate) mod whole_powers;
 use crate::Scalar;
 use crate::profile::RadiusError;
 
-/// The general solution, out of the way of the step from the table.
+/// Calls `solve` in a cold function of its own, so that the quick path before it stays small.
 #[cold]
 #[inline(never)]
-pub fn elsewhere<R>(solve: impl FnOnce() -> R) -> R {
+pub fn out_of_line<R>(solve: impl FnOnce() -> R) -> R {
     solve()
 }
 
-/// Whether there is a radius to be searched for: not for zero, whose radius is zero; a range that is none reaches no further.
+/// Whether the radius has to be searched for: a load integral of zero has the radius zero.
 ///
 /// # Errors
 ///
-/// [`RadiusError`] for a load integral that is negative or not finite, and for any beyond a range that is none.
+/// [`RadiusError`] for a load integral that is negative or not finite, and for any positive one if `limit` is not positive.
 fn needs_search<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
     if target.is_zero() {
         Ok(false)

@@ -72,12 +72,12 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
     }
 }
 
-/// The radii of many load integrals, each of them by `solve`, for which [`WholePowers::solve`] stands; blocks that are
-/// not all found by it, and what is left over, by `general`.
+/// The radii of many load integrals, in vector code, each of them by `solve`, for which [`WholePowers::solve`] stands. A
+/// block of which it does not find all, and what is left over, go to `general` one by one.
 ///
 /// # Errors
 ///
-/// The first of those of `general`, and if the slices differ in length.
+/// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
 #[inline]
 pub fn radii_of_whole_powers<T: Scalar>(
     (load_integrals, radii): (&[T], &mut [T]),

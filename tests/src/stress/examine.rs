@@ -126,7 +126,7 @@ impl<T: Precision> Examination<'_, T> {
             (ContactError::Load(LoadError::InvalidImpulse { .. }), _) => {
                 self.impulse(time, y) > T::MOST * (1.0 - 8.0 * T::EPSILON)
             }
-            (ContactError::OutOfRange { .. }, radius) => self.is_out_of_range(time, y, radius),
+            (ContactError::Unrepresentable { .. }, radius) => self.is_out_of_range(time, y, radius),
             (_, radius) => {
                 let slope = radius.map_or(y, |a| self.exact.profile.kernels(a).log_slope.value);
                 slope.value() > T::MOST

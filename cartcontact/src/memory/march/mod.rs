@@ -4,11 +4,11 @@
 //! two stages computed on their own would not agree on what lies between them. So only differences are used: a
 //! surplus follows from the one before it by what Y and J gained since, both without cancellation.
 //!
-//! **The strip** is what lies between the rounded radius and the exact one. Integrals over the radius begin and end at
-//! rounded radii: under loads that are held or rise, so that a strip is new, what they will have in the first one is taken
-//! away before, and the last one is added when nothing more is covered. Integrals over time know nothing of rounded radii,
-//! nor does what is laid at once where the edge stands still: there the strip stays, and fades with the rest. Under a load
-//! that falls as fast as e^(−χ t) one that was added as new would soon be all the pressure there is.
+//! **The strip** is the ring between the rounded radius and the exact one. An integral over the radius runs between rounded
+//! radii, so that it lays the strip at its beginning again: that much is taken out first, and the strip at the very end is
+//! added when the march is over. Integrals over time, and what is laid at once where the edge stands still, know nothing of
+//! rounded radii: there the strip stays, and fades with the rest. To count it as new would be wrong under a load that falls
+//! as fast as e^(−χ t), under which it would soon be all the pressure there is.
 //!
 //! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
 //! [`run`](super::run), the others one by one.
@@ -25,8 +25,7 @@ use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
 use crate::{GapProfile, Scalar};
 
-/// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius; and the
-/// stage at its end.
+/// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius.
 // Compiled into its few callers, which need not copy the stages.
 #[inline(always)]
 pub(crate) fn march<T, P, L>(
@@ -34,7 +33,7 @@ pub(crate) fn march<T, P, L>(
     from: Stage<T>,
     (time, radius): (T, T),
     reach: T,
-) -> (Transition<T>, Stage<T>)
+) -> Transition<T>
 where
     T: Scalar,
     P: GapProfile<T>,
@@ -60,7 +59,7 @@ where
     }
     march.add_strip();
     march.transition.offset = not_negative(march.transition.offset);
-    (march.transition, march.now)
+    march.transition
 }
 
 /// What is left of the gain of a stretch at its end, F₂ − E F₁: a difference of what the forces have in common with
@@ -120,7 +119,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 self.jump(last, next);
                 ahead = rest;
             }
-            // A load of a user's own may know no more pieces.
+            // A user-defined load may know no more pieces.
             if self.now.time <= start {
                 break;
             }
@@ -245,7 +244,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             self.leave_strip();
         }
         if is_covered && is_left_out && !is_over_time {
-            increment.carry(kept_of(forces, folds) / contact.load_per_integral(), (low, high));
+            increment.scale_to_load(kept_of(forces, folds) / contact.load_per_integral(), (low, high));
         }
         self.transition.advance(folds, self.quarter_m(), increment, low);
         self.now = Stage { radius: high, surplus, ..self.now };

@@ -49,11 +49,12 @@ impl Roots {
         self.table.find(load_integral, limit, Root { term, series: self.series })
     }
 
-    /// The radii of many load integrals; blocks that are not all in the table, and few, by `general`.
+    /// The radii of many load integrals, in vector code. A block with a value outside the table, and what is left over, go to
+    /// `general` one by one.
     ///
     /// # Errors
     ///
-    /// The first of those of `general`, and if the slices differ in length.
+    /// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
     #[inline]
     pub fn radii<T: Scalar>(
         &self,

@@ -46,8 +46,9 @@ impl<T: Scalar> Units<T> for OwnUnits {
     }
 }
 
-/// Those in which J = j aᵖ ± j′ aᵖ′ + … is xᵖ ± xᵖ′ + …, so that all such J have the same table if other terms have the same
-/// factors there: the radius at which the first two have the same size, and that size.
+/// Those in which the first two terms of J have the coefficients 1 and ±1. All J whose other coefficients agree in these
+/// units share one table. The unit of length is the radius at which the first two terms have the same size, the unit of J
+/// that size.
 #[derive(Clone, Copy, Debug)]
 pub struct EqualTerms<T> {
     radius: T,

@@ -1,0 +1,79 @@
+//! How long ago the hereditary load was smaller, along a straight load.
+
+use crate::Scalar;
+use crate::evaluate::binary::{scale, split};
+use crate::scalar::smallest_normal;
+
+/// A straight load, as seen from its end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<T> {
+    pub(crate) chi: T,
+    /// F′.
+    pub(crate) force_rate: T,
+    /// Y′ = F′ + χ F at the end.
+    pub(crate) hereditary_rate: T,
+}
+
+impl<T: Scalar> Line<T> {
+    /// The line with a slope to a force.
+    pub(crate) fn to(force: T, force_rate: T, chi: T) -> Self {
+        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
+        Self { chi, force_rate, hereditary_rate: (force_rate + chi * force).max(T::zero()) }
+    }
+
+    /// How long before the end Y was smaller than at the end by `deficit`.
+    #[inline]
+    pub(crate) fn age(self, deficit: T) -> T {
+        if self.force_rate.is_zero() {
+            self.age_while_held(deficit)
+        } else if self.has_root(deficit) {
+            self.root(deficit)
+        } else {
+            self.age_in_units(deficit)
+        }
+    }
+
+    /// The age of a deficit where F′ = 0.
+    #[inline(always)]
+    pub(super) fn age_while_held(self, deficit: T) -> T {
+        deficit / self.hereditary_rate
+    }
+
+    /// The age of a deficit, if it [has one](Self::has_root) by this formula.
+    ///
+    /// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
+    /// Y′ at the time found.
+    #[inline(always)]
+    pub(super) fn root(self, deficit: T) -> T {
+        let Self { chi, force_rate, hereditary_rate: rate } = self;
+        let two = T::constant(2.0);
+        let (straight, bend) = (rate * rate, two * chi * force_rate * deficit);
+        // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes at the end,
+        // count as a long time after it.
+        two * deficit / (rate + (straight - bend).abs().sqrt())
+    }
+
+    /// Whether the squares of rates are in range.
+    #[inline(always)]
+    pub(super) fn has_root(self, deficit: T) -> bool {
+        let Self { chi, force_rate, hereditary_rate: rate } = self;
+        let size = rate * rate + (T::constant(2.0) * chi * force_rate * deficit).abs();
+        size.is_finite() & (size * T::default_epsilon() > smallest_normal())
+    }
+
+    /// The age of a deficit where the squares of rates are out of range: the same root, with all rates in units of a power
+    /// of two near the largest, so that not a bit depends on the units of the load.
+    fn age_in_units(self, deficit: T) -> T {
+        let Self { chi, force_rate, hereditary_rate: rate } = self;
+        let two = T::constant(2.0);
+        let curved = chi.sqrt() * force_rate.abs().sqrt() * deficit.abs().sqrt();
+        let largest = rate.max(curved);
+        if largest.is_zero() {
+            return T::zero();
+        }
+        let (_, exponent) = split(largest);
+        let [rate, force_rate, deficit] = [rate, force_rate, deficit].map(|x| scale(x, -exponent));
+        let then = (rate * rate - two * chi * force_rate * deficit).abs().sqrt();
+        two * deficit / (rate + then)
+    }
+}
