@@ -72,9 +72,9 @@ impl Rule {
 
     /// How many nodes it has.
     #[inline(always)]
-    pub(crate) fn len(&self) -> usize {
+    pub(crate) const fn len(&self) -> usize {
         // The compiler cannot know, and would check all bounds.
-        self.count.min(MOST_NODES)
+        if self.count < MOST_NODES { self.count } else { MOST_NODES }
     }
 
     /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the

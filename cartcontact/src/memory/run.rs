@@ -41,21 +41,23 @@ type Pieces<T> = [T; MOST_PIECES];
 #[derive(Clone, Copy, Debug)]
 struct ShortRule {
     rule: &'static Rule,
-    /// The most e-foldings of a piece.
-    folds: f64,
+    /// One over the most e-foldings of a piece.
+    per_fold: f64,
     /// The least distance to the singularity from the end of a piece, in units of its duration.
     distance: f64,
+    /// 1/(4 (2n + 1)): what e-foldings that have faded since are multiplied by.
+    per_faded: f64,
 }
 
 /// Found by bisection in 40 digits, for ε/4 in f64, and rounded to the safe side. Half of both together makes less than
 /// ε/16. The distance of the rule of 4 nodes is half as much again, because its radii are not told from unresolved ones
 /// before.
 const RULES: [ShortRule; 5] = [
-    ShortRule { rule: Rule::FOUR, folds: 0.067, distance: 75.0 },
-    ShortRule { rule: Rule::SIX, folds: 0.66, distance: 6.8 },
-    ShortRule { rule: Rule::EIGHT, folds: 2.1, distance: 2.5 },
-    ShortRule { rule: Rule::TEN, folds: 4.4, distance: 1.3 },
-    ShortRule { rule: Rule::TWELVE, folds: 7.6, distance: 0.82 },
+    ShortRule::of(Rule::FOUR, 0.067, 75.0),
+    ShortRule::of(Rule::SIX, 0.66, 6.8),
+    ShortRule::of(Rule::EIGHT, 2.1, 2.5),
+    ShortRule::of(Rule::TEN, 4.4, 1.3),
+    ShortRule::of(Rule::TWELVE, 7.6, 0.82),
 ];
 
 /// Short pieces one after the other, without a step between them.
@@ -265,12 +267,17 @@ impl<T: Scalar> Growth<T> {
 }
 
 impl ShortRule {
+    /// Of the most e-foldings of a piece, and the least distance.
+    const fn of(rule: &'static Rule, folds: f64, distance: f64) -> Self {
+        Self { rule, per_fold: 1.0 / folds, distance, per_faded: 0.25 / (2 * rule.len() + 1) as f64 }
+    }
+
     /// Whether the rule is long enough for a piece that ends with a hereditary load and of which e^(−faded) is left.
     fn suffices<T: Scalar>(&self, growth: &Growth<T>, hereditary: T, faded: T) -> bool {
         // e^(faded/(2n+1)), or a little less.
-        let root = T::one() + faded * T::constant(0.25 / (2 * self.rule.len() + 1) as f64);
+        let root = T::one() + faded * T::constant(self.per_faded);
         let square = root * root;
-        let of_distance = square * square - growth.folds * T::constant(1.0 / self.folds);
+        let of_distance = square * square - growth.folds * T::constant(self.per_fold);
         // |R| v + |B| v²/2 < Y at the v that far away.
         let v = T::one() + T::constant(self.distance) / of_distance;
         let shortfall = v * (growth.rate + growth.bend.abs() * T::constant(0.5) * v);
