@@ -91,7 +91,7 @@ pub(crate) fn solver(
     let beside_inversion = beside_inversion(&forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
-    let shape = shape(geometry, &coefficients, &names);
+    let quadrature_hints = quadrature_hints(geometry, &coefficients, &names);
     let shared = coefficients.function();
     let header = implementation(item, &names);
     let beside = Operations::of_function(&shared);
@@ -108,7 +108,7 @@ pub(crate) fn solver(
                 #evaluators
                 #inversion
                 #range
-                #shape
+                #quadrature_hints
             }
             #inherent
         };
@@ -269,7 +269,7 @@ fn bounded_generics(item: &Item, names: &Names) -> Generics {
 }
 
 /// What quadrature has to know of the terms.
-fn shape(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn quadrature_hints(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
     let truth = quote!(::core::primitive::bool);

@@ -13,7 +13,7 @@ use num_bigint::{BigInt, Sign};
 use num_traits::Signed;
 
 /// Coefficients as signs and words, the lowest power and the lowest word first, in units of 2^-digits.
-pub(crate) struct Table {
+pub(crate) struct CoefficientTable {
     coefficients: Vec<(bool, Vec<u64>)>,
     /// The words of the longest.
     longest: usize,
@@ -45,12 +45,12 @@ pub(crate) fn fraction(offset: &BigInt, bits: u64) -> Vec<u64> {
     words
 }
 
-impl Table {
+impl CoefficientTable {
     pub(crate) fn new(coefficients: &[BigInt], digits: i64) -> Self {
         let in_words = |number: &BigInt| (number.is_negative(), number.magnitude().to_u64_digits());
         let coefficients: Vec<(bool, Vec<u64>)> = coefficients.iter().map(in_words).collect();
         let longest = coefficients.iter().map(|(_, words)| words.len()).max().unwrap_or(0);
-        Table { coefficients, longest, digits }
+        CoefficientTable { coefficients, longest, digits }
     }
 
     /// A derivative at a point and the digits of its unit, which are `digits` or up to 63 more.
@@ -214,7 +214,7 @@ mod tests {
             if power % 3 == 1 { -size } else { size }
         };
         let coefficients: Vec<BigInt> = (0..20).map(number).collect();
-        let table = Table::new(&coefficients, 800);
+        let table = CoefficientTable::new(&coefficients, 800);
         for (offset, bits) in [(0_u64, 0), (1, 1), (u64::MAX, 64), (5, 300), (1 << 40 | 1, 41)] {
             for (exceeds_one, order) in
                 [false, true].into_iter().flat_map(|exceeds| [0, 1, 2].map(|k| (exceeds, k)))

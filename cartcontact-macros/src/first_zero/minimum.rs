@@ -57,7 +57,7 @@ struct Point {
 }
 
 /// A value or a slope over the part, in units of 2^-digits; less than `error` of them from the true one.
-struct Known {
+struct Approximate {
     number: BigInt,
     error: u64,
     digits: i64,
@@ -119,7 +119,7 @@ impl<'a> Minimum<'a> {
     }
 
     /// What the value and the slope at a point say. The slope is squared, so that it takes half as many digits.
-    fn roots_beside(&self, point: &Point, value: &Known, enough: &mut u64) -> Option<Roots> {
+    fn roots_beside(&self, point: &Point, value: &Approximate, enough: &mut u64) -> Option<Roots> {
         let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(value.digits));
         let steepest = scaled(&(slope.number.abs() + slope.error), value.digits - slope.digits);
         let curvature = scaled(&self.curvature, value.digits - self.digits as i64);
@@ -136,7 +136,13 @@ impl<'a> Minimum<'a> {
 
     /// The bits of a point that are enough if the value beside the minimum is that of the parabola that touches here,
     /// p − p'²/(2 p''): there p''² (x − l)²/(2 m) is less. Nothing if it is too small to be known.
-    fn likely_enough(&self, point: &Point, value: &Known, slope: &Known, curvature: &BigInt) -> Option<u64> {
+    fn likely_enough(
+        &self,
+        point: &Point,
+        value: &Approximate,
+        slope: &Approximate,
+        curvature: &BigInt,
+    ) -> Option<u64> {
         if !curvature.is_positive() {
             return None;
         }
@@ -150,14 +156,14 @@ impl<'a> Minimum<'a> {
         u64::try_from((steepest - flattest - least) / 2 + 2).ok().filter(|bits| *bits > point.bits)
     }
 
-    fn value(&self, point: &Point, digits: i64) -> Known {
+    fn value(&self, point: &Point, digits: i64) -> Approximate {
         let (number, [error, _]) = self.derivative(0, point, digits);
-        Known { number, error, digits }
+        Approximate { number, error, digits }
     }
 
-    fn slope(&self, point: &Point, digits: i64) -> Known {
+    fn slope(&self, point: &Point, digits: i64) -> Approximate {
         let (number, [_, error]) = self.derivative(1, point, digits);
-        Known { number, error, digits }
+        Approximate { number, error, digits }
     }
 
     /// In units of 2^-digits, with the bounds for the errors of values and slopes.
@@ -168,7 +174,13 @@ impl<'a> Minimum<'a> {
     }
 
     /// Where Newton's method leads, if that is inside the bracket and the steps become shorter.
-    fn newton(&mut self, point: &Point, slope: &Known, curvature: BigInt, enough: u64) -> Option<Point> {
+    fn newton(
+        &mut self,
+        point: &Point,
+        slope: &Approximate,
+        curvature: BigInt,
+        enough: u64,
+    ) -> Option<Point> {
         let finer = self.digits_for(point.bits) - slope.digits;
         // The step is about 2^-reach; the error of the slope is worth no more than 2^(-2 bits).
         let reach = curvature.bits() as i64 - slope.number.bits() as i64 - finer;
@@ -194,7 +206,7 @@ impl<'a> Minimum<'a> {
 
 impl Bracket {
     /// Takes in the sign of the slope at a point, if it is certain.
-    fn take(&mut self, point: &Point, slope: &Known) {
+    fn take(&mut self, point: &Point, slope: &Approximate) {
         if slope.number.magnitude() < &slope.error.into() {
             return;
         }

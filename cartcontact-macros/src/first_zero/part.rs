@@ -16,7 +16,7 @@ use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::fixed_point::Numbers;
-use crate::first_zero::horner::Table;
+use crate::first_zero::horner::CoefficientTable;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::powers::{GUARD, Powers};
 
@@ -65,7 +65,7 @@ pub(crate) struct Whole<'a> {
     /// That of the longest of the integers, in bits.
     pub(crate) length: u64,
     /// The coefficients with as many digits as were asked for until now.
-    table: RefCell<Rc<Table>>,
+    table: RefCell<Rc<CoefficientTable>>,
 }
 
 impl<'a> Whole<'a> {
@@ -75,7 +75,7 @@ impl<'a> Whole<'a> {
             Some((lowest + exponent * power, coefficient.bits() as i64 + exponent * power))
         });
         let (bottom, top) = ends.reduce(|all, own| (all.0.min(own.0), all.1.max(own.1))).unwrap_or_default();
-        let table = RefCell::new(Rc::new(Table::new(&[], i64::MIN)));
+        let table = RefCell::new(Rc::new(CoefficientTable::new(&[], i64::MIN)));
         Whole { polynomial, exponent, top, length: (top - bottom) as u64, table }
     }
 
@@ -102,10 +102,10 @@ impl<'a> Whole<'a> {
     }
 
     /// The coefficients with so many digits or more, for values at points.
-    pub(crate) fn table(&self, digits: i64) -> Rc<Table> {
+    pub(crate) fn table(&self, digits: i64) -> Rc<CoefficientTable> {
         let mut table = self.table.borrow_mut();
         if table.digits < digits {
-            *table = Rc::new(Table::new(&self.coefficients(digits), digits));
+            *table = Rc::new(CoefficientTable::new(&self.coefficients(digits), digits));
         }
         table.clone()
     }

@@ -16,7 +16,7 @@ use std::rc::Rc;
 
 use num_bigint::BigInt;
 
-use crate::first_zero::horner::{Abscissa, Table};
+use crate::first_zero::horner::{Abscissa, CoefficientTable};
 use crate::first_zero::part::{Part, Whole};
 use crate::first_zero::powers::Powers;
 
@@ -34,14 +34,14 @@ struct Near<'a> {
     /// As many digits are zero in all numbers.
     spent: u64,
     wider: Source<'a>,
-    known: RefCell<Known>,
+    known: RefCell<Growing>,
 }
 
 /// What grows if more digits are asked for.
-struct Known {
+struct Growing {
     powers: Rc<Powers>,
     digits: u64,
-    table: Option<Rc<Table>>,
+    table: Option<Rc<CoefficientTable>>,
 }
 
 impl<'a> Source<'a> {
@@ -55,7 +55,7 @@ impl<'a> Source<'a> {
 
     /// What was taken from this one over a part, with so many digits, as a source itself.
     pub(crate) fn near(self, part: Part, powers: Powers, digits: u64, spent: u64) -> Self {
-        let known = RefCell::new(Known { powers: Rc::new(powers), digits, table: None });
+        let known = RefCell::new(Growing { powers: Rc::new(powers), digits, table: None });
         Source { whole: self.whole, near: Some(Rc::new(Near { part, spent, wider: self, known })) }
     }
 
@@ -69,7 +69,7 @@ impl<'a> Source<'a> {
                 // More are likely to be asked for.
                 let digits = digits + digits / 4;
                 let powers = near.wider.having(digits).powers_over(&near.part, digits);
-                near.known.replace(Known { powers: Rc::new(powers), digits, table: None });
+                near.known.replace(Growing { powers: Rc::new(powers), digits, table: None });
                 self.clone()
             }
             _ => self.clone(),
@@ -168,9 +168,9 @@ impl<'a> Source<'a> {
 }
 
 impl Near<'_> {
-    fn table(&self) -> Rc<Table> {
-        let Known { powers, digits, table } = &mut *self.known.borrow_mut();
+    fn table(&self) -> Rc<CoefficientTable> {
+        let Growing { powers, digits, table } = &mut *self.known.borrow_mut();
         let digits = (*digits + powers.guard) as i64;
-        table.get_or_insert_with(|| Rc::new(Table::new(&powers.numbers, digits))).clone()
+        table.get_or_insert_with(|| Rc::new(CoefficientTable::new(&powers.numbers, digits))).clone()
     }
 }

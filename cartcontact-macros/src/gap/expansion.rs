@@ -107,10 +107,10 @@ pub(crate) fn expand(
         );
         return Err((first.extent, message));
     };
-    let wanted = Wanted { shape: &shape, range, limit };
-    let order = wanted.order(order, *place, options.tolerance.as_ref())?;
+    let expansion = Expansion { shape: &shape, range, limit };
+    let order = expansion.order(order, *place, options.tolerance.as_ref())?;
     let too_hard = |message: &'static str| (*place, message.to_owned());
-    let error = match (wanted.neglected(order)?, limit) {
+    let error = match (expansion.neglected(order)?, limit) {
         (Bounded::By(neglected), Some(limit)) => match neglected.bound(order).map_err(too_hard)? {
             None => return Err((limit, OVERWHELMED.to_owned())),
             bound => bound,
@@ -156,14 +156,14 @@ enum Bounded {
     Not(&'static str),
 }
 
-/// Surfaces and the range on which they are wanted; `limit` is where its end was written.
-struct Wanted<'a> {
+/// Surfaces that are expanded, and the range on which; `limit` is where its end was written.
+struct Expansion<'a> {
     shape: &'a Shape,
     range: &'a Range,
     limit: Option<Extent>,
 }
 
-impl Wanted<'_> {
+impl Expansion<'_> {
     /// The order that was asked for, which was written at `place`, if it is within the tolerance.
     fn order(
         &self,
