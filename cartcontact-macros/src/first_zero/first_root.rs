@@ -13,6 +13,7 @@ use num_traits::{One, Pow, Zero};
 
 use crate::first_zero::common_divisor::common_divisor;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
+use crate::first_zero::interval_power::Interval;
 use crate::first_zero::part::{Part, Whole};
 use crate::first_zero::source::Source;
 use crate::number::Rational;
@@ -58,17 +59,19 @@ impl FirstRoot {
         denominator: u32,
     ) -> Ordering {
         let power = number.pow(numerator as i32);
-        let exactly = |offset: &BigInt, exponent: i64| {
-            let exponent = exponent * i64::from(denominator);
+        let compare_raised = |offset: &BigInt, exponent: i64| {
             let (up, down) = (exponent.max(0) as u64, exponent.min(0).unsigned_abs());
-            ((Pow::pow(offset, denominator) * power.denom()) << up).cmp(&(power.numer() << down))
+            ((offset * power.denom()) << up).cmp(&(power.numer() << down))
         };
         let compare = |offset: &BigInt, exponent: i64| {
-            let excess = offset.bits().saturating_sub(LEADING_BITS);
-            let leading = offset >> excess;
+            let raised = Interval::around(offset, exponent).power(denominator);
             let [below, above] =
-                [leading.clone(), leading + 1].map(|end| exactly(&end, exponent + excess as i64));
-            if below == above { below } else { exactly(offset, exponent) }
+                [raised.lower, raised.upper].map(|end| compare_raised(&end, raised.exponent));
+            if below == above {
+                below
+            } else {
+                compare_raised(&Pow::pow(offset, denominator), exponent * i64::from(denominator))
+            }
         };
         let bits = power.numer().bits() + power.denom().bits();
         let mut checked = false;
@@ -170,8 +173,6 @@ impl FirstRoot {
     }
 }
 
-/// So many bits of a long number nearly always decide how it compares.
-const LEADING_BITS: u64 = 128;
 /// The bits by which a piece of an interval is longer than the unit that its ends are rounded to.
 const ROOM: u64 = 3;
 /// The digits of a value that is looked at first, beyond those of the point.

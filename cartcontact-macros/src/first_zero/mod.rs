@@ -10,6 +10,7 @@ mod first_root;
 mod fixed_point;
 mod horner;
 mod integer_polynomial;
+mod interval_power;
 mod minimum;
 mod outline;
 mod part;

@@ -59,6 +59,19 @@ fn what_would_take_long_is_refused() {
     }
 }
 
+/// The radius at which it fails is compared with decimals, whose powers are as long as the denominator of exponents is large.
+#[test]
+fn what_fails_at_some_radius_is_refused_in_time() {
+    for attribute in [
+        "0.0512*r^2.034 + 0.001*r^2.5 - 0.00123*r^2.871",
+        "0.05*r^2.123 + 0.01*r^2.5 - 0.001*r^2.917",
+        "13.9*r^1.932 + 5.19*r^2.029 - 16.7*r^2.22",
+    ] {
+        let output = timed(attribute, attribute);
+        assert!(output.contains("add `max_radius = "), "{attribute}: {output}");
+    }
+}
+
 /// The expansion, which may not take longer than [`LIMIT`].
 fn timed(name: &str, attribute: &str) -> String {
     let item = quote!(
