@@ -15,7 +15,9 @@
 //! [contradiction] if no fall is found there.
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
-//! so the search ends.
+//! so the search ends. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
+//! rounding of 1 − e^(−t) early on; lest noise is followed through a whole history, the bound is doubled after every
+//! sixteen of them.
 
 use super::ForceSeries;
 use super::contradiction::{self, Contradiction};
@@ -25,7 +27,9 @@ use crate::scalar::smallest_normal;
 
 /// How often panels are halved at most because of their impulse, which may simply be that of another load, or when they
 /// are short already.
-const MOST_DOUBTS: u32 = 1024;
+const MOST_DOUBTS: u32 = 128;
+/// After so many panels that are given up, those that are given up next are twice as long.
+const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
 /// Why a history is not one that the solution covers.
 pub(super) enum Fault<T> {
@@ -69,6 +73,8 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         time: zero,
         impulse: zero,
         crest: Crest { time: zero, fallen: zero },
+        shortest: T::constant(1.0 / 131_072.0),
+        given_up: 0,
         doubts: MOST_DOUBTS,
         suspicion: None,
     };
@@ -95,6 +101,10 @@ struct Search<'a, T, L: ?Sized> {
     impulse: T,
     /// The highest hereditary load so far.
     crest: Crest<T>,
+    /// Of the time between knots, the share below which panels are short.
+    shortest: T,
+    /// How many panels leave something out although they were not halved any more.
+    given_up: u32,
     /// How many more panels may be halved that are short, or because of their impulse.
     doubts: u32,
     /// A contradiction that a fall would explain, if one is found before its end; the shortest so far.
@@ -135,8 +145,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
         let mut step = end - self.time;
         let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
-        let short = (step * T::constant(1.0 / 131_072.0)).max(least);
+        let whole = step;
         while self.time < end {
+            let short = (whole * self.shortest).max(least);
             let stop = if self.time + step + least < end { self.time + step } else { end };
             step = stop - self.time;
             let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
@@ -161,6 +172,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 Some(Finding::Falls(since)) => return Some(Fault::Falls(since)),
                 Some(Finding::Rises(crest) | Finding::Unclear(crest)) => crest,
             };
+            if force.is_unresolved() || force.is_rough() {
+                self.give_up();
+            }
             (self.time, self.impulse) = (stop, impulse);
             // Also where no knot tells of a jump.
             if let Some(since) = self.jump() {
@@ -188,10 +202,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let rounding = hereditary * T::default_epsilon() * T::constant(8.0);
         let finding = self.examine(force, stop, rounding);
         let is_vague = match finding {
-            // A rough series does not tell since when.
-            Finding::Falls(_) => force.is_rough() && halving == Halving::Free,
+            // A rough series does not tell since when, nor what else the load does.
+            Finding::Falls(_) | Finding::Rises(_) => force.is_rough() && halving == Halving::Free,
             Finding::Unclear(_) => self.may_halve(halving),
-            Finding::Rises(_) => false,
         };
         (!is_vague).then_some(finding)
     }
@@ -246,6 +259,14 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             let start = (self.time, self.impulse);
             let found = Contradiction::within(force, start, end, self.chi, self.tolerance);
             self.suspicion = found.or(self.suspicion);
+        }
+    }
+
+    /// Notes a panel that leaves something out.
+    fn give_up(&mut self) {
+        self.given_up += 1;
+        if self.given_up.is_multiple_of(GIVEN_UP_PER_DOUBLING) {
+            self.shortest += self.shortest;
         }
     }
 
