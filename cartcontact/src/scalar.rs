@@ -9,7 +9,8 @@ use crate::evaluate::bits::nearest_integer;
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
 /// `f32` and `f64` are; so are the dual numbers of `num-dual`, with which every result carries its exact
-/// derivatives.
+/// derivatives. But where nothing has drained yet, χ t = 0, second derivatives of pressures, and first ones with respect to
+/// χ where the load varies, are not those of what follows; nor are those of pressures with respect to time at a knot.
 ///
 /// # Examples
 ///

@@ -91,8 +91,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         if r >= self.radius {
             return T::zero();
         }
-        if (self.contact.medium().chi() * self.time).is_zero() {
-            return self.undrained_pressure(self.stage(), r);
+        let folds = self.contact.medium().chi() * self.time;
+        if folds.is_zero() {
+            // e^(−χ t): a zero may carry a derivative.
+            return self.undrained_pressure(self.stage(), r) * (T::one() - folds);
         }
         let start = self.start_of_memory();
         let change = march(self.contact, start, (self.time, self.radius), r.max(start.radius));

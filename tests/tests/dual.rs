@@ -137,6 +137,34 @@ fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), 
     Ok(())
 }
 
+/// At the start nothing has drained, and P_t + χ P = (m/4) δ₀′(t) (a² − r²) all the same.
+#[test]
+fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
+    let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
+    let contact = Contact::new(Plain, medium, Constant(Dual64::from(100.0)))?;
+    let now = contact.at(variable(0.0))?;
+    let (a, r) = (now.radius(), 2.0);
+    let pressure = now.pressure(Dual64::from(r));
+    let expected = 0.375 / 4.0 * now.approach().eps * (a.re * a.re - r * r) - 0.0015 * pressure.re;
+    assert_close(pressure.eps, expected, 1e-12);
+    Ok(())
+}
+
+/// At a knot the edge moves as the load says behind it: F′ + χ F = (π m/8) a⁴ δ₀′(t).
+#[test]
+fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {
+    let [medium_constant, chi] = [0.375, 0.0015].map(Dual64::from);
+    let knots = [(0.0, 50.0), (10.0, 100.0), (30.0, 140.0)].map(|(t, f)| (Dual64::from(t), Dual64::from(f)));
+    let contact =
+        Contact::new(Plain, Medium::from_constants(medium_constant, chi)?, PiecewiseLinear::new(knots)?)?;
+    for (time, force, slope) in [(0.0, 50.0, 5.0), (10.0, 100.0, 2.0), (30.0, 140.0, 0.0)] {
+        let now = contact.at(variable(time))?;
+        let fluid = PI * 0.375 / 8.0 * now.radius().re.powi(4) * now.approach().eps;
+        assert_close(fluid, slope + 0.0015 * force, 1e-12);
+    }
+    Ok(())
+}
+
 /// Φ = C rⁿ changes by Φ ln r with n, be n whole or not.
 #[test]
 fn slope_with_respect_to_an_exponent_is_that_of_the_power() -> Result<(), Failure> {

@@ -30,7 +30,7 @@ pub(super) struct Contradiction<T> {
 /// By how much an impulse may be off, in a history up to a time with a hereditary load.
 ///
 /// Without drainage impulses count for nothing, so that this is infinite.
-pub(super) fn tolerance<T: Scalar>(hereditary: T, chi: T) -> T {
+pub(crate) fn tolerance<T: Scalar>(hereditary: T, chi: T) -> T {
     hereditary / chi * T::default_epsilon().sqrt()
 }
 

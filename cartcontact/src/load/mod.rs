@@ -12,6 +12,7 @@ mod recession;
 use crate::Scalar;
 
 pub use constant::Constant;
+pub(crate) use contradiction::tolerance as impulse_tolerance;
 pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;

@@ -142,11 +142,9 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
         for piece in pieces(&knots[checkpoint * self.stride..=last]) {
             sum.add(piece.impulse());
         }
-        if t > start.0 {
-            // After the last knot the force is constant.
-            let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
-            sum.add(Piece { start, end }.before(t).impulse());
-        }
+        // After the last knot the force is constant.
+        let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
+        sum.add(Piece { start, end }.before(t).impulse());
         sum.value
     }
 
