@@ -117,6 +117,11 @@ impl<T: Scalar> ForceSeries<T> {
         self.forces[0]
     }
 
+    /// The largest force at a node.
+    pub(crate) fn largest(&self) -> T {
+        self.size
+    }
+
     /// ∫F over the step, and by how much it may be off for what the series leaves out.
     pub(crate) fn impulse(&self) -> (T, T) {
         // Of Tₖ it is 1/(1 − k²) for an even k and zero for an odd one.

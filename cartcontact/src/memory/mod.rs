@@ -76,7 +76,7 @@ impl<T: Scalar> Stage<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
     #[inline(always)]
     pub(crate) fn strip(&self, integral_per_load: T) -> T {
-        if self.surplus.is_zero() {
+        if self.surplus.is_zero() || self.radius.is_zero() {
             return T::zero();
         }
         // One division, and a⁴ need not be in range.
@@ -112,6 +112,10 @@ impl<T: Scalar> Transition<T> {
     /// Whether two ways to the same transition, at whose end the contact has some radius, differ by little more than
     /// rounding, which counts the more the narrower the ring beyond the reach is.
     fn agrees_with(&self, other: &Self, radius: T) -> bool {
+        if radius <= self.reach {
+            // Nothing was covered.
+            return true;
+        }
         let edge = radius / (radius - self.reach).max(radius * T::default_epsilon());
         let tolerance = T::default_epsilon() * T::constant(64.0) * (T::constant(8.0) + edge);
         let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());

@@ -315,7 +315,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         if time >= self.time && force >= self.force {
             return self.radius;
         }
-        let hereditary = force + self.contact.medium().chi() * self.now.impulse.value;
+        // Early on, rounding can make an impulse negative.
+        let hereditary = (force + self.contact.medium().chi() * self.now.impulse.value).max(T::zero());
         self.contact.radius_under(hereditary).unwrap_or(self.radius).max(self.now.radius).min(self.radius)
     }
 

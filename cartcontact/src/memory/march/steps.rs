@@ -4,7 +4,8 @@
 //! [polynomial](crate::load::ForceSeries). A step is taken in one piece and in two halves; if the force is no polynomial,
 //! or has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
 //! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, nor than some roundings of
-//! the time, so the march ends.
+//! the time, so the march ends; and lest the rounding of forces next to zero is followed through a whole history, that bound
+//! is doubled after every sixteen steps that are given up at it.
 //!
 //! **Jumps and kinks of which no knot tells** are polynomials in no step. A limited number of steps is halved further because
 //! of them, down to roundings of the time; what then is still none is a jump.
@@ -21,6 +22,8 @@ use crate::{GapProfile, Scalar};
 const MOST_DOUBTS: u32 = 256;
 /// How often the shortest steps are halved further at most: for some sixty jumps and kinks, by 32 halvings each.
 const MOST_HALVINGS: u32 = 2048;
+/// After so many steps that are given up, the shortest are twice as long.
+const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
 /// The length of steps.
 struct Pace<T> {
@@ -31,13 +34,15 @@ struct Pace<T> {
     least: T,
     /// How many more may be shorter than the shortest.
     halvings: u32,
+    /// How many could not be shortened any more.
+    given_up: u32,
 }
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
         let least = end * T::default_epsilon() * T::constant(4.0);
         let shortest = (duration * T::constant(1.0 / 1_048_576.0)).max(least);
-        Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
+        Self { step: duration, shortest, least, halvings: MOST_HALVINGS, given_up: 0 }
     }
 
     /// The end of a step from a time on; the last one must not leave a rest that is too short to divide.
@@ -60,6 +65,15 @@ impl<T: Scalar> Pace<T> {
     fn double(&mut self) {
         self.step += self.step;
     }
+
+    /// Goes on after a step that could not be shortened.
+    fn give_up(&mut self) {
+        self.given_up += 1;
+        if self.given_up.is_multiple_of(GIVEN_UP_PER_DOUBLING) {
+            self.shortest += self.shortest;
+        }
+        self.double();
+    }
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
@@ -67,14 +81,25 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     pub(super) fn advance_in_steps(&mut self, end: T) {
         let mut pace = Pace::over(end - self.now.time, end);
         let mut doubts = MOST_DOUBTS;
+        // What a share x of the force leaves is a share x^((n+2)/(n+4)) of the pressure on the axis, and none elsewhere.
+        let negligible = self.force * (T::default_epsilon() * T::default_epsilon());
         while self.now.time < end {
             let start = self.now.time;
             let stop = pace.stop(start, end);
             let force = self.force_series(stop);
+            if force.largest() <= negligible {
+                self.advance_through_jump(&force, stop);
+                pace.double();
+                continue;
+            }
             if force.is_rough() {
                 if !pace.halve() {
-                    self.advance_through_jump(&force, stop);
-                    pace.double();
+                    if force.is_unresolved() {
+                        self.advance_through_jump(&force, stop);
+                    } else {
+                        self.advance_smooth(&force, stop);
+                    }
+                    pace.give_up();
                 }
                 continue;
             }
@@ -100,6 +125,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 pace.double();
             } else if !pace.halve() {
                 *self = halves;
+                pace.give_up();
             }
         }
     }
