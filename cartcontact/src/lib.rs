@@ -99,7 +99,3 @@ pub use polynomial::Polynomial;
 pub use profile::{GapProfile, Parameters, ProfileError, RadiusError};
 pub use scalar::Scalar;
 pub use snapshot::Snapshot;
-
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;

@@ -14,3 +14,8 @@ pub mod random;
 pub mod reference;
 pub mod stress;
 pub mod two_fields;
+
+/// Its examples are tests. Here, because the package of the library has the file in another place.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -59,6 +59,47 @@ fn gait_recedes_in_its_first_cycle_however_late_it_is_asked_for() {
     assert!(since(&Gait { frequency: 0.005 }, CHI, 1000.0 / CHI).is_some());
 }
 
+/// A ramp with a ripple: F₀ + s t − A sin ωt falls within every wave where A ω > s.
+struct Ripple {
+    start: f64,
+    slope: f64,
+    amplitude: f64,
+    frequency: f64,
+}
+
+impl Load<f64> for Ripple {
+    fn force(&self, t: f64) -> f64 {
+        self.start + self.slope * t - self.amplitude * (self.frequency * t).sin()
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        let half = (self.frequency * t / 2.0).sin();
+        (self.start + self.slope * t / 2.0) * t - 2.0 * self.amplitude * half * half / self.frequency
+    }
+}
+
+/// The ripple is a small share of the load late in a history, and its waves are many between two nodes.
+#[test]
+fn a_ripple_recedes_in_its_first_wave_however_late_it_is_asked_for() {
+    for (start, slope) in [(100.0, 1.0), (100.0, 0.1), (10.0, 10.0)] {
+        for frequency in [1.0, 3.0, 20.0, 100.0] {
+            for amplitude in [0.3, 1.0, 3.0, 10.0] {
+                let load = Ripple { start, slope, amplitude, frequency };
+                for chi in [0.0, 1e-5, 1.5e-3] {
+                    // At the start the load falls at A ω − s, and Y by χ F less.
+                    if amplitude * frequency - slope <= 1.1 * chi * start {
+                        continue;
+                    }
+                    for t in [10.0, 100.0, 1e3, 1e4, 1e5] {
+                        let found = since(&load, chi, t);
+                        assert_near(found, 0.0, 1e-6);
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// 100 + A sin ωt recedes where A √(ω² + χ²) > 100 χ.
 fn swing(frequency: f64, excess: f64) -> Swing {
     let amplitude = 100.0 * CHI / frequency.hypot(CHI) * (1.0 + excess);

@@ -97,9 +97,11 @@ pub trait Load<T: Scalar> {
     /// falls there, so that the edge recedes, or the force and the impulse are in
     /// [`contradiction`](Self::contradiction).
     ///
-    /// The provided method follows the force between knots as closely as it varies, and finds every fall by more than
-    /// rounding, 8 ε of the hereditary load. It needs some 17 forces for each panel of a few radians of an oscillation,
-    /// or a few e-foldings of a decay; a load that knows the answer should give it.
+    /// The provided method follows the force between knots as closely as it varies. It finds every fall by more than
+    /// rounding, 8 ε of the hereditary load, that a smooth load makes, and of ripples on it, too short for its steps, those
+    /// by √ε of the force. It needs some 17 forces for each panel of a few radians of an oscillation, or a few e-foldings of
+    /// a decay, and up to 1e5 where forces are the rounding of something larger, as 1 − cos t is at first. A load that knows
+    /// the answer should give it.
     fn recession(&self, chi: T, t: T) -> Option<T> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }

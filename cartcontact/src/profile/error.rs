@@ -73,6 +73,11 @@ impl core::error::Error for RadiusError {}
 pub enum ProfileError {
     /// No term has a coefficient other than zero.
     Empty,
+    /// With the values of the parameters all coefficients are zero.
+    Vanishing {
+        /// The parameters that the geometry depends on.
+        parameters: Parameters,
+    },
     /// A field that is declared positive has another value.
     NotPositive {
         /// The name of the field.
@@ -140,6 +145,11 @@ impl fmt::Display for ProfileError {
                      (0.025, 2)"
                 )
             }
+            Self::Vanishing { parameters } => write!(
+                f,
+                "{parameters}all coefficients of the gap are 0, so that the surfaces touch everywhere; choose values \
+                 that leave one of them"
+            ),
             Self::NotPositive { field, value } => write!(
                 f,
                 "`{field}` is {}, but the geometry declares it positive; give it a finite value above 0",
@@ -213,8 +223,12 @@ pub fn with_parameters<T: Scalar, const N: usize>(
     names: &'static [&'static str; N],
     values: [T; N],
 ) -> ProfileError {
+    if matches!(error, ProfileError::Empty) {
+        return ProfileError::Vanishing { parameters: Parameters::new(names, values) };
+    }
     match &mut error {
-        ProfileError::InvalidCoefficient { parameters, .. }
+        ProfileError::Vanishing { parameters }
+        | ProfileError::InvalidCoefficient { parameters, .. }
         | ProfileError::InvalidMaxRadius { parameters, .. }
         | ProfileError::NotOpening { parameters, .. }
         | ProfileError::BeyondSurface { parameters, .. }

@@ -122,8 +122,16 @@ fn constants_of_a_medium_are_checked() {
 
 #[test]
 fn coefficients_are_finite_and_exponents_positive() {
-    refused(Polynomial::<f64, _>::new([]), |e| matches!(e, ProfileError::Empty), "no terms");
-    refused(Polynomial::new([(0.0, 2.0)]), |e| matches!(e, ProfileError::Empty), "no terms");
+    refused(
+        Polynomial::<f64, _>::new([]),
+        |e| matches!(e, ProfileError::Empty),
+        "no term with a coefficient",
+    );
+    refused(
+        Polynomial::new([(0.0, 2.0)]),
+        |e| matches!(e, ProfileError::Empty),
+        "no term with a coefficient",
+    );
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let result = Polynomial::new([(0.025, 2.0), (value, 4.0)]);
         refused(result, |e| matches!(e, ProfileError::InvalidCoefficient { .. }), &value.to_string());
@@ -180,6 +188,8 @@ fn symbols_of_a_generated_geometry_are_checked() {
     for radius in [0.0, f64::NAN] {
         refused(checked(radius, 10.0), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "");
     }
+    let is_vanishing = |e: &ProfileError| matches!(e, ProfileError::Vanishing { .. });
+    refused(checked(f64::INFINITY, 10.0), is_vanishing, "with radius = inf");
     refused(checked(-20.0, 10.0), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.025");
     refused(checked(20.0, 40.0), |e| matches!(e, ProfileError::NotAdmissible { .. }), "40");
     for value in NOT_A_SIZE {

@@ -1,0 +1,145 @@
+//! User-defined loads that are zero for a while, or the rounding of something, before they rise: next to zero neither forces
+//! nor impulses have digits, and nothing is covered. Pressures against 30-digit integrals of Eq. (28).
+
+use core::cell::Cell;
+use core::f64::consts::PI;
+
+use cartcontact::load::Load;
+use cartcontact::{Contact, ContactError, Medium, gap_profile};
+
+const CHI: f64 = 0.02;
+
+/// The most forces that one pressure may take.
+const MOST_FORCES: usize = 500_000;
+
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+struct Patellofemoral;
+
+/// A force and its impulse, with a knot, and how often it was asked for its force.
+struct Formula<F, I> {
+    force: F,
+    impulse: I,
+    knot: f64,
+    forces: Cell<usize>,
+}
+
+impl<F: Fn(f64) -> f64, I: Fn(f64) -> f64> Load<f64> for Formula<F, I> {
+    fn force(&self, t: f64) -> f64 {
+        self.forces.set(self.forces.get() + 1);
+        assert!(self.forces.get() <= MOST_FORCES, "the solver does not end");
+        (self.force)(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        (self.impulse)(t)
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        (t < self.knot).then_some(self.knot)
+    }
+}
+
+/// The peak pressure at a time.
+fn peak(
+    t: f64,
+    chi: f64,
+    (force, impulse): (impl Fn(f64) -> f64, impl Fn(f64) -> f64),
+    knot: f64,
+) -> Result<f64, ContactError> {
+    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
+    let load = Formula { force, impulse, knot, forces: Cell::new(0) };
+    Ok(Contact::new(Patellofemoral, medium, load)?.at(t)?.peak_pressure())
+}
+
+fn assert_near(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() <= tolerance, "{found:e} instead of {expected:e}");
+}
+
+/// Half a cosine from nothing to 100 N in a second, then held: 1 − cos is zero, or its rounding, at first.
+#[test]
+fn half_a_cosine_may_be_written_as_such() -> Result<(), ContactError> {
+    let rise = |t: f64| if t < 1.0 { 50.0 * (1.0 - (PI * t).cos()) } else { 100.0 };
+    let exact_rise = |t: f64| if t < 1.0 { 100.0 * (PI * t / 2.0).sin().powi(2) } else { 100.0 };
+    let impulse = |t: f64| if t < 1.0 { 50.0 * (t - (PI * t).sin() / PI) } else { 50.0 + 100.0 * (t - 1.0) };
+    for chi in [1e-3, 3e-3, CHI, 0.1, 1.0] {
+        for t in [1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 3.0] {
+            let found = peak(t, chi, (rise, impulse), 1.0)?;
+            // A force that was off by a share x of the present one is a share x^(2/3) of the present pressure.
+            let rounding = 50.0 * f64::EPSILON / exact_rise(t);
+            assert_near(found, peak(t, chi, (exact_rise, impulse), 1.0)?, rounding.cbrt().powi(2));
+        }
+    }
+    for (t, expected) in
+        [(0.5, 1.141_572_984_809_986_2), (1.0, 1.823_234_156_791_787_4), (3.0, 1.800_168_597_193_021_5)]
+    {
+        assert_near(peak(t, CHI, (rise, impulse), 1.0)?, expected, 16.0 * f64::EPSILON);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_load_may_begin_late() -> Result<(), ContactError> {
+    // Under it a = 0 up to 100 s.
+    let since = |t: f64| (t - 100.0).max(0.0);
+    let root = (|t: f64| 90.0 * since(t).powf(0.1), |t: f64| 90.0 / 1.1 * since(t).powf(1.1));
+    // The times are rounded by 1e-16 of 101 s, at first a large share of those since the knot.
+    assert_near(peak(101.0, CHI, root, 100.0)?, 1.694_338_650_692_070_5, 1e-12);
+    assert_eq!(peak(99.0, CHI, root, 100.0)?, 0.0);
+    Ok(())
+}
+
+/// Logistic rises, whose forces underflow at first.
+#[test]
+fn a_load_may_come_out_of_an_underflow() -> Result<(), ContactError> {
+    let steep = |t: f64| 90.0 / (1.0 + (8.0 * (100.0 - t)).exp());
+    let impulse = |t: f64| 90.0 / 8.0 * (8.0 * (t - 100.0)).exp().ln_1p();
+    for (t, expected) in [(100.0, 1.062_452_624_442_345_3), (110.0, 1.597_507_805_446_538)] {
+        assert_near(peak(t, CHI, (steep, impulse), f64::INFINITY)?, expected, 16.0 * f64::EPSILON);
+    }
+    // The impulse is one of 4500 N s less as much.
+    let logarithm_of_cosh = |x: f64| x.abs() + (-2.0 * x.abs()).exp().ln_1p() - 2f64.ln();
+    let impulse = |t: f64| 45.0 * (t + logarithm_of_cosh(t - 100.0) - logarithm_of_cosh(100.0));
+    let rounded = |t: f64| 45.0 * (1.0 + (t - 100.0).tanh());
+    let exact = |t: f64| 90.0 / (1.0 + (200.0 - 2.0 * t).exp());
+    let expected = 1.542_541_210_605_384_5;
+    assert_near(peak(101.0, CHI, (exact, impulse), f64::INFINITY)?, expected, 1e-11);
+    assert_near(peak(101.0, CHI, (rounded, impulse), f64::INFINITY)?, expected, 1e-11);
+    Ok(())
+}
+
+/// Powers of which most of the history is nothing beside its end.
+#[test]
+fn a_load_may_be_a_high_power_of_time() -> Result<(), ContactError> {
+    for (power, expected) in [(20, 8.198_943_914_133_43e-2), (30, 8.200_873_070_774_43e-2)] {
+        let load = (|t: f64| t.powi(power), |t: f64| t.powi(power + 1) / f64::from(power + 1));
+        assert_near(peak(1.0, CHI, load, f64::INFINITY)?, expected, 16.0 * f64::EPSILON);
+    }
+    Ok(())
+}
+
+/// In single precision, too, where rounding is a larger share.
+#[test]
+fn smooth_rises_from_nothing_take_few_forces() {
+    struct Rise {
+        forces: Cell<usize>,
+    }
+    impl Load<f32> for Rise {
+        fn force(&self, t: f32) -> f32 {
+            self.forces.set(self.forces.get() + 1);
+            100.0 * (1.0 - (-t / 10.0).exp())
+        }
+        fn impulse(&self, t: f32) -> f32 {
+            100.0 * (t - 10.0 * (1.0 - (-t / 10.0).exp()))
+        }
+    }
+    let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(Patellofemoral, medium, Rise { forces: Cell::new(0) });
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    for step in 0..300 {
+        let t = 1e-4 * 1.06_f32.powi(step);
+        contact.load().forces.set(0);
+        assert!(contact.at(t).is_ok(), "{t}");
+        // Twice the worst of these times.
+        assert!(contact.load().forces.get() < 200_000, "{t}: {}", contact.load().forces.get());
+    }
+}
