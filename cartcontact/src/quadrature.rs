@@ -12,7 +12,7 @@
 //! quarter of the unit roundoff of f64 or f32.
 
 use crate::Scalar;
-use crate::scalar::is_single;
+use crate::scalar::{from_single, is_single};
 
 /// The most nodes of a rule.
 pub(crate) const MOST_NODES: usize = 24;
@@ -24,6 +24,8 @@ pub(crate) struct Rule {
     /// Pair by pair from the middle outwards, the negative one first.
     nodes: [f64; MOST_NODES],
     weights: [f64; MOST_NODES],
+    /// The same in single precision: microcontrollers take long to convert numbers.
+    single: [[f32; MOST_NODES]; 2],
     /// (2n−1)/2 w P₍ₙ₋₁₎ at the positive node of each pair.
     highest: [f64; MOST_NODES / 2],
     /// The most e-foldings it integrates to full accuracy, in f64 and in f32.
@@ -46,14 +48,16 @@ impl Rule {
     /// From its positive nodes with their weights, which are the 40-digit values of the Legendre roots, rounded to f64:
     /// error 1/2 ulp.
     const fn of<const HALF: usize>(half: [(f64, f64); HALF], folds: (f64, f64)) -> Self {
-        let zero = [0.0; MOST_NODES];
-        let mut rule =
-            Self { count: 2 * HALF, nodes: zero, weights: zero, highest: [0.0; MOST_NODES / 2], folds };
+        let (zero, highest) = ([0.0; MOST_NODES], [0.0; MOST_NODES / 2]);
+        let single = [[0.0; MOST_NODES]; 2];
+        let mut rule = Self { count: 2 * HALF, nodes: zero, weights: zero, single, highest, folds };
         let mut pair = 0;
         while pair < HALF {
             let (x, weight) = half[pair];
             (rule.nodes[2 * pair], rule.nodes[2 * pair + 1]) = (-x, x);
             (rule.weights[2 * pair], rule.weights[2 * pair + 1]) = (weight, weight);
+            (rule.single[0][2 * pair], rule.single[0][2 * pair + 1]) = (-x as f32, x as f32);
+            (rule.single[1][2 * pair], rule.single[1][2 * pair + 1]) = (weight as f32, weight as f32);
             rule.highest[pair] = (rule.count as f64 - 0.5) * weight * legendre(rule.count - 1, x);
             pair += 1;
         }
@@ -125,10 +129,15 @@ impl Rule {
         let half = T::constant(0.5);
         let (middle, radius) = ((low + high) * half, (high - low) * half);
         let (nodes, weights) = self.tables();
-        let on_interval = move |(&node, &weight): (&f64, &f64)| {
-            (middle + radius * T::constant(node), radius * T::constant(weight))
-        };
-        nodes.iter().zip(weights).map(on_interval)
+        let singles = self.single[0].iter().zip(&self.single[1]);
+        nodes.iter().zip(weights).zip(singles).map(move |((&node, &weight), (&single, &single_weight))| {
+            let (node, weight) = if is_single::<T>() {
+                (from_single(single), from_single(single_weight))
+            } else {
+                (T::constant(node), T::constant(weight))
+            };
+            (middle + radius * node, radius * weight)
+        })
     }
 
     /// The nodes on [−1, 1], pair by pair from the middle outwards, and their weights.

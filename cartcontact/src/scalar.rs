@@ -84,6 +84,12 @@ pub(crate) fn is_size<T: Scalar>(x: T) -> bool {
     (x >= T::zero()) & x.is_finite()
 }
 
+/// A number of single precision.
+#[inline(always)]
+pub(crate) fn from_single<T: Scalar>(value: f32) -> T {
+    <T as SupersetOf<f32>>::from_subset(&value)
+}
+
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
 #[inline]
 pub(crate) fn is_plain<T: Scalar>() -> bool {

@@ -27,6 +27,6 @@ impl<T: Scalar> Loading<T> {
         let has_force = force.is_zero() | ((force >= least) & has_drained);
         // Of an impulse only what is not rounding beside the force has to be right.
         let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
-        has_force & has_impulse & (load_integral >= least)
+        has_force & has_impulse & (load_integral >= least) & load_integral.is_finite()
     }
 }

@@ -57,7 +57,7 @@ pub(super) fn derivative<T: Scalar>(sum: &[T]) -> Coefficients<T> {
     let mut slope = [T::zero(); DEGREE + 1];
     for k in (1..sum.len()).rev() {
         let above = if k < DEGREE { slope[k + 1] } else { T::zero() };
-        slope[k - 1] = above + sum[k] * T::constant(2.0 * k as f64);
+        slope[k - 1] = above + sum[k] * T::constant(2.0) * T::constant(k as f64);
     }
     slope[0] *= T::constant(0.5);
     slope
@@ -74,7 +74,7 @@ pub(super) fn mean_to_the_end<T: Scalar>(sum: &[T]) -> Coefficients<T> {
     let (mut above, mut next) = (T::zero(), T::zero());
     for k in (1..=sum.len()).rev() {
         let first = if k == 1 { two * at(0) } else { at(k - 1) };
-        let of_integral = (first - at(k + 1)) * T::constant(0.5 / k as f64);
+        let of_integral = (first - at(k + 1)) * T::constant(0.5) / T::constant(k as f64);
         (above, next) = (next, two * next - above + of_integral);
         mean[k - 1] = if k == 1 { next } else { two * next };
     }

@@ -126,7 +126,7 @@ impl<T: Scalar> ForceSeries<T> {
     pub(crate) fn impulse(&self) -> (T, T) {
         // Of Tₖ it is 1/(1 − k²) for an even k and zero for an odd one.
         let even = self.variation.iter().step_by(2).zip((0_u16..).step_by(2));
-        let means = even.map(|(&c, k)| c / T::constant(1.0 - f64::from(k * k)));
+        let means = even.map(|(&c, k)| c / (T::one() - T::constant(f64::from(k * k))));
         let mean = self.last() + means.fold(T::zero(), |sum, c| sum + c);
         (self.duration * mean, self.duration * self.rest)
     }

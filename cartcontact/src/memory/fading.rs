@@ -14,8 +14,8 @@ pub(crate) const FEW_FOLDS: f64 = 1.0 / 8.0;
 #[inline(always)]
 pub(crate) fn decay_gain<T: Scalar>(x: T) -> T {
     let mut sum = T::one();
-    for k in [10.0, 9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0] {
-        sum = T::one() - x * T::constant(1.0 / k) * sum;
+    for share in [1.0 / 10.0, 1.0 / 9.0, 0.125, 1.0 / 7.0, 1.0 / 6.0, 0.2, 0.25, 1.0 / 3.0, 0.5] {
+        sum = T::one() - x * T::constant(share) * sum;
     }
     -x * sum
 }

@@ -1,10 +1,11 @@
 //! Seeds from a table of cubics in the fraction of the load integral, and one step from each.
 
 use super::units::Units;
-use super::{Row, Step, Table, single};
+use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::evaluate::steepness::Steepness;
 use crate::profile::RadiusError;
+use crate::scalar::from_single;
 
 impl Table {
     /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
@@ -63,7 +64,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
 
     #[inline(always)]
     fn radius(self, _row: &Row, start: f32, load_integral: T) -> T {
-        let seed = self.units.seed(single(start));
+        let seed = self.units.seed(from_single(start));
         self.units.radius(seed, (self.evaluate)(seed).step(seed, self.units.target(load_integral)))
     }
 }

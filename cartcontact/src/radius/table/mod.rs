@@ -23,8 +23,6 @@ pub(crate) mod units;
 
 use core::any::Any;
 
-use simba::scalar::SupersetOf;
-
 use crate::Scalar;
 use crate::scalar::is;
 
@@ -141,9 +139,4 @@ impl Row {
 pub(super) fn digits<T: Scalar>(y: T) -> u32 {
     let any: &dyn Any = &y;
     any.downcast_ref::<f32>().map_or_else(|| (y.value().to_bits() >> 29) as u32, |single| single.to_bits())
-}
-
-#[inline(always)]
-pub(super) fn single<T: Scalar>(value: f32) -> T {
-    <T as SupersetOf<f32>>::from_subset(&value)
 }

@@ -19,12 +19,12 @@
 //! the roots of all y/j. Powers of two are taken out of y, j and a, so that nothing leaves the format, and other units by
 //! powers of two change no digit.
 
-use super::{Row, Step, Table, single};
+use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::evaluate::bits::{exponent, fraction, is_normal, middle_of_quarter, power_of_two};
 use crate::evaluate::halved::Halved;
 use crate::profile::RadiusError;
-use crate::scalar::is;
+use crate::scalar::{from_single, is};
 
 /// A table of roots, and the series.
 #[derive(Debug)]
@@ -104,7 +104,7 @@ impl<T: Scalar, D: Term<T>> Step<T> for Root<D> {
     #[inline(always)]
     fn radius(self, row: &Row, _start: (), load_integral: T) -> T {
         let Ratio { difference, sum, unit, .. } = self.term.ratio(load_integral);
-        let part = |place: usize| single::<T>(row.at(place));
+        let part = |place: usize| from_single::<T>(row.at(place));
         // The second has the last place: where that is not read, compilers leave the last rows to code without vectors.
         let (root, rest) = if is::<T, f32>() { (part(0), part(3)) } else { (part(0) + part(3), part(1)) };
         let s = difference / sum;
