@@ -16,29 +16,68 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     if text.starts_with('"') {
         return Err(format!("{text} is text, not an expression; write it without quotes"));
     }
-    if !text.starts_with(|first: char| first.is_ascii_digit()) {
+    if !begins_with_digit(text) {
         return Err(format!("{text} is not a number; a gap is written with numbers, `r` and fields"));
     }
-    if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
+    if has_other_base(text) {
         return Err(format!("numbers are written in decimal; `{text}` is not"));
     }
-    let (whole, rest) = split_digits(text);
-    let (fraction, rest) = rest.strip_prefix('.').map_or(("", rest), split_digits);
-    let (exponent, suffix) = split_exponent(rest);
+    let Parts { whole, fraction, exponent, suffix } = Parts::of(text);
     if !suffix.is_empty() {
-        let written = text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_');
+        let written = without_suffix(text, suffix);
         return Err(if is_unit(suffix) {
             format!("{NO_UNITS}; write `{written}`")
         } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {
-            format!("`{text}` reads as one literal; write `{written} * {suffix}`")
+            format!("{}; write `{written} * {suffix}`", reads_as_one(text))
         });
     }
     let fraction = without_underscores(fraction);
     let digits = without_underscores(whole) + &fraction;
     let value = number::from_decimal(&digits, fraction.len(), exponent)?;
     Ok(if negative { -value } else { value })
+}
+
+/// What a literal such as `2R` is meant as, if it is: a number and a name.
+pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
+    let suffix = Parts::of(text).suffix;
+    let is_name = !suffix.is_empty() && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
+    (is_name && begins_with_digit(text) && !has_other_base(text))
+        .then(|| (without_suffix(text, suffix), suffix))
+}
+
+pub(super) fn reads_as_one(text: &str) -> String {
+    format!("`{text}` reads as one literal")
+}
+
+/// Of a number in decimal.
+struct Parts<'a> {
+    whole: &'a str,
+    fraction: &'a str,
+    exponent: i64,
+    suffix: &'a str,
+}
+
+impl<'a> Parts<'a> {
+    fn of(text: &'a str) -> Self {
+        let (whole, rest) = split_digits(text);
+        let (fraction, rest) = rest.strip_prefix('.').map_or(("", rest), split_digits);
+        let (exponent, suffix) = split_exponent(rest);
+        Parts { whole, fraction, exponent, suffix }
+    }
+}
+
+fn begins_with_digit(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_ascii_digit())
+}
+
+fn has_other_base(text: &str) -> bool {
+    ["0x", "0o", "0b"].iter().any(|prefix| text.starts_with(prefix))
+}
+
+fn without_suffix<'a>(text: &'a str, suffix: &str) -> &'a str {
+    text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_')
 }
 
 fn split_digits(text: &str) -> (&str, &str) {

@@ -3,6 +3,7 @@
 pub(crate) mod attribute;
 mod call;
 mod declaration;
+mod divisor;
 mod entry;
 pub(crate) mod generics;
 pub(crate) mod item;

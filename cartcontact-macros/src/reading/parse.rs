@@ -63,7 +63,8 @@ impl<'a> Parser<'a> {
     fn product(&mut self) -> Expression {
         let mut factors = vec![Factor { divides: false, expression: self.factor() }];
         while let Some(divides) = self.next_product_operator() {
-            let expression = self.factor();
+            let unclear = if divides { self.unclear_divisor() } else { None };
+            let expression = unclear.unwrap_or_else(|| self.factor());
             factors.push(Factor { divides, expression });
         }
         match factors.pop() {

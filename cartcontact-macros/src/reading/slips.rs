@@ -5,6 +5,7 @@ use proc_macro2::{Ident, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::decimal;
+use crate::reading::literal::number;
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
@@ -24,7 +25,7 @@ impl Parser<'_> {
     /// Reads over an `x` between two operands.
     pub(super) fn reads_times(&mut self) -> bool {
         let [TokenTree::Ident(word), operand, ..] = self.rest else { return false };
-        if !(word == "x" || word == "X") || matches!(operand, TokenTree::Punct(_)) {
+        if !is_times(word) || matches!(operand, TokenTree::Punct(_)) {
             return false;
         }
         self.diagnostics.report(word.span(), format!("a product is written with `*`, not `{word}`"));
@@ -59,7 +60,7 @@ impl Parser<'_> {
         else {
             return None;
         };
-        if !one.is_one() || slash.as_char() != '/' {
+        if !one.is_one() || slash.as_char() != '/' || number(&divisor.to_string()).is_err() {
             return None;
         }
         let base = match &base.kind {
@@ -124,6 +125,10 @@ impl Parser<'_> {
         };
         self.fault(Extent::between(receiver.extent, member.span().into()), message)
     }
+}
+
+pub(super) fn is_times(name: &Ident) -> bool {
+    name == "x" || name == "X"
 }
 
 pub(super) fn is_case(name: &Ident) -> bool {

@@ -287,6 +287,33 @@ fn each_fault_is_named() {
     }
 }
 
+/// Either reading of what stands behind `/` is another geometry, so both are written out, and each means what it says.
+#[test]
+fn remedies_of_divisors_say_what_divides() {
+    for (text, remedies) in [
+        ("r^2/2radius", "write `(2 * radius)` if all of it divides, or `2 * radius` if only `2` does"),
+        ("r^2/2 radius", "write `(2 * radius)` if all of it divides, or `2 * radius` if only `2` does"),
+        ("1/2radius*r^2", "write `(2 * radius)` if"),
+        ("r^2/radius + r^4/8radius^3", "write `(8 * radius^3)` if"),
+        ("r^2/8radius**3", "write `(8 * radius**3)` if"),
+        ("r^2/8radius^-3 - r", "write `(8 * radius^-3)` if"),
+        (
+            "1/2(r^2 + r^4)",
+            "write `(2 * (r^2 + r^4))` if all of it divides, or `2 * (r^2 + r^4)` if only `2`",
+        ),
+        ("r^4/r^2radius", "write `(r^2 * radius)` if"),
+        ("r^4/r(radius + 1) 2radius", "write `(r * (radius + 1) * 2 * radius)` if all"),
+        ("2 r^2", "write `*`, as in `2 * r`"),
+        ("r^2 / 2 * radius radius", "write `*`, as in `2 * r`"),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert!(
+            messages.len() == 1 && messages[0].replace(" ^", "^").replace("^ ", "^").contains(remedies),
+            "{text}: {messages:?}"
+        );
+    }
+}
+
 #[test]
 fn faults_of_all_terms_are_reported_together() {
     let messages = on_ball("2r^2 + sin(r) + raduis*r - name*r*name + r^radius + 3, depth = 3").err().unwrap();
