@@ -88,7 +88,7 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Expression {
         let base = self.atom();
-        if self.take_punct('^').is_none() {
+        if self.take_punct('^').is_none() && !self.reads_double_star() {
             return base;
         }
         let exponent = self.deeper(Self::factor);
@@ -215,7 +215,7 @@ impl<'a> Parser<'a> {
     /// Whether the next factor divides. Two operands side by side, and what others write for an operator or behind a
     /// number, are reported and read as intended.
     fn next_product_operator(&mut self) -> Option<bool> {
-        if self.reads_double_star() || self.take_punct('*').is_some() {
+        if self.take_punct('*').is_some() {
             return Some(false);
         }
         if self.take_punct('/').is_some() {

@@ -10,7 +10,7 @@ use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
 impl Parser<'_> {
-    /// Reads over `**`, which other languages have for powers.
+    /// Reads `**`, which other languages have for powers.
     pub(super) fn reads_double_star(&mut self) -> bool {
         let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest else { return false };
         if first.as_char() != '*' || first.spacing() != Spacing::Joint || second.as_char() != '*' {
@@ -18,6 +18,7 @@ impl Parser<'_> {
         }
         self.rest = rest;
         let place = Extent::between(first.span().into(), second.span().into());
+        self.previous = place;
         self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
         true
     }
@@ -43,7 +44,7 @@ impl Parser<'_> {
         self.diagnostics.report(word.span(), message);
         self.take_token();
         self.take_token();
-        if self.take_punct('^').is_some() {
+        if self.take_punct('^').is_some() || self.reads_double_star() {
             self.deeper(Self::factor);
         }
         true

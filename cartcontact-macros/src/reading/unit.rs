@@ -43,11 +43,20 @@ fn length(tokens: &[TokenTree]) -> Option<usize> {
     }
 }
 
-/// How many tokens `^2` and `^-2` are.
+/// How many tokens `^2` and `^-2` are, or `**2` and `**-2`.
 fn exponent(tokens: &[TokenTree]) -> usize {
     match tokens {
-        [power, TokenTree::Literal(_), ..] if is_punct(power, '^') => 2,
-        [power, minus, TokenTree::Literal(_), ..] if is_punct(power, '^') && is_punct(minus, '-') => 3,
+        [first, second, rest @ ..] if is_punct(first, '*') && is_punct(second, '*') => 2 + number(rest),
+        [power, rest @ ..] if is_punct(power, '^') => 1 + number(rest),
+        _ => 0,
+    }
+}
+
+/// How many tokens `2`, `(-2)` and `-2` are.
+fn number(tokens: &[TokenTree]) -> usize {
+    match tokens {
+        [TokenTree::Literal(_) | TokenTree::Group(_), ..] => 1,
+        [minus, TokenTree::Literal(_), ..] if is_punct(minus, '-') => 2,
         _ => 0,
     }
 }

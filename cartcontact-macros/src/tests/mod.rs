@@ -187,6 +187,10 @@ fn likely_slips_are_understood() {
         ("radius * r^2, positive(radius)", "write it as in `positive = (c, d)`"),
         ("radius * r^2, positive = radius, depth", "write `positive = (radius, depth)`"),
         ("0.025 mm^-1 * r^2", "remove `mm^-1`"),
+        ("0.025 mm**-1 * r^2", "remove `mm**-1`"),
+        ("0.025 mm^(-1) * r^2", "numbers have no units"),
+        ("10**-4 * r^2", "not `**`"),
+        ("r^1**2", "not `**`"),
         ("0.025 1/mm * r^2", "remove `1/mm`"),
         ("0.025 (1/mm) * r^2", "numbers have no units"),
         ("r^2, max_radius = 6 [mm]", "remove `[mm]`"),
@@ -312,6 +316,12 @@ fn remedies_of_divisors_say_what_divides() {
             "{text}: {messages:?}"
         );
     }
+}
+
+#[test]
+fn a_double_star_is_read_as_a_power() {
+    let messages = on_unit("r**2 - r**4, max_radius = 0.5").err().unwrap();
+    assert!(messages.len() == 2 && messages.iter().all(|message| message.contains("not `**`")));
 }
 
 #[test]
