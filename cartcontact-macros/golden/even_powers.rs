@@ -30,6 +30,7 @@
 /// pressure kernel       7 ×, 5 + of double words
 /// ```
 struct Patellofemoral;
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {

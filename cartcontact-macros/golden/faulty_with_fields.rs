@@ -1,6 +1,7 @@
 struct Ball<S> {
     radius: S,
 }
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]

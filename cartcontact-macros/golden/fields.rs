@@ -35,6 +35,7 @@ struct Ball {
     limit: f32,
     name: String,
 }
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use crate::renamed::generated::root as __cartcontact;
     #[allow(

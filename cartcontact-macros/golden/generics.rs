@@ -24,6 +24,7 @@ where
     c: S,
     tag: &'a T,
 }
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     #[allow(

@@ -32,6 +32,7 @@
 /// pressure kernel       a routine of the run-time crate
 /// ```
 struct Spheres;
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {

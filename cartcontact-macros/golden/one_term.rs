@@ -31,6 +31,7 @@
 /// pressure kernel       5 ×, 2 + of double words
 /// ```
 pub struct Paraboloid;
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {

@@ -34,6 +34,7 @@ struct Worn {
     radius: f64,
     c: f64,
 }
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     #[allow(

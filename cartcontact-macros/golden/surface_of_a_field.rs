@@ -35,6 +35,7 @@
 struct Ball {
     radius: f64,
 }
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     #[allow(

@@ -97,21 +97,27 @@ pub(crate) fn solver(
     let beside = Operations::of_function(&shared);
     let lines = documentation::lines(item, geometry, &forms, start.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
+    let scope = scope(&quote! {
+        #import
+        #shared
+        #beside_inversion
+        #[automatically_derived]
+        #header {
+            #evaluators
+            #inversion
+            #range
+            #quadrature_hints
+        }
+        #inherent
+    });
+    quote!(#documented #scope)
+}
+
+/// Generated items in a scope of their own, without lints that ask for other code than what was written.
+fn scope(content: &TokenStream) -> TokenStream {
     quote! {
-        #documented
-        const _: () = {
-            #import
-            #shared
-            #beside_inversion
-            #[automatically_derived]
-            #header {
-                #evaluators
-                #inversion
-                #range
-                #quadrature_hints
-            }
-            #inherent
-        };
+        #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+        const _: () = { #content };
     }
 }
 
@@ -193,24 +199,22 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
     let inherent = inherent::stub(item, &names);
-    quote! {
-        #input
-        const _: () = {
-            #import
-            #inherent
-            #[automatically_derived]
-            #header {
-                #(#evaluators)*
-                fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
-                fn radius_within(
-                    &self,
-                    _: #scalar,
-                    _: #scalar,
-                ) -> ::core::result::Result<#scalar, #root::RadiusError> { loop {} }
-                fn max_radius(&self) -> #scalar { loop {} }
-            }
-        };
-    }
+    let scope = scope(&quote! {
+        #import
+        #inherent
+        #[automatically_derived]
+        #header {
+            #(#evaluators)*
+            fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
+            fn radius_within(
+                &self,
+                _: #scalar,
+                _: #scalar,
+            ) -> ::core::result::Result<#scalar, #root::RadiusError> { loop {} }
+            fn max_radius(&self) -> #scalar { loop {} }
+        }
+    });
+    quote!(#input #scope)
 }
 
 /// The annotated item with documentation of what was derived behind its own.

@@ -1,8 +1,8 @@
 use cartcontact::{Contact, Medium, gap_profile, load};
 
 #[gap_profile(r^2/2R + r^4/8 R^3)]
+#[allow(non_snake_case)]
 struct Ball {
-    #[allow(non_snake_case)]
     R: f64,
 }
 
