@@ -62,17 +62,16 @@ fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let input = item::with_one_profile(input, &mut diagnostics);
     let item = item::parse(input.clone(), &mut diagnostics);
     let crate_path = attribute.crate_path.clone().unwrap_or_else(|| quote!(::cartcontact));
-    let output = item.map(|mut item| {
-        let geometry = geometry::geometry(&attribute, &mut item, &mut diagnostics);
-        match geometry.filter(|_| diagnostics.is_empty()) {
-            Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
-            None => {
-                item.mark_named(attribute.written_gap);
-                emit::fallback(&input, &item, &crate_path)
-            }
+    let Some(mut item) = item else {
+        let errors = diagnostics.into_compile_errors();
+        return quote!(#input #errors);
+    };
+    let geometry = geometry::geometry(&attribute, &mut item, &mut diagnostics);
+    match geometry.filter(|_| diagnostics.is_empty()) {
+        Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
+        None => {
+            item.mark_named(attribute.written_gap);
+            emit::fallback(&input, &item, &diagnostics.into_compile_errors(), &crate_path)
         }
-    });
-    let output = output.unwrap_or(input);
-    let errors = diagnostics.into_compile_errors();
-    quote!(#output #errors)
+    }
 }

@@ -188,8 +188,13 @@ fn import(krate: &TokenStream, names: &Names) -> TokenStream {
 }
 
 /// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes
-/// no further errors.
-pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) -> TokenStream {
+/// no further errors than its own.
+pub(crate) fn fallback(
+    input: &TokenStream,
+    item: &Item,
+    errors: &TokenStream,
+    krate: &TokenStream,
+) -> TokenStream {
     let names = Names::of(item);
     let import = import(krate, &names);
     let Names { krate: root, scalar } = &names;
@@ -198,7 +203,7 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
         let name = format_ident!("{name}");
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
-    let inherent = inherent::stub(item, &names);
+    let inherent = inherent::stub(item, errors, &names);
     let scope = scope(&quote! {
         #import
         #inherent

@@ -3,11 +3,12 @@
 //! A gap is one expression or two bodies, `upper = ...` and `lower = ...`: each the height by which a surface falls
 //! away from the common tangent plane toward its own bone, so that the gap is their sum.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::entry::{Entry, Whole, all_options, entries, similar};
+use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
 use crate::reading::positive::Positive;
@@ -139,14 +140,7 @@ impl Attribute {
         if let Some(slot) = self.slot(name) {
             *slot = Some(parse::expression(value, equals, diagnostics));
         } else if name == "crate" {
-            let path = ungrouped(value);
-            if last_of_path(&path).is_some() {
-                self.crate_path = Some(quote!(#(#path)*));
-            } else {
-                let place = Extent::of(&path, equals);
-                diagnostics
-                    .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`");
-            }
+            self.set_crate(&ungrouped(value), equals, diagnostics);
         } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
             self.fail_at(entry);
             diagnostics.report(name.span(), written_first(&format!("{name} =")));
@@ -158,6 +152,23 @@ impl Attribute {
             };
             diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
         }
+    }
+
+    fn set_crate(&mut self, value: &[TokenTree], equals: Span, diagnostics: &mut Diagnostics) {
+        if last_of_path(value).is_some() {
+            self.crate_path = Some(quote!(#(#value)*));
+            return;
+        }
+        let quoted = match value {
+            [TokenTree::Literal(literal)] => path_in_quotes(literal),
+            _ => None,
+        };
+        let (written, path) = quoted.unzip();
+        let path_or_example = written.unwrap_or_else(|| "::cartcontact".to_owned());
+        let message = format!("`crate` takes a path without quotes; write `crate = {path_or_example}`");
+        diagnostics.report(Extent::of(value, equals), message);
+        // Nothing else is wrong if the crate is there.
+        self.crate_path = path;
     }
 
     /// What to say about an entry that is no option, unless it is the gap; what it takes from gap and options is noted.
@@ -257,6 +268,19 @@ impl Attribute {
     }
 }
 
+/// The path that a string consists of, as it is written and as tokens.
+fn path_in_quotes(literal: &Literal) -> Option<(String, TokenStream)> {
+    let text = literal.to_string();
+    let text = literal::quoted(&text)?;
+    // The compiler would report what is not even made of tokens.
+    let is_of_names = text.chars().all(|letter| letter.is_alphanumeric() || "_:".contains(letter));
+    let tokens: TokenStream = is_of_names.then(|| text.parse().ok())??;
+    let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    last_of_path(&tokens)?;
+    tokens.iter_mut().for_each(|token| token.set_span(literal.span()));
+    Some((text.to_owned(), quote!(#(#tokens)*)))
+}
+
 fn written_first(name: &str) -> String {
     format!("the gap is written first and without a name; remove `{name}`")
 }
@@ -289,6 +313,22 @@ mod tests {
         assert!(diagnostics.is_empty());
         assert!(attribute.gap.is_some() && attribute.max_radius.is_some());
         assert_eq!(attribute.crate_path.unwrap().to_string(), "some :: path");
+    }
+
+    #[test]
+    fn a_path_in_quotes_is_the_one_that_is_meant() {
+        for (text, path, remedy) in [
+            ("r^2, crate = \"foo\"", Some("foo"), "write `crate = foo`"),
+            ("r^2, crate = r#\"a::b\"#", Some("a :: b"), "write `crate = a::b`"),
+            ("r^2, crate = \"(\"", None, "write `crate = ::cartcontact`"),
+            ("r^2, crate = \"2\"", None, "write `crate = ::cartcontact`"),
+            ("r^2, crate = 2", None, "write `crate = ::cartcontact`"),
+        ] {
+            let mut diagnostics = Diagnostics::default();
+            let attribute = parse(text.parse().unwrap(), &mut diagnostics);
+            assert_eq!(attribute.crate_path.map(|path| path.to_string()).as_deref(), path);
+            assert!(diagnostics.messages()[0].ends_with(remedy), "{text}");
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::reading::declaration::Declaration;
 use crate::reading::generics::Generics;
 use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
 use crate::reading::similar::{closest, collect_names, known_number};
+use crate::reading::slips::is_times;
 use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
 
 /// The struct that a profile is attached to.
@@ -157,14 +158,17 @@ impl Item {
         }
     }
 
-    /// Notes which fields a faulty gap names, or may mean: it would depend on them.
+    /// Notes which fields a faulty gap names, or may mean: it would depend on them. A symbol that is like none of them
+    /// may mean any.
     pub(crate) fn mark_named(&mut self, written_gap: TokenStream) {
         let mut names = Vec::new();
         collect_names(written_gap, &mut names);
-        let known = self.field_names();
-        let meant: Vec<String> = names.iter().filter_map(|name| closest(name, known.clone())).collect();
-        for field in &mut self.fields {
-            field.used = meant.contains(&field.ident.to_string());
+        for (name, may_be_symbol) in names {
+            let meant = closest(&name.to_string(), self.field_names());
+            let may_mean_any = meant.is_none() && may_be_symbol && !has_other_meaning(&name);
+            for field in &mut self.fields {
+                field.used |= may_mean_any || meant.as_ref().is_some_and(|meant| field.ident == meant);
+            }
         }
     }
 
@@ -185,6 +189,14 @@ impl Item {
             }
         }
     }
+}
+
+/// Whether a name that is like no field is known for something else: r, a number, a unit or a word of Rust.
+fn has_other_meaning(name: &Ident) -> bool {
+    let written = unraw(name);
+    let is_word =
+        is_keyword(name) || is_times(name) || ["f32", "f64", "sphere", "conic"].contains(&&*written);
+    is_word || known_number(name).is_some() || unit::is_unit(&written)
 }
 
 /// `f64` and `f32` under any path, or one of the struct's own type parameters.
@@ -270,6 +282,29 @@ mod tests {
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
         assert_eq!(item.remedy(&format_ident!("R"), false), "write a number or a field of `Ball`");
+    }
+
+    #[test]
+    fn fields_that_a_faulty_gap_may_mean_are_marked() {
+        for (gap, expected) in [
+            ("raduis * r^2", ["radius"].as_slice()),
+            ("2radius * r^2", &["radius"]),
+            ("curvature * r^2", &["radius", "kappa"]),
+            ("2c * r^2", &["radius", "kappa"]),
+            ("2r + sin(r) + 2 mm x pi * r^2", &[]),
+            ("upper = f64::powi(r, 2), lower = r.abs()", &[]),
+        ] {
+            let (item, _) = item(quote!(
+                struct Ball {
+                    radius: f64,
+                    kappa: f64,
+                }
+            ));
+            let mut item = item.unwrap();
+            item.mark_named(gap.parse().unwrap());
+            let marked = item.fields.iter().filter(|field| field.used);
+            assert_eq!(marked.map(|field| field.ident.to_string()).collect::<Vec<_>>(), expected, "{gap}");
+        }
     }
 
     #[test]

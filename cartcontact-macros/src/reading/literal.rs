@@ -39,10 +39,17 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     Ok(if negative { -value } else { value })
 }
 
+/// What stands in the quotes of a string.
+pub(super) fn quoted(text: &str) -> Option<&str> {
+    let text = text.strip_prefix('r').map_or(text, |raw| raw.trim_matches('#'));
+    text.strip_prefix('"')?.strip_suffix('"')
+}
+
 /// What a literal such as `2R` is meant as, if it is: a number and a name.
 pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
     let suffix = Parts::of(text).suffix;
-    let is_name = !suffix.is_empty() && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
+    let is_word = suffix.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
+    let is_name = !suffix.is_empty() && is_word && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
     (is_name && begins_with_digit(text) && !has_other_base(text))
         .then(|| (without_suffix(text, suffix), suffix))
 }
