@@ -97,25 +97,31 @@ pub(crate) fn solver(
     let beside = Operations::of_function(&shared);
     let lines = documentation::lines(item, geometry, &forms, start.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
-    let scope = scope(&quote! {
-        #import
-        #shared
-        #beside_inversion
-        #[automatically_derived]
-        #header {
-            #evaluators
-            #inversion
-            #range
-            #quadrature_hints
-        }
-        #inherent
-    });
+    let scope = scope(
+        item,
+        &quote! {
+            #import
+            #shared
+            #beside_inversion
+            #[automatically_derived]
+            #header {
+                #evaluators
+                #inversion
+                #range
+                #quadrature_hints
+            }
+            #inherent
+        },
+    );
     quote!(#documented #scope)
 }
 
-/// Generated items in a scope of their own, without lints that ask for other code than what was written.
-fn scope(content: &TokenStream) -> TokenStream {
+/// Generated items in a scope of their own, without lints about what is written elsewhere or by nobody.
+fn scope(item: &Item, content: &TokenStream) -> TokenStream {
+    let allowed = &item.allowed;
     quote! {
+        #allowed
+        #[allow(deprecated, single_use_lifetimes, reason = "they concern the struct, which is repeated here")]
         #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
         const _: () = { #content };
     }
@@ -204,21 +210,24 @@ pub(crate) fn fallback(
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
     let inherent = inherent::stub(item, errors, &names);
-    let scope = scope(&quote! {
-        #import
-        #inherent
-        #[automatically_derived]
-        #header {
-            #(#evaluators)*
-            fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
-            fn radius_within(
-                &self,
-                _: #scalar,
-                _: #scalar,
-            ) -> ::core::result::Result<#scalar, #root::RadiusError> { loop {} }
-            fn max_radius(&self) -> #scalar { loop {} }
-        }
-    });
+    let scope = scope(
+        item,
+        &quote! {
+            #import
+            #inherent
+            #[automatically_derived]
+            #header {
+                #(#evaluators)*
+                fn pressure_kernel(&self, _: #scalar, _: #scalar) -> #scalar { loop {} }
+                fn radius_within(
+                    &self,
+                    _: #scalar,
+                    _: #scalar,
+                ) -> ::core::result::Result<#scalar, #root::RadiusError> { loop {} }
+                fn max_radius(&self) -> #scalar { loop {} }
+            }
+        },
+    );
     quote!(#input #scope)
 }
 

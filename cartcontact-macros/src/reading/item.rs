@@ -1,6 +1,7 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
@@ -14,6 +15,8 @@ use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
 pub(crate) struct Item {
     pub(crate) ident: Ident,
     pub(crate) generics: Generics,
+    /// Its own `#[allow(...)]`.
+    pub(crate) allowed: TokenStream,
     /// The fields that can be symbols, in their order.
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
@@ -68,6 +71,24 @@ fn is_gap_profile(pair: &[TokenTree]) -> bool {
     hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
 }
 
+/// The attributes in front of an item that allow something, or expect what generated code need not do again.
+fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
+    let mut allowed = TokenStream::new();
+    while let [hash, TokenTree::Group(attribute), rest @ ..] = tokens
+        && is_punct(hash, '#')
+    {
+        let mut content = attribute.stream().into_iter();
+        if let Some(TokenTree::Ident(name)) = content.next()
+            && (name == "allow" || name == "expect")
+        {
+            let lints: TokenStream = content.collect();
+            allowed.extend(quote!(#[allow #lints]));
+        }
+        tokens = rest;
+    }
+    allowed
+}
+
 /// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and
 /// generics is returned nonetheless, for its stub.
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
@@ -80,7 +101,8 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
     };
     let unnamed = content.as_ref().filter(|content| content.delimiter() == Delimiter::Parenthesis);
     let is_struct = keyword == "struct" && unnamed.is_none();
-    let mut item = Item { ident, generics, fields: Vec::new(), others: Vec::new(), is_struct };
+    let allowed = allowed(&tokens);
+    let mut item = Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), is_struct };
     if keyword == "enum" {
         diagnostics.report(
             keyword.span(),
@@ -223,7 +245,7 @@ fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
-    use quote::{format_ident, quote};
+    use quote::format_ident;
 
     use super::*;
 
@@ -244,6 +266,19 @@ mod tests {
         assert_eq!(kinds, [&FieldKind::F64, &FieldKind::F32, &FieldKind::TypeParameter(format_ident!("T"))]);
         assert!(matches!(item.meaning(&format_ident!("name")), Meaning::WrongType(_)));
         assert!(matches!(item.meaning(&format_ident!("d")), Meaning::WrongType(_)));
+    }
+
+    #[test]
+    fn what_the_struct_allows_is_repeated() {
+        let (item, _) = item(quote! {
+            #[doc = "A ball."]
+            #[allow(non_snake_case, reason = "as printed")]
+            #[expect(dead_code)]
+            #[must_use]
+            struct Ball { R: f64 }
+        });
+        let expected = quote!(#[allow(non_snake_case, reason = "as printed")] #[allow(dead_code)]);
+        assert_eq!(item.unwrap().allowed.to_string(), expected.to_string());
     }
 
     #[test]
