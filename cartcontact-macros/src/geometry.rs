@@ -3,6 +3,7 @@
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
+use crate::gap::constant::standing;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::expansion::{self, Options, Truncation};
 use crate::gap::range::Range;
@@ -32,6 +33,7 @@ pub(crate) fn geometry(
     let mut evaluator = Evaluator::new(item, diagnostics);
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
+    let standing = if complete { standing(written, attribute.is_of_bodies, &mut evaluator) } else { None };
     let limit = attribute.max_radius.as_ref();
     let range = declared_range(limit, &mut evaluator);
     let options = Options::read(attribute, &mut evaluator);
@@ -40,7 +42,7 @@ pub(crate) fn geometry(
     let Some((range, options)) = range.zip(options).filter(|_| is_whole) else {
         // What could be evaluated may have faults of its own.
         if complete {
-            drop(Gap::terms(shape.powers, diagnostics));
+            drop(Gap::terms(shape.powers, standing.as_ref(), diagnostics));
         } else {
             Gap::check_rest(shape.powers, diagnostics);
         }
@@ -49,7 +51,7 @@ pub(crate) fn geometry(
     let expanded = expansion::expand(shape, &options, &range, place);
     let (powers, truncation) =
         expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
-    let gap = Gap::new(powers, written.extent, diagnostics)?;
+    let gap = Gap::new(powers, standing.as_ref(), written.extent, diagnostics)?;
     let values = values(&gap, &range, truncation.as_ref());
     item.mark_used(|field| values.iter().any(|value| value.depends_on(field)), diagnostics);
     if let Some(positive) = &attribute.positive {

@@ -3,6 +3,7 @@
 //! Here the last step, [`Polynomial`] -> [`Gap`]: it checks that a sum of powers is a gap.
 
 pub(crate) mod coefficient;
+pub(crate) mod constant;
 pub(crate) mod evaluate;
 pub(crate) mod expansion;
 mod like_terms;
@@ -17,6 +18,7 @@ use num_traits::Zero;
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::number::{self, Rational};
 use coefficient::Coefficient;
+use constant::Standing;
 use polynomial::{Monomial, Polynomial};
 
 pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
@@ -39,8 +41,13 @@ pub(crate) struct Term {
 
 impl Gap {
     /// The gap that a polynomial written at `extent` stands for. Every fault is reported.
-    pub(crate) fn new(polynomial: Polynomial, extent: Extent, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let terms = Gap::terms(polynomial, diagnostics)?;
+    pub(crate) fn new(
+        polynomial: Polynomial,
+        standing: Option<&Standing>,
+        extent: Extent,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Self> {
+        let terms = Gap::terms(polynomial, standing, diagnostics)?;
         if terms.is_empty() {
             diagnostics
                 .report(extent, "the gap is zero everywhere: its terms cancel; write one that opens with r");
@@ -58,15 +65,19 @@ impl Gap {
     /// in `1 - cos(r)`.
     pub(crate) fn check_rest(polynomial: Polynomial, diagnostics: &mut Diagnostics) {
         let powers = polynomial.into_terms().filter(|(exponent, _)| !exponent.is_zero());
-        let faults = powers.filter_map(|(exponent, monomial)| term(exponent, monomial).err());
+        let faults = powers.filter_map(|(exponent, monomial)| term(exponent, monomial, None).err());
         faults.for_each(|(extent, message)| diagnostics.report(extent, message));
     }
 
     /// The terms, unless one cannot be part of a gap. Every fault is reported.
-    pub(crate) fn terms(polynomial: Polynomial, diagnostics: &mut Diagnostics) -> Option<Vec<Term>> {
+    pub(crate) fn terms(
+        polynomial: Polynomial,
+        standing: Option<&Standing>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Vec<Term>> {
         let mut terms = Some(Vec::new());
         for (exponent, monomial) in polynomial.into_terms() {
-            match (term(exponent, monomial), &mut terms) {
+            match (term(exponent, monomial, standing), &mut terms) {
                 (Ok(term), Some(terms)) => terms.push(term),
                 (Ok(_), None) => {}
                 (Err((extent, message)), _) => {
@@ -84,17 +95,16 @@ impl Gap {
     }
 }
 
-fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)> {
+/// The term, if it can be part of a gap; `standing` is a constant that can be removed.
+fn term(
+    exponent: Rational,
+    monomial: Monomial,
+    standing: Option<&Standing>,
+) -> Result<Term, (Extent, String)> {
     let Monomial { coefficient, extent } = monomial;
     let fault = |message: &str| Err((extent, message.to_owned()));
     if exponent.is_zero() {
-        let constant = coefficient.to_string();
-        let removal =
-            if constant.starts_with('-') { format!("`{constant}`") } else { format!("`+ {constant}`") };
-        return Err((
-            extent,
-            format!("the gap must vanish at r = 0; a constant only shifts the approach: remove {removal}"),
-        ));
+        return Err((extent, constant::message(&coefficient, standing)));
     }
     if exponent.is_negative() {
         return fault("exponent must be greater than 0; a gap that vanishes at r = 0 needs positive powers");

@@ -19,6 +19,7 @@ use crate::reading::{is_punct, ungrouped};
 pub(crate) struct Attribute {
     /// Where there are two bodies, their sum.
     pub(crate) gap: Option<Expression>,
+    pub(crate) is_of_bodies: bool,
     pub(crate) max_radius: Option<Expression>,
     pub(crate) order: Option<Expression>,
     pub(crate) tolerance: Option<Expression>,
@@ -74,6 +75,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
             },
         }
     }
+    attribute.is_of_bodies = !bodies.is_empty();
     attribute.gap = whole(attribute.gap.take(), bodies, diagnostics);
     attribute
 }

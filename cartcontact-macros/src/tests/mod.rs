@@ -81,6 +81,15 @@ fn fields_are_symbols() {
     let ball = on_ball("r^2 / (2 * radius) + r^4 / (8 * radius^3), max_radius = radius / 2").unwrap();
     assert_eq!(shown(&ball), "1/(2·radius) r^2 + 1/(8·radius^3) r^4");
     assert_eq!(ball.proof, Proof::AtRunTime);
+    for (text, rule) in [
+        ("r^2 + radius", "remove `+ radius`"),
+        ("(r + radius)^2", "write `- radius^2` behind"),
+        ("(r + 1)^2/(2*radius)", "write `- 1/(2 * radius)` behind"),
+        ("2*(r^2 + radius - 1)", "behind"),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
     assert!(
         on_ball("r^2/(radius - radius)").err().unwrap().iter().any(|message| message.contains("divisor"))
     );
@@ -267,7 +276,23 @@ fn each_fault_is_named() {
         ("r/0", "divisor must not be zero"),
         ("r/(r - r)", "divisor must not be zero"),
         ("r^2 + 3", "remove `+ 3`"),
-        ("r^2 - 3", "remove `-3`"),
+        ("r^2 - 3", "remove `- 3`"),
+        ("3 + r^2", "remove `3`"),
+        ("-(3 + r) + r", "write `+ 3` behind the gap"),
+        ("(r^2 + 0.5 + r)", "remove `+ 0.5`"),
+        ("r^2 - 2/3", "remove this term"),
+        ("r^2 + 1 + 2", "write `- 3` behind the gap"),
+        ("(r + 1)^2", "write `- 1` behind the gap"),
+        ("(r - 1)^3", "write `+ 1` behind the gap"),
+        ("0.5*(1 + r^2)", "write `- 0.5` behind the gap"),
+        ("(1 + r)^3/6", "write `- 1/6` behind the gap"),
+        (
+            "(1 + 1.000001*r)^2 + (0.123456789 + r)^3",
+            "write `- 1001881676371789154860897069/1000000000000000000000000000` behind the gap",
+        ),
+        ("upper = r^2 + 3, lower = 0", "remove `+ 3`"),
+        ("upper = r^2, lower = 0.5", "write `- 0.5` behind the gap"),
+        ("upper = (1 + r)^2, lower = 1", "write `- 2` behind the gap"),
         ("r^-2", "greater than 0"),
         ("r^2 - r^2", "zero everywhere"),
         ("r^1025", "at most 1024"),
@@ -315,6 +340,25 @@ fn remedies_of_divisors_say_what_divides() {
             messages.len() == 1 && messages[0].replace(" ^", "^").replace("^ ", "^").contains(remedies),
             "{text}: {messages:?}"
         );
+    }
+}
+
+#[test]
+fn what_a_gap_is_at_its_centre_can_be_taken_away() {
+    for text in [
+        "(r + 1)^2",
+        "(1 + r)^3/6",
+        "(1 + 1.000001*r)^2 + (0.123456789 + r)^3",
+        "(1 + r)^2 + 1e3 + 1e-5 + 7e20",
+        "(r + radius)^2",
+        "(r + 1)^2/(2*radius)",
+        "(r + radius - 1)^2",
+        "2*(r^2 + radius - 1)",
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        let [message] = messages.as_slice() else { panic!("{text}: {messages:?}") };
+        let remedy = message.split('`').nth(1).unwrap();
+        assert!(on_ball(&format!("{text} {remedy}")).is_ok(), "{message}");
     }
 }
 
