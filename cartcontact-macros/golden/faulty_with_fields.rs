@@ -13,6 +13,9 @@ const _: () = {
         ::core::compile_error! {
             "`2r` reads as one literal; write `2 * r`"
         }
+        ::core::compile_error! {
+            "`raduis` is unknown; did you mean `radius`?"
+        }
     };
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl<S> Ball<S>

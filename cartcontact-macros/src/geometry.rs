@@ -3,10 +3,11 @@
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
-use crate::gap::constant::standing;
+use crate::gap::constant::{Standing, standing};
 use crate::gap::evaluate::Evaluator;
 use crate::gap::expansion::{self, Options, Truncation};
 use crate::gap::range::Range;
+use crate::gap::shape::Shape;
 use crate::proof::{self, Proof, Wanted};
 use crate::reading::attribute::Attribute;
 use crate::reading::item::Item;
@@ -40,12 +41,7 @@ pub(crate) fn geometry(
     let place = limit.map(|limit| limit.extent);
     let is_whole = complete && !attribute.lacks_option;
     let Some((range, options)) = range.zip(options).filter(|_| is_whole) else {
-        // What could be evaluated may have faults of its own.
-        if complete {
-            drop(Gap::terms(shape.powers, standing.as_ref(), diagnostics));
-        } else {
-            Gap::check_rest(shape.powers, diagnostics);
-        }
+        check_without_range(shape, complete, (standing.as_ref(), written.extent), diagnostics);
         return None;
     };
     let expanded = expansion::expand(shape, &options, &range, place);
@@ -60,6 +56,24 @@ pub(crate) fn geometry(
     let proof = proof::prove(&gap, &wanted(&range, place));
     let proof = proof.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     Some(Geometry { gap, range, proof, truncation })
+}
+
+/// Reports what is wrong with a gap whatever its options are, which could not be read.
+fn check_without_range(
+    shape: Shape,
+    complete: bool,
+    (standing, extent): (Option<&Standing>, Extent),
+    diagnostics: &mut Diagnostics,
+) {
+    if !complete {
+        Gap::check_rest(shape.powers, diagnostics);
+    } else if !shape.surfaces.is_empty() {
+        drop(Gap::terms(shape.powers, standing, diagnostics));
+    } else if let Some(gap) = Gap::new(shape.powers, standing, extent, diagnostics)
+        && let Err((extent, message)) = proof::prove(&gap, &Wanted::UpToSomewhere)
+    {
+        diagnostics.report(extent, message);
+    }
 }
 
 /// The range that `max_radius` declares, where it is written; nothing if it is faulty, which is reported.

@@ -65,19 +65,26 @@ impl Gap {
     /// in `1 - cos(r)`.
     pub(crate) fn check_rest(polynomial: Polynomial, diagnostics: &mut Diagnostics) {
         let powers = polynomial.into_terms().filter(|(exponent, _)| !exponent.is_zero());
-        let faults = powers.filter_map(|(exponent, monomial)| term(exponent, monomial, None).err());
+        let faults = powers.filter_map(|(exponent, monomial)| term(exponent, monomial).err());
         faults.for_each(|(extent, message)| diagnostics.report(extent, message));
     }
 
-    /// The terms, unless one cannot be part of a gap. Every fault is reported.
+    /// The terms, unless one cannot be part of a gap. Every fault is reported. A constant does not end it if other terms
+    /// are there: whatever takes it away leaves them as they are.
     pub(crate) fn terms(
         polynomial: Polynomial,
         standing: Option<&Standing>,
         diagnostics: &mut Diagnostics,
     ) -> Option<Vec<Term>> {
+        let is_alone = polynomial.terms().len() == 1;
         let mut terms = Some(Vec::new());
         for (exponent, monomial) in polynomial.into_terms() {
-            match (term(exponent, monomial, standing), &mut terms) {
+            if exponent.is_zero() {
+                diagnostics.report(monomial.extent, constant::message(&monomial.coefficient, standing));
+                terms = terms.filter(|_| !is_alone);
+                continue;
+            }
+            match (term(exponent, monomial), &mut terms) {
                 (Ok(term), Some(terms)) => terms.push(term),
                 (Ok(_), None) => {}
                 (Err((extent, message)), _) => {
@@ -95,17 +102,10 @@ impl Gap {
     }
 }
 
-/// The term, if it can be part of a gap; `standing` is a constant that can be removed.
-fn term(
-    exponent: Rational,
-    monomial: Monomial,
-    standing: Option<&Standing>,
-) -> Result<Term, (Extent, String)> {
+/// The term, if it can be part of a gap. Its exponent is not zero.
+fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)> {
     let Monomial { coefficient, extent } = monomial;
     let fault = |message: &str| Err((extent, message.to_owned()));
-    if exponent.is_zero() {
-        return Err((extent, constant::message(&coefficient, standing)));
-    }
     if exponent.is_negative() {
         return fault("exponent must be greater than 0; a gap that vanishes at r = 0 needs positive powers");
     }

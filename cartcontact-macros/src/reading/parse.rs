@@ -1,7 +1,7 @@
 //! Tokens -> [`Expression`], by recursive descent along the grammar in [`crate::reading::syntax`].
 //!
-//! A fault costs one term: it is reported, the rest of its term is skipped, and reading goes on behind the next `+`
-//! or `-`, so one compilation reports the faults of all terms. Every call consumes a token or ends its loop, and
+//! A fault costs one operand: it is reported, the rest of the operand is skipped, and reading goes on at the next
+//! operator, so one compilation reports the faults of all factors and terms. Every call consumes a token or ends its loop, and
 //! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
@@ -200,7 +200,9 @@ impl<'a> Parser<'a> {
     pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
         if self.depth == MAXIMUM_DEPTH {
             let place = self.rest.first().map_or(self.previous, |next| next.span().into());
-            return self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
+            let nested = self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
+            self.skip_term();
+            return nested;
         }
         self.depth += 1;
         let expression = read(self);
@@ -274,15 +276,18 @@ impl<'a> Parser<'a> {
     pub(super) fn fault(&mut self, place: impl Into<Extent>, message: impl Into<String>) -> Expression {
         let extent = place.into();
         self.diagnostics.report(extent, message);
-        self.skip_term();
+        self.skip_before("+-*/^");
         Expression { kind: Kind::Faulty, extent }
     }
 
     fn skip_term(&mut self) {
-        while let Some(token) = self.rest.first() {
-            if is_punct(token, '+') || is_punct(token, '-') {
-                break;
-            }
+        self.skip_before("+-");
+    }
+
+    /// Reads over what stands before the next of some operators.
+    fn skip_before(&mut self, operators: &str) {
+        let is_operator = |token: &TokenTree| operators.chars().any(|operator| is_punct(token, operator));
+        while self.rest.first().is_some_and(|next| !is_operator(next)) {
             self.take_token();
         }
     }

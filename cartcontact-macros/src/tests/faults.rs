@@ -226,6 +226,29 @@ fn faults_of_all_terms_are_reported_together() {
     }
     // The constant may be what makes the unknown function vanish.
     assert_eq!(messages.len(), 6);
-    let messages = on_unit("r^2 + 3, max_radius = 0, order = 3").err().unwrap();
-    assert_eq!(messages.len(), 3, "{messages:?}");
+    for (text, rules) in [
+        ("r^2 + 3, max_radius = 0, order = 3", ["remove `+ 3`", "greater than 0", "even"].as_slice()),
+        ("-r^2, foo = 3", &["not an option", "falls from the centre"]),
+        ("-r^2, max_radius = -3", &["greater than 0", "falls from the centre"]),
+        ("r^2 - r^2, depth = 3", &["not an option", "its terms cancel"]),
+        ("r^2 - r^4 + 1", &["remove `+ 1`", "add `max_radius"]),
+        ("r^2 - r^4, maximum = 0.5", &["not an option"]),
+        ("2x * raduis * r^2", &["one literal", "did you mean `radius`?"]),
+        ("sin(r) * raduis * r^2", &["without functions", "did you mean `radius`?"]),
+        (
+            "raduis^3 / f64::powi(r, 2).abs() / depth",
+            &["`^`", "did you mean `radius`?", "`depth` is unknown"],
+        ),
+        ("[2] * raduis * r^2", &["only parentheses", "did you mean `radius`?"]),
+        ("c[0] * raduis * r^2", &["only parentheses", "`c`", "did you mean `radius`?"]),
+        ("r.powi(2) * raduis", &["no methods", "did you mean `radius`?"]),
+        ("sphere(1, 2) * raduis", &["takes the radius", "did you mean `radius`?"]),
+        ("r^1/2 * raduis", &["exponent in parentheses", "did you mean `radius`?"]),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert_eq!(messages.len(), rules.len(), "{text}: {messages:?}");
+        for rule in rules {
+            assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
+        }
+    }
 }
