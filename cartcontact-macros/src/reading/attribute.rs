@@ -7,12 +7,13 @@ use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::entry::{Entry, Whole, all_options, entries, similar};
+use crate::reading::bodies;
+use crate::reading::entry::{Entry, Whole, all_options, entries, is_of_r, similar};
 use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
 use crate::reading::positive::Positive;
-use crate::reading::syntax::{Expression, Kind, Summand};
+use crate::reading::syntax::{Expression, Kind};
 use crate::reading::{is_punct, ungrouped};
 
 #[derive(Default)]
@@ -37,7 +38,9 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut bodies: Vec<(Ident, Expression)> = Vec::new();
     let mut names: Vec<Ident> = Vec::new();
     let mut digits_before_comma = None;
-    for entry in entries(tokens, diagnostics) {
+    let entries = entries(tokens, diagnostics);
+    let of_other_names = bodies::of_other_names(&entries);
+    for entry in entries {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
         if entry.may_be_gap() {
             attribute.written_gap.extend(entry.stream());
@@ -60,7 +63,10 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 attribute.positive = Some(Positive { place: name.span(), names: names_of_fields });
                 names.push(name);
             }
-            Some((name, equals, value)) if name == "upper" || name == "lower" => {
+            Some((name, equals, value)) if bodies::is_one(&name, &of_other_names) => {
+                if let Some(message) = bodies::other_name(&name, &of_other_names) {
+                    diagnostics.report(name.span(), message);
+                }
                 names.push(name.clone());
                 let place = equals.unwrap_or(name.span());
                 bodies.push((name, parse::expression(value, place, diagnostics)));
@@ -76,49 +82,8 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
         }
     }
     attribute.is_of_bodies = !bodies.is_empty();
-    attribute.gap = whole(attribute.gap.take(), bodies, diagnostics);
+    attribute.gap = bodies::whole(attribute.gap.take(), bodies, diagnostics);
     attribute
-}
-
-/// The gap, from one expression or two bodies in the order in which they were written.
-fn whole(
-    gap: Option<Expression>,
-    bodies: Vec<(Ident, Expression)>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Expression> {
-    let summand = |expression| Summand { subtracted: false, expression };
-    match (gap, bodies.as_slice()) {
-        (gap @ Some(_), []) => gap,
-        // What could not be read may be a body.
-        (Some(gap @ Expression { kind: Kind::Faulty, .. }), _) => {
-            let extent = gap.extent;
-            let read = bodies.into_iter().map(|(_, expression)| expression);
-            Some(Expression { kind: Kind::Sum(read.chain([gap]).map(summand).collect()), extent })
-        }
-        (Some(_), [(name, _), ..]) => {
-            let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
-            diagnostics.report(name.span(), message);
-            None
-        }
-        (None, []) => {
-            let message = "the gap is missing; write it first, as in `#[gap_profile(0.025 * r^2)]`";
-            diagnostics.report(Span::call_site(), message);
-            None
-        }
-        (None, [(name, _)]) => {
-            let other = if name == "upper" { "lower" } else { "upper" };
-            let message = format!(
-                "a gap lies between two bodies, and `{other}` is missing; a flat one is written `{other} = 0`"
-            );
-            diagnostics.report(name.span(), message);
-            None
-        }
-        (None, [(_, first), .., (_, last)]) => {
-            let extent = Extent::between(first.extent, last.extent);
-            let bodies = bodies.into_iter().map(|(_, expression)| summand(expression));
-            Some(Expression { kind: Kind::Sum(bodies.collect()), extent })
-        }
-    }
 }
 
 impl Attribute {
@@ -285,15 +250,6 @@ fn path_in_quotes(literal: &Literal) -> Option<(String, TokenStream)> {
 
 fn written_first(name: &str) -> String {
     format!("the gap is written first and without a name; remove `{name}`")
-}
-
-/// Whether the distance r or a surface is mentioned.
-fn is_of_r(tokens: TokenStream) -> bool {
-    tokens.into_iter().any(|token| match token {
-        TokenTree::Ident(name) => ["r", "sphere", "conic"].iter().any(|known| name == known),
-        TokenTree::Group(group) => is_of_r(group.stream()),
-        _ => false,
-    })
 }
 
 #[cfg(test)]

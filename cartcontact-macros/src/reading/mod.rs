@@ -1,6 +1,7 @@
 //! Tokens -> what is written in them, with its places; nothing is evaluated.
 
 pub(crate) mod attribute;
+mod bodies;
 mod call;
 mod declaration;
 mod divisor;
