@@ -14,6 +14,7 @@ pub(crate) mod parse;
 pub(crate) mod positive;
 mod similar;
 mod slips;
+mod surface;
 pub(crate) mod syntax;
 pub(crate) mod unit;
 

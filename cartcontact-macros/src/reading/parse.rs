@@ -7,11 +7,12 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::is_punct;
 use crate::reading::literal;
 use crate::reading::similar::known_number;
 use crate::reading::slips::is_case;
+use crate::reading::surface::wrong_arguments;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
-use crate::reading::{call, is_punct};
 
 const MAXIMUM_DEPTH: usize = 64;
 
@@ -139,8 +140,8 @@ impl<'a> Parser<'a> {
         {
             return self.surface(name, arguments);
         }
-        if let Some(next @ (TokenTree::Group(_) | TokenTree::Literal(_))) = self.rest.first()
-            && let Some(message) = call::wrong_arguments(name)
+        if let [next @ (TokenTree::Group(_) | TokenTree::Literal(_)), behind @ ..] = self.rest
+            && let Some(message) = wrong_arguments(name, &without_parentheses(next, behind))
         {
             let place = Extent::between(name.span().into(), next.span().into());
             return self.fault(place, message);
@@ -297,6 +298,16 @@ impl<'a> Parser<'a> {
             self.previous = token.span().into();
             self.rest = rest;
         }
+    }
+}
+
+/// The arguments in other brackets, or without any, where they are no longer than one token.
+fn without_parentheses(token: &TokenTree, behind: &[TokenTree]) -> Vec<TokenTree> {
+    let goes_on = |next: &TokenTree| ['*', '/', '^'].iter().any(|operator| is_punct(next, *operator));
+    match token {
+        TokenTree::Group(group) => group.stream().into_iter().collect(),
+        _ if behind.first().is_some_and(goes_on) => Vec::new(),
+        single => vec![single.clone()],
     }
 }
 
