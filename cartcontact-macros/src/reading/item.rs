@@ -168,7 +168,7 @@ impl Item {
             Some(remedy) => remedy,
             None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
-            None if unit::is_unit(&written) => format!("{}; remove it", unit::NO_UNITS),
+            None if unit::is_unit(&written) => unit::no_units(&written, "remove it"),
             // Words of Rust cannot name a field.
             None if is_keyword(name) => {
                 format!("write {known} or a field")

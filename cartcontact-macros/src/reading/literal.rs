@@ -3,7 +3,7 @@
 //! `0.025` is 1/40, not the `f64` nearest to it.
 
 use crate::number::{self, Rational};
-use crate::reading::unit::{NO_UNITS, is_unit};
+use crate::reading::unit::{is_unit, no_units};
 
 const NUMERIC_SUFFIXES: [&str; 16] = [
     "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64",
@@ -26,7 +26,8 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     if !suffix.is_empty() {
         let written = without_suffix(text, suffix);
         return Err(if is_unit(suffix) {
-            format!("{NO_UNITS}; write `{written}`")
+            let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
+            no_units(suffix, &format!("write {number}, or `{written} * {suffix}` if that is a field"))
         } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {
@@ -132,6 +133,10 @@ mod tests {
     fn suffixes_are_explained() {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
         assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
+        assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `1 * mm` if that is a field"));
+        let of_others =
+            "convert the number to that of the others, and write it alone, or `1 * cm` if that is a field";
+        assert!(number("1cm").unwrap_err().ends_with(of_others));
     }
 
     #[test]
