@@ -175,7 +175,7 @@ impl Attribute {
         Some(format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`"))
     }
 
-    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`.
+    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`.
     fn named(&self, entry: &Entry) -> Option<String> {
         if self.gap.is_some() {
             return None;
@@ -186,6 +186,9 @@ impl Attribute {
             }
             [TokenTree::Ident(name), equals, arrow, ..] if is_punct(equals, '=') && is_punct(arrow, '>') => {
                 format!("{name} =>")
+            }
+            [TokenTree::Ident(name), dash, arrow, ..] if is_punct(dash, '-') && is_punct(arrow, '>') => {
+                format!("{name} ->")
             }
             [TokenTree::Ident(name), colon, next, ..] if is_punct(colon, ':') && !is_punct(next, ':') => {
                 format!("{name}:")

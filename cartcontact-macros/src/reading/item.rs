@@ -7,6 +7,7 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
 use crate::reading::generics::Generics;
 use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
+use crate::reading::parse::NO_CONSTANTS;
 use crate::reading::similar::{closest, collect_names, known_number};
 use crate::reading::slips::is_times;
 use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
@@ -173,6 +174,14 @@ impl Item {
             None if is_keyword(name) => {
                 format!("write {known} or a field")
             }
+            None if self.fields.is_empty() && is_like_constant(&written) => {
+                let field = format!("`struct {} {{ {name}: f64 }}`", self.ident);
+                format!("{NO_CONSTANTS}: write the number, or declare a field, as in {field}")
+            }
+            // One letter is rather that of a formula.
+            None if is_like_constant(&written) && written.chars().count() > 1 => {
+                format!("{NO_CONSTANTS}: write the number, or a field of `{}`", self.ident)
+            }
             None if self.fields.is_empty() && self.others.is_empty() => {
                 format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
             }
@@ -211,6 +220,11 @@ impl Item {
             }
         }
     }
+}
+
+/// Whether constants have such names, and fields have not.
+fn is_like_constant(name: &str) -> bool {
+    name.contains(char::is_uppercase) && !name.contains(char::is_lowercase)
 }
 
 /// Whether a name that is like no field is known for something else: r, a number, a unit or a word of Rust.

@@ -13,7 +13,7 @@ const NUMERIC_SUFFIXES: [&str; 16] = [
 /// The number that a literal stands for, or the rule that it breaks.
 pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (negative, text) = text.strip_prefix('-').map_or((false, text), |text| (true, text));
-    if text.starts_with('"') {
+    if quoted(text).is_some() {
         return Err(format!("{text} is text, not an expression; write it without quotes"));
     }
     if !begins_with_digit(text) {
@@ -137,6 +137,13 @@ mod tests {
         let of_others =
             "convert the number to that of the others, and write it alone, or `1 * cm` if that is a field";
         assert!(number("1cm").unwrap_err().ends_with(of_others));
+    }
+
+    #[test]
+    fn text_is_a_gap_in_quotes() {
+        for text in ["\"r^2\"", "r\"r^2\"", "r#\"r^2\"#"] {
+            assert!(number(text).unwrap_err().ends_with("write it without quotes"), "{text}");
+        }
     }
 
     #[test]

@@ -14,6 +14,7 @@ use crate::reading::slips::is_case;
 use crate::reading::surface::wrong_arguments;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 
+pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here";
 const MAXIMUM_DEPTH: usize = 64;
 
 /// Reads all of `tokens`; `place` stands for them in messages if there are none.
@@ -155,7 +156,7 @@ impl<'a> Parser<'a> {
             }
             let place = Extent::between(name.span().into(), last.span().into());
             let remedy = known_number(&last).unwrap_or("write the number, or a field of the struct");
-            return self.fault(place, format!("constants of a program are not known here; {remedy}"));
+            return self.fault(place, format!("{NO_CONSTANTS}; {remedy}"));
         }
         self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
     }
