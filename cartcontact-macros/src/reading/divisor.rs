@@ -7,7 +7,7 @@ use crate::reading::parse::Parser;
 use crate::reading::slips::{is_case, is_times};
 use crate::reading::syntax::{Expression, Kind};
 use crate::reading::unit::is_unit;
-use crate::reading::{is_punct, literal};
+use crate::reading::{is_punct, literal, ungrouped};
 
 impl Parser<'_> {
     /// Reads over a divisor that lacks an operator, if one follows, and reports it: which of its operands divide is
@@ -60,13 +60,15 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
     let mut fault = None;
     let mut before: Option<&TokenTree> = None;
     for token in tokens {
-        let text = token.to_string();
+        let text = text(token);
         let mut operands = vec![text.as_str()];
         match token {
             TokenTree::Ident(name) if is_unit(&text) || is_case(name) || is_times(name) || name == "as" => {
                 return None;
             }
-            TokenTree::Group(group) if group.delimiter() != Delimiter::Parenthesis => return None,
+            TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket) => {
+                return None;
+            }
             TokenTree::Literal(_) => match literal::with_name(&text) {
                 Some((number, name)) => {
                     fault.get_or_insert_with(|| literal::reads_as_one(&text));
@@ -74,18 +76,44 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
                 }
                 None => drop(literal::number(&text).ok()?),
             },
+            // Of `**`, which is a power.
+            star if is_punct(star, '*') => {
+                operands = vec![if before.is_some_and(|before| is_punct(before, '*')) { "" } else { "^" }];
+            }
             _ => {}
         }
-        let is_call =
-            matches!((before, token), (Some(TokenTree::Ident(name)), TokenTree::Group(_)) if name != "r");
-        let continues = is_call
-            || [before, Some(token)].iter().flatten().any(|token| matches!(token, TokenTree::Punct(_)));
-        let mut operands = operands.into_iter();
-        if continues && let (Some(factor), Some(operand)) = (factors.last_mut(), operands.next()) {
-            factor.push_str(operand);
+        let mut operands = operands.into_iter().map(str::to_owned);
+        if let (Some(before), Some(factor)) = (before, factors.last_mut())
+            && is_one_factor(before, token)
+        {
+            factor.extend(operands.next());
         }
-        factors.extend(operands.map(str::to_owned));
+        factors.extend(operands);
         before = Some(token);
     }
     Some((factors, fault.unwrap_or_else(|| "an operator is missing here".to_owned())))
+}
+
+/// Whether two tokens belong to one factor: an operator and its operand, or a function and its arguments.
+fn is_one_factor(before: &TokenTree, token: &TokenTree) -> bool {
+    match (before, token) {
+        (TokenTree::Punct(_), _) | (_, TokenTree::Punct(_)) => true,
+        (TokenTree::Ident(name), TokenTree::Group(group)) => {
+            name != "r" && group.delimiter() == Delimiter::Parenthesis
+        }
+        _ => false,
+    }
+}
+
+/// What a macro has put into invisible parentheses stands in visible ones.
+fn text(token: &TokenTree) -> String {
+    match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
+            match ungrouped(group.stream()).as_slice() {
+                [only] => text(only),
+                _ => format!("({})", group.stream()),
+            }
+        }
+        token => token.to_string(),
+    }
 }

@@ -27,7 +27,7 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
         let written = without_suffix(text, suffix);
         return Err(if is_unit(suffix) {
             let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
-            no_units(suffix, &format!("write {number}, or `{written} * {suffix}` if that is a field"))
+            no_units(suffix, &format!("write {number}, or `({written} * {suffix})` if that is a field"))
         } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {
@@ -133,9 +133,9 @@ mod tests {
     fn suffixes_are_explained() {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
         assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
-        assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `1 * mm` if that is a field"));
+        assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `(1 * mm)` if that is a field"));
         let of_others =
-            "convert the number to that of the others, and write it alone, or `1 * cm` if that is a field";
+            "convert the number to that of the others, and write it alone, or `(1 * cm)` if that is a field";
         assert!(number("1cm").unwrap_err().ends_with(of_others));
     }
 

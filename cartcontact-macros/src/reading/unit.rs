@@ -29,7 +29,12 @@ impl Parser<'_> {
         let written: String = self.rest.iter().take(length).map(ToString::to_string).collect();
         (0..length).for_each(|_| self.take_token());
         let unit = if written.contains("mm") { "mm" } else { &written };
-        let message = no_units(unit, &format!("remove `{written}`, or write `*` before it if it is a field"));
+        let message = no_units(
+            unit,
+            &format!(
+                "remove `{written}`; if it is a field, write `*` before it, and parentheses around both behind `/`"
+            ),
+        );
         self.diagnostics.report(Extent::between(number, self.previous), message);
         true
     }
