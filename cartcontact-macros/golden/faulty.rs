@@ -1,16 +1,35 @@
 struct Knee<T> {
     radius: T,
 }
+#[allow(
+    deprecated,
+    single_use_lifetimes,
+    reason = "they concern the struct, which is repeated here"
+)]
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
+    const __FAULTS: ::core::primitive::usize = {
+        ::core::compile_error! {
+            "`2r` reads as one literal; write `2 * r`"
+        }
+        ::core::compile_error! {
+            "`x` is unknown; write `r` or a field of `Knee`"
+        }
+    };
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl<T> Knee<T> {
         #[doc(hidden)]
-        pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); 0] = [];
+        pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); __FAULTS] = [(
+            0.0,
+            0.0,
+        ); __FAULTS];
         #[doc(hidden)]
-        pub const MAX_RADIUS: ::core::primitive::f64 = 0.0;
+        pub const MAX_RADIUS: ::core::primitive::f64 = __FAULTS
+            as ::core::primitive::f64;
         #[doc(hidden)]
-        pub const TRUNCATION_ERROR: ::core::primitive::f64 = 0.0;
+        pub const TRUNCATION_ERROR: ::core::primitive::f64 = __FAULTS
+            as ::core::primitive::f64;
     }
     #[automatically_derived]
     impl<T, T_> __cartcontact::GapProfile<T_> for Knee<T>
@@ -47,9 +66,3 @@ const _: () = {
         }
     }
 };
-::core::compile_error! {
-    "`2r` reads as one literal; write `2 * r`"
-}
-::core::compile_error! {
-    "`x` is unknown; write `r` or a field of `Knee`"
-}

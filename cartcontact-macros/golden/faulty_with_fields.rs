@@ -1,16 +1,30 @@
 struct Ball<S> {
     radius: S,
 }
+#[allow(
+    deprecated,
+    single_use_lifetimes,
+    reason = "they concern the struct, which is repeated here"
+)]
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
+    const __FAULTS: ::core::primitive::usize = {
+        ::core::compile_error! {
+            "`2r` reads as one literal; write `2 * r`"
+        }
+        ::core::compile_error! {
+            "`raduis` is unknown; did you mean `radius`?"
+        }
+    };
     #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
     impl<S> Ball<S>
     where
         S: __cartcontact::Scalar,
     {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
-        pub fn terms(&self) -> [(S, S); 0usize] {
-            []
+        pub fn terms(&self) -> [(S, S); __FAULTS] {
+            loop {}
         }
     }
     #[automatically_derived]
@@ -48,6 +62,3 @@ const _: () = {
         }
     }
 };
-::core::compile_error! {
-    "`2r` reads as one literal; write `2 * r`"
-}

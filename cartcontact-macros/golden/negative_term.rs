@@ -30,6 +30,12 @@
 /// pressure kernel       a routine of the run-time crate
 /// ```
 struct MixedSign;
+#[allow(
+    deprecated,
+    single_use_lifetimes,
+    reason = "they concern the struct, which is repeated here"
+)]
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {

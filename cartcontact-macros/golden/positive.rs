@@ -34,6 +34,12 @@ struct Worn {
     radius: f64,
     c: f64,
 }
+#[allow(
+    deprecated,
+    single_use_lifetimes,
+    reason = "they concern the struct, which is repeated here"
+)]
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     #[allow(

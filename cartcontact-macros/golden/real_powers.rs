@@ -18,6 +18,12 @@
 /// The contact radius takes one step from a table of 4096 bytes where J is between 5.7e-14 and 1.0e6; elsewhere it is iterated.
 ///
 struct RealPowers;
+#[allow(
+    deprecated,
+    single_use_lifetimes,
+    reason = "they concern the struct, which is repeated here"
+)]
+#[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {

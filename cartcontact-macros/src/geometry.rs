@@ -3,9 +3,11 @@
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
+use crate::gap::constant::{Standing, standing};
 use crate::gap::evaluate::Evaluator;
 use crate::gap::expansion::{self, Options, Truncation};
 use crate::gap::range::Range;
+use crate::gap::shape::Shape;
 use crate::proof::{self, Proof, Wanted};
 use crate::reading::attribute::Attribute;
 use crate::reading::item::Item;
@@ -32,24 +34,20 @@ pub(crate) fn geometry(
     let mut evaluator = Evaluator::new(item, diagnostics);
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
+    let standing = if complete { standing(written, attribute.is_of_bodies, &mut evaluator) } else { None };
     let limit = attribute.max_radius.as_ref();
     let range = declared_range(limit, &mut evaluator);
     let options = Options::read(attribute, &mut evaluator);
     let place = limit.map(|limit| limit.extent);
     let is_whole = complete && !attribute.lacks_option;
     let Some((range, options)) = range.zip(options).filter(|_| is_whole) else {
-        // What could be evaluated may have faults of its own.
-        if complete {
-            drop(Gap::terms(shape.powers, diagnostics));
-        } else {
-            Gap::check_rest(shape.powers, diagnostics);
-        }
+        check_without_range(shape, complete, (standing.as_ref(), written.extent), diagnostics);
         return None;
     };
     let expanded = expansion::expand(shape, &options, &range, place);
     let (powers, truncation) =
         expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
-    let gap = Gap::new(powers, written.extent, diagnostics)?;
+    let gap = Gap::new(powers, standing.as_ref(), written.extent, diagnostics)?;
     let values = values(&gap, &range, truncation.as_ref());
     item.mark_used(|field| values.iter().any(|value| value.depends_on(field)), diagnostics);
     if let Some(positive) = &attribute.positive {
@@ -58,6 +56,24 @@ pub(crate) fn geometry(
     let proof = proof::prove(&gap, &wanted(&range, place));
     let proof = proof.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     Some(Geometry { gap, range, proof, truncation })
+}
+
+/// Reports what is wrong with a gap whatever its options are, which could not be read.
+fn check_without_range(
+    shape: Shape,
+    complete: bool,
+    (standing, extent): (Option<&Standing>, Extent),
+    diagnostics: &mut Diagnostics,
+) {
+    if !complete {
+        Gap::check_rest(shape.powers, diagnostics);
+    } else if !shape.surfaces.is_empty() {
+        drop(Gap::terms(shape.powers, standing, diagnostics));
+    } else if let Some(gap) = Gap::new(shape.powers, standing, extent, diagnostics)
+        && let Err((extent, message)) = proof::prove(&gap, &Wanted::UpToSomewhere)
+    {
+        diagnostics.report(extent, message);
+    }
 }
 
 /// The range that `max_radius` declares, where it is written; nothing if it is faulty, which is reported.

@@ -5,12 +5,12 @@
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
-//! | `reading::attribute`, `entry` | the attribute's tokens | expressions and options, as written |
+//! | `reading::attribute`, `entry`, `bodies` | the attribute's tokens | expressions and options, as written |
 //! | `reading::item` | the struct's tokens | its `name`, `generics` (`declaration`), and fields that can be symbols (`positive`: of known sign) |
-//! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`: what is no part of the language) |
+//! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`, `divisor`, `surface`: what is no part of the language) |
 //! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `gap::expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
-//! | `gap` | powers of r | the same, checked to be a gap |
+//! | `gap` | powers of r | the same, checked to be a gap, which has no `constant` |
 //! | `first_zero` | a sum of powers of r with exact coefficients | its first zero (`search`, `first_root`, `end`) |
 //! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined |
 //! | `geometry` | attribute and item | gap, range and proof together |
@@ -62,17 +62,16 @@ fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let input = item::with_one_profile(input, &mut diagnostics);
     let item = item::parse(input.clone(), &mut diagnostics);
     let crate_path = attribute.crate_path.clone().unwrap_or_else(|| quote!(::cartcontact));
-    let output = item.map(|mut item| {
-        let geometry = geometry::geometry(&attribute, &mut item, &mut diagnostics);
-        match geometry.filter(|_| diagnostics.is_empty()) {
-            Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
-            None => {
-                item.mark_named(attribute.written_gap);
-                emit::fallback(&input, &item, &crate_path)
-            }
+    let Some(mut item) = item else {
+        let errors = diagnostics.into_compile_errors();
+        return quote!(#input #errors);
+    };
+    let geometry = geometry::geometry(&attribute, &mut item, &mut diagnostics);
+    match geometry.filter(|_| diagnostics.is_empty()) {
+        Some(geometry) => emit::solver(&input, &item, &geometry, &crate_path),
+        None => {
+            item.mark_named(attribute.written_gap);
+            emit::fallback(&input, &item, &diagnostics.into_compile_errors(), &crate_path)
         }
-    });
-    let output = output.unwrap_or(input);
-    let errors = diagnostics.into_compile_errors();
-    quote!(#output #errors)
+    }
 }

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::{Names, bounded_generics};
+use super::{Names, bounded_generics, local};
 use crate::gap::range::Range;
 use crate::geometry::Geometry;
 use crate::number::literal;
@@ -24,25 +24,32 @@ pub(super) fn block(
         return implementation(item, &item.generics, &constants(geometry));
     }
     let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
-    of_fields(item, names, geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
+    of_fields(item, names, &geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
 }
 
-/// What stands in for them where the profile is faulty, so that whoever asks for them gets no further errors: of a gap
-/// that depends on fields if those that it names are marked as used.
-pub(super) fn stub(item: &Item, names: &Names) -> TokenStream {
+/// What stands in for them where the profile is faulty: of a gap that depends on fields if those that it names are
+/// marked as used.
+///
+/// How many terms there are and how large a number is depends on a constant that consists of the errors, and of which
+/// the compiler says no more than these: neither of a pattern for some terms nor of an assertion on a radius.
+pub(super) fn stub(item: &Item, errors: &TokenStream, names: &Names) -> TokenStream {
+    let faults = local("FAULTS");
+    let constant = quote!(const #faults: ::core::primitive::usize = { #errors };);
     if item.fields.iter().any(|field| field.used) {
-        return of_fields(item, names, 0, &quote!([]));
+        let terms = of_fields(item, names, &faults, &quote!(loop {}));
+        return quote!(#constant #terms);
     }
     let number = quote!(::core::primitive::f64);
     let constants = quote! {
         #[doc(hidden)]
-        pub const TERMS: [(#number, #number); 0] = [];
+        pub const TERMS: [(#number, #number); #faults] = [(0.0, 0.0); #faults];
         #[doc(hidden)]
-        pub const MAX_RADIUS: #number = 0.0;
+        pub const MAX_RADIUS: #number = #faults as #number;
         #[doc(hidden)]
-        pub const TRUNCATION_ERROR: #number = 0.0;
+        pub const TRUNCATION_ERROR: #number = #faults as #number;
     };
-    implementation(item, &item.generics, &constants)
+    let constants = implementation(item, &item.generics, &constants);
+    quote!(#constant #constants)
 }
 
 fn implementation(item: &Item, generics: &Generics, content: &TokenStream) -> TokenStream {
@@ -89,7 +96,7 @@ fn constants(geometry: &Geometry) -> TokenStream {
 }
 
 /// The method `terms`, over the scalar type of the fields, or over any if they have none.
-fn of_fields(item: &Item, names: &Names, count: usize, body: &TokenStream) -> TokenStream {
+fn of_fields(item: &Item, names: &Names, count: &impl ToTokens, body: &TokenStream) -> TokenStream {
     let Names { krate, scalar } = names;
     let (generics, parameter) = if item.generics.has_type(scalar) {
         (bounded_generics(item, names), None)

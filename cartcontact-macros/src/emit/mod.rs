@@ -97,9 +97,9 @@ pub(crate) fn solver(
     let beside = Operations::of_function(&shared);
     let lines = documentation::lines(item, geometry, &forms, start.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
-    quote! {
-        #documented
-        const _: () = {
+    let scope = scope(
+        item,
+        &quote! {
             #import
             #shared
             #beside_inversion
@@ -111,7 +111,19 @@ pub(crate) fn solver(
                 #quadrature_hints
             }
             #inherent
-        };
+        },
+    );
+    quote!(#documented #scope)
+}
+
+/// Generated items in a scope of their own, without lints about what is written elsewhere or by nobody.
+fn scope(item: &Item, content: &TokenStream) -> TokenStream {
+    let allowed = &item.allowed;
+    quote! {
+        #allowed
+        #[allow(deprecated, single_use_lifetimes, reason = "they concern the struct, which is repeated here")]
+        #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+        const _: () = { #content };
     }
 }
 
@@ -182,8 +194,13 @@ fn import(krate: &TokenStream, names: &Names) -> TokenStream {
 }
 
 /// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes
-/// no further errors.
-pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) -> TokenStream {
+/// no further errors than its own.
+pub(crate) fn fallback(
+    input: &TokenStream,
+    item: &Item,
+    errors: &TokenStream,
+    krate: &TokenStream,
+) -> TokenStream {
     let names = Names::of(item);
     let import = import(krate, &names);
     let Names { krate: root, scalar } = &names;
@@ -192,10 +209,10 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
         let name = format_ident!("{name}");
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
-    let inherent = inherent::stub(item, &names);
-    quote! {
-        #input
-        const _: () = {
+    let inherent = inherent::stub(item, errors, &names);
+    let scope = scope(
+        item,
+        &quote! {
             #import
             #inherent
             #[automatically_derived]
@@ -209,8 +226,9 @@ pub(crate) fn fallback(input: &TokenStream, item: &Item, krate: &TokenStream) ->
                 ) -> ::core::result::Result<#scalar, #root::RadiusError> { loop {} }
                 fn max_radius(&self) -> #scalar { loop {} }
             }
-        };
-    }
+        },
+    );
+    quote!(#input #scope)
 }
 
 /// The annotated item with documentation of what was derived behind its own.

@@ -36,6 +36,11 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// The value of an expression that has been evaluated before and does not depend on r.
+    pub(crate) fn known_coefficient(&mut self, expression: &Expression) -> Option<Coefficient> {
+        self.shape(expression)?.as_coefficient()
+    }
+
     /// An expression without r, such as a radius.
     pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
         let coefficient = self.without_r(expression)?.as_coefficient();

@@ -3,6 +3,7 @@
 //! Here the last step, [`Polynomial`] -> [`Gap`]: it checks that a sum of powers is a gap.
 
 pub(crate) mod coefficient;
+pub(crate) mod constant;
 pub(crate) mod evaluate;
 pub(crate) mod expansion;
 mod like_terms;
@@ -17,6 +18,7 @@ use num_traits::Zero;
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::number::{self, Rational};
 use coefficient::Coefficient;
+use constant::Standing;
 use polynomial::{Monomial, Polynomial};
 
 pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
@@ -39,8 +41,13 @@ pub(crate) struct Term {
 
 impl Gap {
     /// The gap that a polynomial written at `extent` stands for. Every fault is reported.
-    pub(crate) fn new(polynomial: Polynomial, extent: Extent, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let terms = Gap::terms(polynomial, diagnostics)?;
+    pub(crate) fn new(
+        polynomial: Polynomial,
+        standing: Option<&Standing>,
+        extent: Extent,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Self> {
+        let terms = Gap::terms(polynomial, standing, diagnostics)?;
         if terms.is_empty() {
             diagnostics
                 .report(extent, "the gap is zero everywhere: its terms cancel; write one that opens with r");
@@ -62,10 +69,21 @@ impl Gap {
         faults.for_each(|(extent, message)| diagnostics.report(extent, message));
     }
 
-    /// The terms, unless one cannot be part of a gap. Every fault is reported.
-    pub(crate) fn terms(polynomial: Polynomial, diagnostics: &mut Diagnostics) -> Option<Vec<Term>> {
+    /// The terms, unless one cannot be part of a gap. Every fault is reported. A constant does not end it if other terms
+    /// are there: whatever takes it away leaves them as they are.
+    pub(crate) fn terms(
+        polynomial: Polynomial,
+        standing: Option<&Standing>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Vec<Term>> {
+        let is_alone = polynomial.terms().len() == 1;
         let mut terms = Some(Vec::new());
         for (exponent, monomial) in polynomial.into_terms() {
+            if exponent.is_zero() {
+                diagnostics.report(monomial.extent, constant::message(&monomial.coefficient, standing));
+                terms = terms.filter(|_| !is_alone);
+                continue;
+            }
             match (term(exponent, monomial), &mut terms) {
                 (Ok(term), Some(terms)) => terms.push(term),
                 (Ok(_), None) => {}
@@ -84,18 +102,10 @@ impl Gap {
     }
 }
 
+/// The term, if it can be part of a gap. Its exponent is not zero.
 fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)> {
     let Monomial { coefficient, extent } = monomial;
     let fault = |message: &str| Err((extent, message.to_owned()));
-    if exponent.is_zero() {
-        let constant = coefficient.to_string();
-        let removal =
-            if constant.starts_with('-') { format!("`{constant}`") } else { format!("`+ {constant}`") };
-        return Err((
-            extent,
-            format!("the gap must vanish at r = 0; a constant only shifts the approach: remove {removal}"),
-        ));
-    }
     if exponent.is_negative() {
         return fault("exponent must be greater than 0; a gap that vanishes at r = 0 needs positive powers");
     }

@@ -3,21 +3,24 @@
 //! A gap is one expression or two bodies, `upper = ...` and `lower = ...`: each the height by which a surface falls
 //! away from the common tangent plane toward its own bone, so that the gap is their sum.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::entry::{Entry, Whole, all_options, entries, similar};
+use crate::reading::bodies;
+use crate::reading::entry::{Entry, Whole, all_options, entries, is_of_r, similar};
+use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
 use crate::reading::positive::Positive;
-use crate::reading::syntax::{Expression, Kind, Summand};
+use crate::reading::syntax::{Expression, Kind};
 use crate::reading::{is_punct, ungrouped};
 
 #[derive(Default)]
 pub(crate) struct Attribute {
     /// Where there are two bodies, their sum.
     pub(crate) gap: Option<Expression>,
+    pub(crate) is_of_bodies: bool,
     pub(crate) max_radius: Option<Expression>,
     pub(crate) order: Option<Expression>,
     pub(crate) tolerance: Option<Expression>,
@@ -35,7 +38,9 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut bodies: Vec<(Ident, Expression)> = Vec::new();
     let mut names: Vec<Ident> = Vec::new();
     let mut digits_before_comma = None;
-    for entry in entries(tokens, diagnostics) {
+    let entries = entries(tokens, diagnostics);
+    let of_other_names = bodies::of_other_names(&entries);
+    for entry in entries {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
         if entry.may_be_gap() {
             attribute.written_gap.extend(entry.stream());
@@ -58,7 +63,10 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 attribute.positive = Some(Positive { place: name.span(), names: names_of_fields });
                 names.push(name);
             }
-            Some((name, equals, value)) if name == "upper" || name == "lower" => {
+            Some((name, equals, value)) if bodies::is_one(&name, &of_other_names) => {
+                if let Some(message) = bodies::other_name(&name, &of_other_names) {
+                    diagnostics.report(name.span(), message);
+                }
                 names.push(name.clone());
                 let place = equals.unwrap_or(name.span());
                 bodies.push((name, parse::expression(value, place, diagnostics)));
@@ -73,49 +81,9 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
             },
         }
     }
-    attribute.gap = whole(attribute.gap.take(), bodies, diagnostics);
+    attribute.is_of_bodies = !bodies.is_empty();
+    attribute.gap = bodies::whole(attribute.gap.take(), bodies, diagnostics);
     attribute
-}
-
-/// The gap, from one expression or two bodies in the order in which they were written.
-fn whole(
-    gap: Option<Expression>,
-    bodies: Vec<(Ident, Expression)>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Expression> {
-    let summand = |expression| Summand { subtracted: false, expression };
-    match (gap, bodies.as_slice()) {
-        (gap @ Some(_), []) => gap,
-        // What could not be read may be a body.
-        (Some(gap @ Expression { kind: Kind::Faulty, .. }), _) => {
-            let extent = gap.extent;
-            let read = bodies.into_iter().map(|(_, expression)| expression);
-            Some(Expression { kind: Kind::Sum(read.chain([gap]).map(summand).collect()), extent })
-        }
-        (Some(_), [(name, _), ..]) => {
-            let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
-            diagnostics.report(name.span(), message);
-            None
-        }
-        (None, []) => {
-            let message = "the gap is missing; write it first, as in `#[gap_profile(0.025 * r^2)]`";
-            diagnostics.report(Span::call_site(), message);
-            None
-        }
-        (None, [(name, _)]) => {
-            let other = if name == "upper" { "lower" } else { "upper" };
-            let message = format!(
-                "a gap lies between two bodies, and `{other}` is missing; a flat one is written `{other} = 0`"
-            );
-            diagnostics.report(name.span(), message);
-            None
-        }
-        (None, [(_, first), .., (_, last)]) => {
-            let extent = Extent::between(first.extent, last.extent);
-            let bodies = bodies.into_iter().map(|(_, expression)| summand(expression));
-            Some(Expression { kind: Kind::Sum(bodies.collect()), extent })
-        }
-    }
 }
 
 impl Attribute {
@@ -139,14 +107,7 @@ impl Attribute {
         if let Some(slot) = self.slot(name) {
             *slot = Some(parse::expression(value, equals, diagnostics));
         } else if name == "crate" {
-            let path = ungrouped(value);
-            if last_of_path(&path).is_some() {
-                self.crate_path = Some(quote!(#(#path)*));
-            } else {
-                let place = Extent::of(&path, equals);
-                diagnostics
-                    .report(place, "`crate` takes a path without quotes; write `crate = ::cartcontact`");
-            }
+            self.set_crate(&ungrouped(value), equals, diagnostics);
         } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
             self.fail_at(entry);
             diagnostics.report(name.span(), written_first(&format!("{name} =")));
@@ -158,6 +119,23 @@ impl Attribute {
             };
             diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
         }
+    }
+
+    fn set_crate(&mut self, value: &[TokenTree], equals: Span, diagnostics: &mut Diagnostics) {
+        if last_of_path(value).is_some() {
+            self.crate_path = Some(quote!(#(#value)*));
+            return;
+        }
+        let quoted = match value {
+            [TokenTree::Literal(literal)] => path_in_quotes(literal),
+            _ => None,
+        };
+        let (written, path) = quoted.unzip();
+        let path_or_example = written.unwrap_or_else(|| "::cartcontact".to_owned());
+        let message = format!("`crate` takes a path without quotes; write `crate = {path_or_example}`");
+        diagnostics.report(Extent::of(value, equals), message);
+        // Nothing else is wrong if the crate is there.
+        self.crate_path = path;
     }
 
     /// What to say about an entry that is no option, unless it is the gap; what it takes from gap and options is noted.
@@ -197,7 +175,7 @@ impl Attribute {
         Some(format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`"))
     }
 
-    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`.
+    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`.
     fn named(&self, entry: &Entry) -> Option<String> {
         if self.gap.is_some() {
             return None;
@@ -208,6 +186,9 @@ impl Attribute {
             }
             [TokenTree::Ident(name), equals, arrow, ..] if is_punct(equals, '=') && is_punct(arrow, '>') => {
                 format!("{name} =>")
+            }
+            [TokenTree::Ident(name), dash, arrow, ..] if is_punct(dash, '-') && is_punct(arrow, '>') => {
+                format!("{name} ->")
             }
             [TokenTree::Ident(name), colon, next, ..] if is_punct(colon, ':') && !is_punct(next, ':') => {
                 format!("{name}:")
@@ -257,17 +238,21 @@ impl Attribute {
     }
 }
 
-fn written_first(name: &str) -> String {
-    format!("the gap is written first and without a name; remove `{name}`")
+/// The path that a string consists of, as it is written and as tokens.
+fn path_in_quotes(literal: &Literal) -> Option<(String, TokenStream)> {
+    let text = literal.to_string();
+    let text = literal::quoted(&text)?;
+    // The compiler would report what is not even made of tokens.
+    let is_of_names = text.chars().all(|letter| letter.is_alphanumeric() || "_:".contains(letter));
+    let tokens: TokenStream = is_of_names.then(|| text.parse().ok())??;
+    let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    last_of_path(&tokens)?;
+    tokens.iter_mut().for_each(|token| token.set_span(literal.span()));
+    Some((text.to_owned(), quote!(#(#tokens)*)))
 }
 
-/// Whether the distance r or a surface is mentioned.
-fn is_of_r(tokens: TokenStream) -> bool {
-    tokens.into_iter().any(|token| match token {
-        TokenTree::Ident(name) => ["r", "sphere", "conic"].iter().any(|known| name == known),
-        TokenTree::Group(group) => is_of_r(group.stream()),
-        _ => false,
-    })
+fn written_first(name: &str) -> String {
+    format!("the gap is written first and without a name; remove `{name}`")
 }
 
 #[cfg(test)]
@@ -289,6 +274,22 @@ mod tests {
         assert!(diagnostics.is_empty());
         assert!(attribute.gap.is_some() && attribute.max_radius.is_some());
         assert_eq!(attribute.crate_path.unwrap().to_string(), "some :: path");
+    }
+
+    #[test]
+    fn a_path_in_quotes_is_the_one_that_is_meant() {
+        for (text, path, remedy) in [
+            ("r^2, crate = \"foo\"", Some("foo"), "write `crate = foo`"),
+            ("r^2, crate = r#\"a::b\"#", Some("a :: b"), "write `crate = a::b`"),
+            ("r^2, crate = \"(\"", None, "write `crate = ::cartcontact`"),
+            ("r^2, crate = \"2\"", None, "write `crate = ::cartcontact`"),
+            ("r^2, crate = 2", None, "write `crate = ::cartcontact`"),
+        ] {
+            let mut diagnostics = Diagnostics::default();
+            let attribute = parse(text.parse().unwrap(), &mut diagnostics);
+            assert_eq!(attribute.crate_path.map(|path| path.to_string()).as_deref(), path);
+            assert!(diagnostics.messages()[0].ends_with(remedy), "{text}");
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::diagnostics::Extent;
 use crate::reading::is_punct;
 use crate::reading::parse::Parser;
 use crate::reading::similar::closest;
+use crate::reading::surface::wrong_arguments;
 use crate::reading::syntax::{Expression, Kind, Surface};
 
 impl Parser<'_> {
@@ -19,7 +20,7 @@ impl Parser<'_> {
             ("conic", [radius, conic_constant]) if !named => (*radius, Some(*conic_constant)),
             _ => {
                 let place = Extent::between(name.span().into(), group.span().into());
-                return match wrong_arguments(name) {
+                return match wrong_arguments(name, &tokens) {
                     Some(message) => self.fault(place, message),
                     None => self.function(name, group),
                 };
@@ -45,21 +46,10 @@ impl Parser<'_> {
 }
 
 /// What stands between the commas.
-fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
+pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let mut arguments: Vec<&[TokenTree]> = tokens.split(|token| is_punct(token, ',')).collect();
     arguments.pop_if(|last| last.is_empty());
     arguments
-}
-
-/// What to say about a surface that is not written as one.
-pub(super) fn wrong_arguments(surface: &Ident) -> Option<&'static str> {
-    match surface.to_string().as_str() {
-        "sphere" => Some("`sphere` takes the radius of the sphere; write `sphere(20)`"),
-        "conic" => {
-            Some("`conic` takes the radius at the vertex and the conic constant; write `conic(20, -0.5)`")
-        }
-        _ => None,
-    }
 }
 
 /// What to say about a function that raises to a power.

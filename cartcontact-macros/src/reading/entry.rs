@@ -107,6 +107,14 @@ impl Entry {
         name.is_some_and(|name| name == "upper" || name == "lower")
     }
 
+    /// The name of what is likely to be one of the two bodies, but is not called so.
+    pub(super) fn body_of_other_name(&self) -> Option<Ident> {
+        let (name, equals, value) = self.option()?;
+        let is_no_option = equals.is_some() && similar(&name).is_none() && name != "gap";
+        let is_body = is_of_r(value) || name == "top" || name == "bottom";
+        (is_no_option && is_body).then_some(name)
+    }
+
     /// Whether this is meant as the gap, or as a part of it.
     pub(super) fn may_be_gap(&self) -> bool {
         self.is_body() || self.option().is_none_or(|(name, _, _)| similar(&name).is_none())
@@ -139,6 +147,15 @@ impl Entry {
     pub(super) fn extent(&self) -> Extent {
         Extent::of(&self.tokens, self.place)
     }
+}
+
+/// Whether the distance r or a surface is mentioned.
+pub(super) fn is_of_r(tokens: TokenStream) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Ident(name) => ["r", "sphere", "conic"].iter().any(|known| name == known),
+        TokenTree::Group(group) => is_of_r(group.stream()),
+        _ => false,
+    })
 }
 
 pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {

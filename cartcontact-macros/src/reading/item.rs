@@ -1,18 +1,23 @@
 //! The annotated struct -> [`Item`]: what its fields may stand for in a profile.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
 use crate::reading::generics::Generics;
 use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
+use crate::reading::parse::NO_CONSTANTS;
 use crate::reading::similar::{closest, collect_names, known_number};
+use crate::reading::slips::is_times;
 use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {
     pub(crate) ident: Ident,
     pub(crate) generics: Generics,
+    /// Its own `#[allow(...)]`.
+    pub(crate) allowed: TokenStream,
     /// The fields that can be symbols, in their order.
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
@@ -67,6 +72,24 @@ fn is_gap_profile(pair: &[TokenTree]) -> bool {
     hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
 }
 
+/// The attributes in front of an item that allow something, or expect what generated code need not do again.
+fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
+    let mut allowed = TokenStream::new();
+    while let [hash, TokenTree::Group(attribute), rest @ ..] = tokens
+        && is_punct(hash, '#')
+    {
+        let mut content = attribute.stream().into_iter();
+        if let Some(TokenTree::Ident(name)) = content.next()
+            && (name == "allow" || name == "expect")
+        {
+            let lints: TokenStream = content.collect();
+            allowed.extend(quote!(#[allow #lints]));
+        }
+        tokens = rest;
+    }
+    allowed
+}
+
 /// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and
 /// generics is returned nonetheless, for its stub.
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
@@ -79,7 +102,8 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
     };
     let unnamed = content.as_ref().filter(|content| content.delimiter() == Delimiter::Parenthesis);
     let is_struct = keyword == "struct" && unnamed.is_none();
-    let mut item = Item { ident, generics, fields: Vec::new(), others: Vec::new(), is_struct };
+    let allowed = allowed(&tokens);
+    let mut item = Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), is_struct };
     if keyword == "enum" {
         diagnostics.report(
             keyword.span(),
@@ -145,10 +169,18 @@ impl Item {
             Some(remedy) => remedy,
             None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
-            None if unit::is_unit(&written) => format!("{}; remove it", unit::NO_UNITS),
+            None if unit::is_unit(&written) => unit::no_units(&written, "remove it"),
             // Words of Rust cannot name a field.
             None if is_keyword(name) => {
                 format!("write {known} or a field")
+            }
+            None if self.fields.is_empty() && is_like_constant(&written) => {
+                let field = format!("`struct {} {{ {name}: f64 }}`", self.ident);
+                format!("{NO_CONSTANTS}: write the number, or declare a field, as in {field}")
+            }
+            // One letter is rather that of a formula.
+            None if is_like_constant(&written) && written.chars().count() > 1 => {
+                format!("{NO_CONSTANTS}: write the number, or a field of `{}`", self.ident)
             }
             None if self.fields.is_empty() && self.others.is_empty() => {
                 format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
@@ -157,14 +189,17 @@ impl Item {
         }
     }
 
-    /// Notes which fields a faulty gap names, or may mean: it would depend on them.
+    /// Notes which fields a faulty gap names, or may mean: it would depend on them. A symbol that is like none of them
+    /// may mean any.
     pub(crate) fn mark_named(&mut self, written_gap: TokenStream) {
         let mut names = Vec::new();
         collect_names(written_gap, &mut names);
-        let known = self.field_names();
-        let meant: Vec<String> = names.iter().filter_map(|name| closest(name, known.clone())).collect();
-        for field in &mut self.fields {
-            field.used = meant.contains(&field.ident.to_string());
+        for (name, may_be_symbol) in names {
+            let meant = closest(&name.to_string(), self.field_names());
+            let may_mean_any = meant.is_none() && may_be_symbol && !has_other_meaning(&name);
+            for field in &mut self.fields {
+                field.used |= may_mean_any || meant.as_ref().is_some_and(|meant| field.ident == meant);
+            }
         }
     }
 
@@ -185,6 +220,19 @@ impl Item {
             }
         }
     }
+}
+
+/// Whether constants have such names, and fields have not.
+fn is_like_constant(name: &str) -> bool {
+    name.contains(char::is_uppercase) && !name.contains(char::is_lowercase)
+}
+
+/// Whether a name that is like no field is known for something else: r, a number, a unit or a word of Rust.
+fn has_other_meaning(name: &Ident) -> bool {
+    let written = unraw(name);
+    let is_word =
+        is_keyword(name) || is_times(name) || ["f32", "f64", "sphere", "conic"].contains(&&*written);
+    is_word || known_number(name).is_some() || unit::is_unit(&written)
 }
 
 /// `f64` and `f32` under any path, or one of the struct's own type parameters.
@@ -211,7 +259,7 @@ fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
-    use quote::{format_ident, quote};
+    use quote::format_ident;
 
     use super::*;
 
@@ -232,6 +280,19 @@ mod tests {
         assert_eq!(kinds, [&FieldKind::F64, &FieldKind::F32, &FieldKind::TypeParameter(format_ident!("T"))]);
         assert!(matches!(item.meaning(&format_ident!("name")), Meaning::WrongType(_)));
         assert!(matches!(item.meaning(&format_ident!("d")), Meaning::WrongType(_)));
+    }
+
+    #[test]
+    fn what_the_struct_allows_is_repeated() {
+        let (item, _) = item(quote! {
+            #[doc = "A ball."]
+            #[allow(non_snake_case, reason = "as printed")]
+            #[expect(dead_code)]
+            #[must_use]
+            struct Ball { R: f64 }
+        });
+        let expected = quote!(#[allow(non_snake_case, reason = "as printed")] #[allow(dead_code)]);
+        assert_eq!(item.unwrap().allowed.to_string(), expected.to_string());
     }
 
     #[test]
@@ -270,6 +331,29 @@ mod tests {
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
         assert_eq!(item.remedy(&format_ident!("R"), false), "write a number or a field of `Ball`");
+    }
+
+    #[test]
+    fn fields_that_a_faulty_gap_may_mean_are_marked() {
+        for (gap, expected) in [
+            ("raduis * r^2", ["radius"].as_slice()),
+            ("2radius * r^2", &["radius"]),
+            ("curvature * r^2", &["radius", "kappa"]),
+            ("2c * r^2", &["radius", "kappa"]),
+            ("2r + sin(r) + 2 mm x pi * r^2", &[]),
+            ("upper = f64::powi(r, 2), lower = r.abs()", &[]),
+        ] {
+            let (item, _) = item(quote!(
+                struct Ball {
+                    radius: f64,
+                    kappa: f64,
+                }
+            ));
+            let mut item = item.unwrap();
+            item.mark_named(gap.parse().unwrap());
+            let marked = item.fields.iter().filter(|field| field.used);
+            assert_eq!(marked.map(|field| field.ident.to_string()).collect::<Vec<_>>(), expected, "{gap}");
+        }
     }
 
     #[test]

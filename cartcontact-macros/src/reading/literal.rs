@@ -3,7 +3,7 @@
 //! `0.025` is 1/40, not the `f64` nearest to it.
 
 use crate::number::{self, Rational};
-use crate::reading::unit::{NO_UNITS, is_unit};
+use crate::reading::unit::{is_unit, no_units};
 
 const NUMERIC_SUFFIXES: [&str; 16] = [
     "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64",
@@ -13,32 +13,79 @@ const NUMERIC_SUFFIXES: [&str; 16] = [
 /// The number that a literal stands for, or the rule that it breaks.
 pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (negative, text) = text.strip_prefix('-').map_or((false, text), |text| (true, text));
-    if text.starts_with('"') {
+    if quoted(text).is_some() {
         return Err(format!("{text} is text, not an expression; write it without quotes"));
     }
-    if !text.starts_with(|first: char| first.is_ascii_digit()) {
+    if !begins_with_digit(text) {
         return Err(format!("{text} is not a number; a gap is written with numbers, `r` and fields"));
     }
-    if text.starts_with("0x") || text.starts_with("0o") || text.starts_with("0b") {
+    if has_other_base(text) {
         return Err(format!("numbers are written in decimal; `{text}` is not"));
     }
-    let (whole, rest) = split_digits(text);
-    let (fraction, rest) = rest.strip_prefix('.').map_or(("", rest), split_digits);
-    let (exponent, suffix) = split_exponent(rest);
+    let Parts { whole, fraction, exponent, suffix } = Parts::of(text);
     if !suffix.is_empty() {
-        let written = text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_');
+        let written = without_suffix(text, suffix);
         return Err(if is_unit(suffix) {
-            format!("{NO_UNITS}; write `{written}`")
+            let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
+            no_units(suffix, &format!("write {number}, or `({written} * {suffix})` if that is a field"))
         } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {
-            format!("`{text}` reads as one literal; write `{written} * {suffix}`")
+            format!("{}; write `{written} * {suffix}`", reads_as_one(text))
         });
     }
     let fraction = without_underscores(fraction);
     let digits = without_underscores(whole) + &fraction;
     let value = number::from_decimal(&digits, fraction.len(), exponent)?;
     Ok(if negative { -value } else { value })
+}
+
+/// What stands in the quotes of a string.
+pub(super) fn quoted(text: &str) -> Option<&str> {
+    let text = text.strip_prefix('r').map_or(text, |raw| raw.trim_matches('#'));
+    text.strip_prefix('"')?.strip_suffix('"')
+}
+
+/// What a literal such as `2R` is meant as, if it is: a number and a name.
+pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
+    let suffix = Parts::of(text).suffix;
+    let is_word = suffix.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
+    let is_name = !suffix.is_empty() && is_word && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
+    (is_name && begins_with_digit(text) && !has_other_base(text))
+        .then(|| (without_suffix(text, suffix), suffix))
+}
+
+pub(super) fn reads_as_one(text: &str) -> String {
+    format!("`{text}` reads as one literal")
+}
+
+/// Of a number in decimal.
+struct Parts<'a> {
+    whole: &'a str,
+    fraction: &'a str,
+    exponent: i64,
+    suffix: &'a str,
+}
+
+impl<'a> Parts<'a> {
+    fn of(text: &'a str) -> Self {
+        let (whole, rest) = split_digits(text);
+        let (fraction, rest) = rest.strip_prefix('.').map_or(("", rest), split_digits);
+        let (exponent, suffix) = split_exponent(rest);
+        Parts { whole, fraction, exponent, suffix }
+    }
+}
+
+fn begins_with_digit(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_ascii_digit())
+}
+
+fn has_other_base(text: &str) -> bool {
+    ["0x", "0o", "0b"].iter().any(|prefix| text.starts_with(prefix))
+}
+
+fn without_suffix<'a>(text: &'a str, suffix: &str) -> &'a str {
+    text.strip_suffix(suffix).unwrap_or(text).trim_end_matches('_')
 }
 
 fn split_digits(text: &str) -> (&str, &str) {
@@ -86,6 +133,17 @@ mod tests {
     fn suffixes_are_explained() {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
         assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
+        assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `(1 * mm)` if that is a field"));
+        let of_others =
+            "convert the number to that of the others, and write it alone, or `(1 * cm)` if that is a field";
+        assert!(number("1cm").unwrap_err().ends_with(of_others));
+    }
+
+    #[test]
+    fn text_is_a_gap_in_quotes() {
+        for text in ["\"r^2\"", "r\"r^2\"", "r#\"r^2\"#"] {
+            assert!(number(text).unwrap_err().ends_with("write it without quotes"), "{text}");
+        }
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! Tokens -> what is written in them, with its places; nothing is evaluated.
 
 pub(crate) mod attribute;
+mod bodies;
 mod call;
 mod declaration;
+mod divisor;
 mod entry;
 pub(crate) mod generics;
 pub(crate) mod item;
@@ -12,6 +14,7 @@ pub(crate) mod parse;
 pub(crate) mod positive;
 mod similar;
 mod slips;
+mod surface;
 pub(crate) mod syntax;
 pub(crate) mod unit;
 

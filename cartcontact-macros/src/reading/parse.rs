@@ -1,18 +1,20 @@
 //! Tokens -> [`Expression`], by recursive descent along the grammar in [`crate::reading::syntax`].
 //!
-//! A fault costs one term: it is reported, the rest of its term is skipped, and reading goes on behind the next `+`
-//! or `-`, so one compilation reports the faults of all terms. Every call consumes a token or ends its loop, and
+//! A fault costs one operand: it is reported, the rest of the operand is skipped, and reading goes on at the next
+//! operator, so one compilation reports the faults of all factors and terms. Every call consumes a token or ends its loop, and
 //! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::is_punct;
 use crate::reading::literal;
 use crate::reading::similar::known_number;
 use crate::reading::slips::is_case;
+use crate::reading::surface::wrong_arguments;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
-use crate::reading::{call, is_punct};
 
+pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here";
 const MAXIMUM_DEPTH: usize = 64;
 
 /// Reads all of `tokens`; `place` stands for them in messages if there are none.
@@ -63,7 +65,8 @@ impl<'a> Parser<'a> {
     fn product(&mut self) -> Expression {
         let mut factors = vec![Factor { divides: false, expression: self.factor() }];
         while let Some(divides) = self.next_product_operator() {
-            let expression = self.factor();
+            let unclear = if divides { self.unclear_divisor() } else { None };
+            let expression = unclear.unwrap_or_else(|| self.factor());
             factors.push(Factor { divides, expression });
         }
         match factors.pop() {
@@ -87,7 +90,7 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Expression {
         let base = self.atom();
-        if self.take_punct('^').is_none() {
+        if self.take_punct('^').is_none() && !self.reads_double_star() {
             return base;
         }
         let exponent = self.deeper(Self::factor);
@@ -138,8 +141,8 @@ impl<'a> Parser<'a> {
         {
             return self.surface(name, arguments);
         }
-        if let Some(next @ (TokenTree::Group(_) | TokenTree::Literal(_))) = self.rest.first()
-            && let Some(message) = call::wrong_arguments(name)
+        if let [next @ (TokenTree::Group(_) | TokenTree::Literal(_)), behind @ ..] = self.rest
+            && let Some(message) = wrong_arguments(name, &without_parentheses(next, behind))
         {
             let place = Extent::between(name.span().into(), next.span().into());
             return self.fault(place, message);
@@ -153,7 +156,7 @@ impl<'a> Parser<'a> {
             }
             let place = Extent::between(name.span().into(), last.span().into());
             let remedy = known_number(&last).unwrap_or("write the number, or a field of the struct");
-            return self.fault(place, format!("constants of a program are not known here; {remedy}"));
+            return self.fault(place, format!("{NO_CONSTANTS}; {remedy}"));
         }
         self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
     }
@@ -199,7 +202,9 @@ impl<'a> Parser<'a> {
     pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
         if self.depth == MAXIMUM_DEPTH {
             let place = self.rest.first().map_or(self.previous, |next| next.span().into());
-            return self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
+            let nested = self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
+            self.skip_term();
+            return nested;
         }
         self.depth += 1;
         let expression = read(self);
@@ -214,7 +219,7 @@ impl<'a> Parser<'a> {
     /// Whether the next factor divides. Two operands side by side, and what others write for an operator or behind a
     /// number, are reported and read as intended.
     fn next_product_operator(&mut self) -> Option<bool> {
-        if self.reads_double_star() || self.take_punct('*').is_some() {
+        if self.take_punct('*').is_some() {
             return Some(false);
         }
         if self.take_punct('/').is_some() {
@@ -273,15 +278,18 @@ impl<'a> Parser<'a> {
     pub(super) fn fault(&mut self, place: impl Into<Extent>, message: impl Into<String>) -> Expression {
         let extent = place.into();
         self.diagnostics.report(extent, message);
-        self.skip_term();
+        self.skip_before("+-*/^");
         Expression { kind: Kind::Faulty, extent }
     }
 
     fn skip_term(&mut self) {
-        while let Some(token) = self.rest.first() {
-            if is_punct(token, '+') || is_punct(token, '-') {
-                break;
-            }
+        self.skip_before("+-");
+    }
+
+    /// Reads over what stands before the next of some operators.
+    fn skip_before(&mut self, operators: &str) {
+        let is_operator = |token: &TokenTree| operators.chars().any(|operator| is_punct(token, operator));
+        while self.rest.first().is_some_and(|next| !is_operator(next)) {
             self.take_token();
         }
     }
@@ -291,6 +299,16 @@ impl<'a> Parser<'a> {
             self.previous = token.span().into();
             self.rest = rest;
         }
+    }
+}
+
+/// The arguments in other brackets, or without any, where they are no longer than one token.
+fn without_parentheses(token: &TokenTree, behind: &[TokenTree]) -> Vec<TokenTree> {
+    let goes_on = |next: &TokenTree| ['*', '/', '^'].iter().any(|operator| is_punct(next, *operator));
+    match token {
+        TokenTree::Group(group) => group.stream().into_iter().collect(),
+        _ if behind.first().is_some_and(goes_on) => Vec::new(),
+        single => vec![single.clone()],
     }
 }
 

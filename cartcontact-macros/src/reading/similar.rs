@@ -2,6 +2,8 @@
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
+use crate::reading::{is_punct, literal};
+
 /// What to write in place of a number that people know by name.
 pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
     let is_one_of = |names: &[&str]| names.iter().any(|known| name == known);
@@ -34,16 +36,31 @@ fn distance(left: &str, right: &str) -> usize {
     row.last().copied().unwrap_or(0)
 }
 
-/// The names in some tokens, without that of the distance r.
-pub(super) fn collect_names(tokens: TokenStream, names: &mut Vec<String>) {
-    for token in tokens {
+/// The names in some tokens, without that of the distance r, and whether nothing tells that they are no symbols: those
+/// of functions, options and parts of paths are none.
+pub(super) fn collect_names(tokens: TokenStream, names: &mut Vec<(Ident, bool)>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for (index, token) in tokens.iter().enumerate() {
         match token {
-            TokenTree::Ident(name) if name == "r" => {}
-            TokenTree::Ident(name) => names.push(name.to_string()),
+            TokenTree::Ident(name) => {
+                let follows_path = index.checked_sub(1).is_some_and(|before| is_punct(&tokens[before], ':'));
+                let is_something_else = tokens.get(index + 1).is_some_and(|next| match next {
+                    TokenTree::Punct(next) => ":=.".contains(next.as_char()),
+                    next => matches!(next, TokenTree::Group(_)),
+                });
+                names.push((name.clone(), !follows_path && !is_something_else));
+            }
             TokenTree::Group(group) => collect_names(group.stream(), names),
-            _ => {}
+            TokenTree::Literal(literal) => {
+                let text = literal.to_string();
+                names.extend(
+                    literal::with_name(&text).map(|(_, name)| (Ident::new(name, literal.span()), true)),
+                );
+            }
+            TokenTree::Punct(_) => {}
         }
     }
+    names.retain(|(name, _)| name != "r");
 }
 
 #[cfg(test)]

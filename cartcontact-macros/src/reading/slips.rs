@@ -5,11 +5,12 @@ use proc_macro2::{Ident, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::decimal;
+use crate::reading::literal::number;
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
 impl Parser<'_> {
-    /// Reads over `**`, which other languages have for powers.
+    /// Reads `**`, which other languages have for powers.
     pub(super) fn reads_double_star(&mut self) -> bool {
         let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest else { return false };
         if first.as_char() != '*' || first.spacing() != Spacing::Joint || second.as_char() != '*' {
@@ -17,6 +18,7 @@ impl Parser<'_> {
         }
         self.rest = rest;
         let place = Extent::between(first.span().into(), second.span().into());
+        self.previous = place;
         self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
         true
     }
@@ -24,7 +26,7 @@ impl Parser<'_> {
     /// Reads over an `x` between two operands.
     pub(super) fn reads_times(&mut self) -> bool {
         let [TokenTree::Ident(word), operand, ..] = self.rest else { return false };
-        if !(word == "x" || word == "X") || matches!(operand, TokenTree::Punct(_)) {
+        if !is_times(word) || matches!(operand, TokenTree::Punct(_)) {
             return false;
         }
         self.diagnostics.report(word.span(), format!("a product is written with `*`, not `{word}`"));
@@ -42,7 +44,7 @@ impl Parser<'_> {
         self.diagnostics.report(word.span(), message);
         self.take_token();
         self.take_token();
-        if self.take_punct('^').is_some() {
+        if self.take_punct('^').is_some() || self.reads_double_star() {
             self.deeper(Self::factor);
         }
         true
@@ -59,7 +61,7 @@ impl Parser<'_> {
         else {
             return None;
         };
-        if !one.is_one() || slash.as_char() != '/' {
+        if !one.is_one() || slash.as_char() != '/' || number(&divisor.to_string()).is_err() {
             return None;
         }
         let base = match &base.kind {
@@ -124,6 +126,10 @@ impl Parser<'_> {
         };
         self.fault(Extent::between(receiver.extent, member.span().into()), message)
     }
+}
+
+pub(super) fn is_times(name: &Ident) -> bool {
+    name == "x" || name == "X"
 }
 
 pub(super) fn is_case(name: &Ident) -> bool {

@@ -9,7 +9,13 @@ use crate::reading::parse::Parser;
 /// Of lengths.
 const UNITS: [&str; 8] = ["mm", "cm", "m", "um", "µm", "nm", "in", "inch"];
 
-pub(crate) const NO_UNITS: &str = "numbers have no units: all lengths are in one unit, such as mm";
+const NO_UNITS: &str = "numbers have no units: all lengths are in one unit, such as mm";
+
+/// That there are no units, and how to be rid of this one. One that the other lengths may not have is not just left out.
+pub(crate) fn no_units(unit: &str, remedy: &str) -> String {
+    let conversion = if unit == "mm" { "" } else { "convert the number to that of the others, and " };
+    format!("{NO_UNITS}; {conversion}{remedy}")
+}
 
 pub(crate) fn is_unit(name: &str) -> bool {
     UNITS.contains(&name)
@@ -22,7 +28,13 @@ impl Parser<'_> {
         let number = self.previous;
         let written: String = self.rest.iter().take(length).map(ToString::to_string).collect();
         (0..length).for_each(|_| self.take_token());
-        let message = format!("{NO_UNITS}; remove `{written}`, or write `*` before it if it is a field");
+        let unit = if written.contains("mm") { "mm" } else { &written };
+        let message = no_units(
+            unit,
+            &format!(
+                "remove `{written}`; if it is a field, write `*` before it, and parentheses around both behind `/`"
+            ),
+        );
         self.diagnostics.report(Extent::between(number, self.previous), message);
         true
     }
@@ -43,11 +55,20 @@ fn length(tokens: &[TokenTree]) -> Option<usize> {
     }
 }
 
-/// How many tokens `^2` and `^-2` are.
+/// How many tokens `^2` and `^-2` are, or `**2` and `**-2`.
 fn exponent(tokens: &[TokenTree]) -> usize {
     match tokens {
-        [power, TokenTree::Literal(_), ..] if is_punct(power, '^') => 2,
-        [power, minus, TokenTree::Literal(_), ..] if is_punct(power, '^') && is_punct(minus, '-') => 3,
+        [first, second, rest @ ..] if is_punct(first, '*') && is_punct(second, '*') => 2 + number(rest),
+        [power, rest @ ..] if is_punct(power, '^') => 1 + number(rest),
+        _ => 0,
+    }
+}
+
+/// How many tokens `2`, `(-2)` and `-2` are.
+fn number(tokens: &[TokenTree]) -> usize {
+    match tokens {
+        [TokenTree::Literal(_) | TokenTree::Group(_), ..] => 1,
+        [minus, TokenTree::Literal(_), ..] if is_punct(minus, '-') => 2,
         _ => 0,
     }
 }

@@ -3,6 +3,7 @@
 mod colliding_names;
 mod constants;
 mod generics;
+mod lints;
 mod no_prelude;
 mod places;
 mod shadowed_names;

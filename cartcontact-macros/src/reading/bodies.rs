@@ -1,0 +1,86 @@
+//! The two bodies of a gap, `upper = ...` and `lower = ...`, and what is meant as these.
+
+use proc_macro2::{Ident, Span};
+
+use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::entry::Entry;
+use crate::reading::syntax::{Expression, Kind, Summand};
+
+/// The name of a body, and the one of `upper` and `lower` that is meant by it.
+type OtherName = (Ident, &'static str);
+
+/// The names that two bodies have been given in place of `upper` and `lower`, each with the one that is meant:
+/// `femur = sphere(20), tibia = sphere(30)`. Empty if that is not what is written.
+pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName> {
+    let options = entries.iter().filter_map(Entry::option);
+    let written: Vec<Ident> = options.map(|(name, _, _)| name).collect();
+    let mut free: Vec<&str> =
+        ["upper", "lower"].into_iter().filter(|body| !written.iter().any(|name| name == body)).collect();
+    let named: Vec<Ident> = entries.iter().filter_map(Entry::body_of_other_name).collect();
+    let are_two = match named.as_slice() {
+        [first, second] => free.len() == 2 && first != second,
+        [_] => free.len() == 1,
+        _ => false,
+    };
+    if !are_two {
+        return Vec::new();
+    }
+    if named.first().is_some_and(|first| first == "bottom") {
+        free.reverse();
+    }
+    named.into_iter().zip(free).collect()
+}
+
+/// Whether this is the name of a body, or meant as that.
+pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName]) -> bool {
+    name == "upper" || name == "lower" || other_name(name, of_other_names).is_some()
+}
+
+/// What to say about a name that is meant as that of a body.
+pub(super) fn other_name(name: &Ident, of_other_names: &[OtherName]) -> Option<String> {
+    let (_, meant) = of_other_names.iter().find(|(other, _)| other == name)?;
+    Some(format!(
+        "`{name}` is not an option; the two bodies of a gap are called `upper` and `lower`; write `{meant} =`"
+    ))
+}
+
+/// The gap, from one expression or two bodies in the order in which they were written.
+pub(super) fn whole(
+    gap: Option<Expression>,
+    bodies: Vec<(Ident, Expression)>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Expression> {
+    let summand = |expression| Summand { subtracted: false, expression };
+    match (gap, bodies.as_slice()) {
+        (gap @ Some(_), []) => gap,
+        // What could not be read may be a body.
+        (Some(gap @ Expression { kind: Kind::Faulty, .. }), _) => {
+            let extent = gap.extent;
+            let read = bodies.into_iter().map(|(_, expression)| expression);
+            Some(Expression { kind: Kind::Sum(read.chain([gap]).map(summand).collect()), extent })
+        }
+        (Some(_), [(name, _), ..]) => {
+            let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
+            diagnostics.report(name.span(), message);
+            None
+        }
+        (None, []) => {
+            let message = "the gap is missing; write it first, as in `#[gap_profile(0.025 * r^2)]`";
+            diagnostics.report(Span::call_site(), message);
+            None
+        }
+        (None, [(name, _)]) => {
+            let other = if name == "upper" { "lower" } else { "upper" };
+            let message = format!(
+                "a gap lies between two bodies, and `{other}` is missing; a flat one is written `{other} = 0`"
+            );
+            diagnostics.report(name.span(), message);
+            None
+        }
+        (None, [(_, first), .., (_, last)]) => {
+            let extent = Extent::between(first.extent, last.extent);
+            let bodies = bodies.into_iter().map(|(_, expression)| summand(expression));
+            Some(Expression { kind: Kind::Sum(bodies.collect()), extent })
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Operands side by side behind `/`, as in `r^2/2R`: physicists divide by both, programmers by the first.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use crate::diagnostics::Extent;
+use crate::reading::parse::Parser;
+use crate::reading::slips::{is_case, is_times};
+use crate::reading::syntax::{Expression, Kind};
+use crate::reading::unit::is_unit;
+use crate::reading::{is_punct, literal, ungrouped};
+
+impl Parser<'_> {
+    /// Reads over a divisor that lacks an operator, if one follows, and reports it: which of its operands divide is
+    /// for the author to say, as either reading is another geometry.
+    pub(super) fn unclear_divisor(&mut self) -> Option<Expression> {
+        let (divisor, rest) = self.rest.split_at(length(self.rest));
+        let (factors, fault) = factors(divisor)?;
+        let ([first, _, ..], [.., last]) = (factors.as_slice(), divisor) else { return None };
+        let product = factors.join(" * ");
+        let message = format!(
+            "{fault}; write `({product})` if all of it divides, or `{product}` if only `{first}` does"
+        );
+        let extent = Extent::of(divisor, last.span());
+        self.diagnostics.report(extent, message);
+        (self.previous, self.rest) = (last.span().into(), rest);
+        Some(Expression { kind: Kind::Faulty, extent })
+    }
+}
+
+/// How many tokens stand before the next operator of a sum or a product; signs and `**` are none.
+fn length(tokens: &[TokenTree]) -> usize {
+    let mut index = 0;
+    let mut follows_operand = false;
+    while let Some(token) = tokens.get(index) {
+        match token {
+            star if is_punct(star, '*') => {
+                if !tokens.get(index + 1).is_some_and(|next| is_punct(next, '*')) {
+                    break;
+                }
+                index += 1;
+                follows_operand = false;
+            }
+            slash if is_punct(slash, '/') => break,
+            sign if is_punct(sign, '+') || is_punct(sign, '-') => {
+                if follows_operand {
+                    break;
+                }
+            }
+            other => follows_operand = !matches!(other, TokenTree::Punct(_)),
+        }
+        index += 1;
+    }
+    index
+}
+
+/// The factors that are meant, as they are to be written, and what is wrong with how they are. Nothing if there is
+/// something else among them, which has messages of its own.
+fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
+    let mut factors: Vec<String> = Vec::new();
+    let mut fault = None;
+    let mut before: Option<&TokenTree> = None;
+    for token in tokens {
+        let text = text(token);
+        let mut operands = vec![text.as_str()];
+        match token {
+            TokenTree::Ident(name) if is_unit(&text) || is_case(name) || is_times(name) || name == "as" => {
+                return None;
+            }
+            TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket) => {
+                return None;
+            }
+            TokenTree::Literal(_) => match literal::with_name(&text) {
+                Some((number, name)) => {
+                    fault.get_or_insert_with(|| literal::reads_as_one(&text));
+                    operands = vec![number, name];
+                }
+                None => drop(literal::number(&text).ok()?),
+            },
+            // Of `**`, which is a power.
+            star if is_punct(star, '*') => {
+                operands = vec![if before.is_some_and(|before| is_punct(before, '*')) { "" } else { "^" }];
+            }
+            _ => {}
+        }
+        let mut operands = operands.into_iter().map(str::to_owned);
+        if let (Some(before), Some(factor)) = (before, factors.last_mut())
+            && is_one_factor(before, token)
+        {
+            factor.extend(operands.next());
+        }
+        factors.extend(operands);
+        before = Some(token);
+    }
+    Some((factors, fault.unwrap_or_else(|| "an operator is missing here".to_owned())))
+}
+
+/// Whether two tokens belong to one factor: an operator and its operand, or a function and its arguments.
+fn is_one_factor(before: &TokenTree, token: &TokenTree) -> bool {
+    match (before, token) {
+        (TokenTree::Punct(_), _) | (_, TokenTree::Punct(_)) => true,
+        (TokenTree::Ident(name), TokenTree::Group(group)) => {
+            name != "r" && group.delimiter() == Delimiter::Parenthesis
+        }
+        _ => false,
+    }
+}
+
+/// What a macro has put into invisible parentheses stands in visible ones.
+fn text(token: &TokenTree) -> String {
+    match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
+            match ungrouped(group.stream()).as_slice() {
+                [only] => text(only),
+                _ => format!("({})", group.stream()),
+            }
+        }
+        token => token.to_string(),
+    }
+}

@@ -1,0 +1,283 @@
+//! What is said about gaps that are no gaps, or not written as such.
+
+use quote::quote;
+
+use super::{on_ball, on_unit};
+
+#[test]
+fn likely_slips_are_understood() {
+    for (text, rule) in [
+        ("r^2 max_radius = 6", "a comma is missing before `max_radius`"),
+        ("0,025*r^2", "write `0.025`"),
+        ("gap = r^2", "remove `gap =`"),
+        ("0.025mm*r^2", "numbers have no units"),
+        ("pi*r^2", "`3.14159265358979`"),
+        ("Sphere(10), order = 4", "did you mean `sphere`?"),
+        ("r^2, max_radius: 6", "write it as in `max_radius = 6.0`"),
+        ("r^2, max_radius 6", "write it as in `max_radius = 6.0`"),
+        ("r^2, max-radius = 6", "write it as in `max_radius = 6.0`"),
+        ("sphere(radius), order(4)", "write it as in `order = 4`"),
+        ("r^2, maxradius = 6", "did you mean `max_radius`?"),
+        ("r^2 - r^4, maxradius = 0.1", "did you mean `max_radius`?"),
+        ("sphere(10), oder = 4", "did you mean `order`?"),
+        ("r^2, max_radius", "write it as in `max_radius = 6.0`"),
+        ("r^2, max_radius = 6,5", "write `6.5`"),
+        ("2*r^2 + 0,5*r^4", "write `0.5`"),
+        ("r^2; max_radius = 6", "a comma is missing before `max_radius`"),
+        ("r^2, max_radius = inf", "leave it out"),
+        ("r^2, max_radius = f64::INFINITY", "leave it out"),
+        ("std::f64::consts::PI * r^2", "`3.14159265358979`"),
+        ("knee::CURVATURE * r^2", "write the number"),
+        ("r^2, 5 * r^4", "one gap"),
+        ("phi = r^2", "remove `phi =`"),
+        ("gap(r) = r^2", "remove `gap(r) =`"),
+        ("0.025 mm * r^2", "such as mm; remove `mm`; if it is a field"),
+        ("0.025 cm^-1 * r^2", "convert the number to that of the others, and remove `cm^-1`"),
+        ("sphere(1cm), order = 4", "convert the number to that of the others, and write it alone"),
+        ("r^2 / cm", "convert the number to that of the others, and remove it"),
+        ("0.025 * r^2 mm", "numbers have no units"),
+        ("0.025/mm * r^2", "numbers have no units"),
+        ("0.025 * pow(r, 2)", "write `r^2`"),
+        ("powf(2 * r, -1.5)", "write `(2 * r)^(- 1.5)`"),
+        (".5 * r^2", "write `0.5`"),
+        ("1.e-3 * r^2", "digits behind it"),
+        ("radius as f64 * r^2", "remove `as`"),
+        ("r^2 if r > 3 else 0", "one expression for all radii"),
+        ("\"r^2\"", "without quotes"),
+        ("sphere(10) - sphere(10), order = 4", "its terms cancel"),
+        ("r^1000000000000000000000", "at most 1024"),
+        ("radius * r^2, positive(radius)", "write it as in `positive = (c, d)`"),
+        ("radius * r^2, positive = radius, depth", "write `positive = (radius, depth)`"),
+        ("0.025 mm^-1 * r^2", "remove `mm^-1`"),
+        ("0.025 mm**-1 * r^2", "remove `mm**-1`"),
+        ("0.025 mm^(-1) * r^2", "numbers have no units"),
+        ("10**-4 * r^2", "not `**`"),
+        ("r^1**2", "not `**`"),
+        ("0.025 1/mm * r^2", "remove `1/mm`"),
+        ("0.025 (1/mm) * r^2", "numbers have no units"),
+        ("r^2, max_radius = 6 [mm]", "remove `[mm]`"),
+        ("0.025 x r^2", "a product is written with `*`, not `x`"),
+        ("r as f64 ^ 2", "remove `as`"),
+        ("f64::powi(r, 2)", "write `r^2`"),
+        ("Pow(2 * r, 2)", "write `(2 * r)^2`"),
+        ("pow(r)", "write `r^2`"),
+        ("0.025 * square(r)", "write `r^2`"),
+        ("f64::sin(r)", "functions such as `sin`"),
+        ("r (1 + r)", "an operator is missing"),
+        ("Ball.radius * r^2", "write `radius`"),
+        ("gap: r^2", "remove `gap:`"),
+        ("r => r^2", "remove `r =>`"),
+        ("r -> r^2", "remove `r ->`"),
+        ("r#\"r^2\"#", "without quotes"),
+        ("CURVATURE * r^2", "are not known here: write the number, or a field of `Ball`"),
+        ("phi = sphere(10), order = 4", "remove `phi =`"),
+        ("let c = 2; c * r^2", "without `let`"),
+        ("radius * r^2 positive", "a comma is missing before `positive`"),
+        ("radius * r^2, Positive", "did you mean `positive`?"),
+        ("sphere(10), max_radius = 6 order = 4", "a comma is missing before `order`"),
+        ("radius * r^2, max_radius = 6 positive", "a comma is missing before `positive`"),
+        ("upper = sphere(10) lower = 0, order = 4", "a comma is missing before `lower`"),
+        ("sphere(10), order = 4, tolerance = 0,001, max_radius = 3", "write `0.001`"),
+        ("upper = sphere(10), lower = 0, order = 4, 0.025 * r^2", "remove `upper`"),
+        ("lower = 0,05 * r^2, upper = 0", "write `0.05`"),
+        ("upper: sphere(10), lower = 0, order = 4", "as in `upper = sphere(20)`"),
+        ("Upper = sphere(10), lower = 0, order = 4", "did you mean `upper`?"),
+        ("lower = 0, upper, order = 4", "as in `upper = sphere(20)`"),
+        ("upper = r^2, upper = r^2", "given twice"),
+        ("sphere(R), order = 4", "write a number or a field of `Ball`"),
+        ("r^2, max_radius = R", "write a number or a field of `Ball`"),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
+}
+
+#[test]
+fn a_second_profile_is_one_fault() {
+    let item = "#[derive(Debug)] #[cartcontact::gap_profile(r^4)] struct Knee;".parse().unwrap();
+    let output = crate::expand(quote!(r ^ 2), item).to_string();
+    assert!(output.matches("compile_error").count() == 1 && output.contains("one gap profile"), "{output}");
+    assert!(!output.contains("gap_profile (r ^ 4)"));
+}
+
+#[test]
+fn each_fault_is_named() {
+    for (text, rule) in [
+        ("2r^2", "write `2 * r`"),
+        ("2f64*r^2", "drop the suffix"),
+        ("conic + r^2", "as in `conic(20, -0.5)`"),
+        ("sphere(R = 10), order = 4", "write `sphere(10)`"),
+        ("sphere(10,5), order = 4", "write `sphere(10.5)`"),
+        ("sphere(10, -0.5), order = 4", "write `conic(10, -0.5)`"),
+        ("sphere(), order = 4", "write `sphere(20)`"),
+        ("sphere 10, order = 4", "write `sphere(10)`"),
+        ("sphere 2 * 10, order = 4", "write `sphere(20)`"),
+        ("sphere[10], order = 4", "write `sphere(10)`"),
+        ("conic(20, -0,4), order = 4", "write `conic(20, -0.4)`"),
+        ("conic(20,5, -0,4), order = 4", "write `conic(20.5, -0.4)`"),
+        ("conic(20,5, 4), order = 4", "write `conic(20, 5.4)` or `conic(20.5, 4)`"),
+        ("conic(k = -0.4, R: 15), order = 4", "write `conic(15, -0.4)`"),
+        ("conic(15), order = 4", "write `conic(15, -0.5)`"),
+        ("conic(1, 2, 3, 4, 5, 6), order = 4", "write `conic(20, -0.5)`"),
+        ("r**2", "not `**`"),
+        ("r.powi(2)", "no methods"),
+        ("self.radius*r", "write `radius`"),
+        ("sin(r)", "without functions"),
+        ("2 r", "an operator is missing"),
+        ("(r)(r)", "an operator is missing"),
+        ("x^2", "`x` is unknown; only `r` is known here; a field declares a symbol"),
+        ("K * r^2", "not known here: write the number, or declare a field, as in `struct Knee { K: f64 }`"),
+        ("r^2 < 3", "`<` has no meaning"),
+        ("r^2 == 3", "`=` has no meaning"),
+        ("[r]", "only parentheses"),
+        ("()", "parentheses are empty"),
+        ("r +", "something is missing here"),
+        ("* r", "something is missing before `*`"),
+        ("'r'", "is not a number"),
+        ("true", "`true` is unknown"),
+        ("1e999999999*r", "between -400 and 400"),
+        ("2^999999999*r", "too large or too small"),
+        ("r^r", "an exponent must be a number"),
+        ("(1 + r)^-1", "must be a sum of powers of r"),
+        ("(1 + r)^0.5", "must be a sum of powers of r"),
+        ("(r + r^2)^5000", "powers up to 4096"),
+        ("(r + r^2)^4000", "too many terms"),
+        ("r/0", "divisor must not be zero"),
+        ("r/(r - r)", "divisor must not be zero"),
+        ("r^2 + 3", "remove `+ 3`"),
+        ("r^2 - 3", "remove `- 3`"),
+        ("3 + r^2", "remove `3`"),
+        ("-(3 + r) + r", "write `+ 3` behind the gap"),
+        ("(r^2 + 0.5 + r)", "remove `+ 0.5`"),
+        ("r^2 - 2/3", "remove this term"),
+        ("r^2 + 1 + 2", "write `- 3` behind the gap"),
+        ("(r + 1)^2", "write `- 1` behind the gap"),
+        ("(r - 1)^3", "write `+ 1` behind the gap"),
+        ("0.5*(1 + r^2)", "write `- 0.5` behind the gap"),
+        ("(1 + r)^3/6", "write `- 1/6` behind the gap"),
+        (
+            "(1 + 1.000001*r)^2 + (0.123456789 + r)^3",
+            "write `- 1001881676371789154860897069/1000000000000000000000000000` behind the gap",
+        ),
+        ("upper = r^2 + 3, lower = 0", "remove `+ 3`"),
+        ("upper = r^2, lower = 0.5", "write `- 0.5` behind the gap"),
+        ("upper = (1 + r)^2, lower = 1", "write `- 2` behind the gap"),
+        ("r^-2", "greater than 0"),
+        ("r^2 - r^2", "zero everywhere"),
+        ("r^1025", "at most 1024"),
+        ("1e-390*r", "does not fit"),
+        ("2^0.5*r", "not a fraction"),
+        ("(-4)^0.5*r", "no root"),
+        ("0^0*r", "no value"),
+        ("r^2, max_radius = 0", "greater than 0"),
+        ("r^2, max_radius = r", "must not depend on r"),
+        ("r^2, max_radius = 1e400", "does not fit"),
+        ("-r^2 + r^4, max_radius = 1", "falls from the centre"),
+        ("r^2 - r^1.0001", "falls from the centre"),
+        ("1e-300*r^2 + 1e300*r^1022 - 1e-300*r^1023", "too intricate"),
+        ("r - r^1.001 + r^1.0001", "a common fraction"),
+    ] {
+        let messages = on_unit(text).err().unwrap();
+        assert!(
+            messages.len() == 1 && messages.iter().all(|message| message.contains(rule)),
+            "{text}: {messages:?}"
+        );
+    }
+}
+
+/// Either reading of what stands behind `/` is another geometry, so both are written out, and each means what it says.
+#[test]
+fn remedies_of_divisors_say_what_divides() {
+    for (text, remedies) in [
+        ("r^2/2radius", "write `(2 * radius)` if all of it divides, or `2 * radius` if only `2` does"),
+        ("r^2/2 radius", "write `(2 * radius)` if all of it divides, or `2 * radius` if only `2` does"),
+        ("1/2radius*r^2", "write `(2 * radius)` if"),
+        ("r^2/radius + r^4/8radius^3", "write `(8 * radius^3)` if"),
+        ("r^2/8radius**3", "write `(8 * radius^3)` if"),
+        ("r^2/8radius**-3", "write `(8 * radius^-3)` if"),
+        ("r^2/8radius^-3 - r", "write `(8 * radius^-3)` if"),
+        (
+            "1/2(r^2 + r^4)",
+            "write `(2 * (r^2 + r^4))` if all of it divides, or `2 * (r^2 + r^4)` if only `2`",
+        ),
+        ("r^2/-2radius", "write `(-2 * radius)` if all of it divides, or `-2 * radius` if only `-2` does"),
+        ("r^2/2 sphere(10)", "write `(2 * sphere(10))` if"),
+        ("r^4/r^2radius", "write `(r^2 * radius)` if"),
+        ("r^4/r(radius + 1) 2radius", "write `(r * (radius + 1) * 2 * radius)` if all"),
+        ("2 r^2", "write `*`, as in `2 * r`"),
+        ("r^2 / 2 * radius radius", "write `*`, as in `2 * r`"),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert!(
+            messages.len() == 1 && messages[0].replace(" ^", "^").replace("^ ", "^").contains(remedies),
+            "{text}: {messages:?}"
+        );
+    }
+}
+
+#[test]
+fn what_a_gap_is_at_its_centre_can_be_taken_away() {
+    for text in [
+        "(r + 1)^2",
+        "(1 + r)^3/6",
+        "(1 + 1.000001*r)^2 + (0.123456789 + r)^3",
+        "(1 + r)^2 + 1e3 + 1e-5 + 7e20",
+        "(r + radius)^2",
+        "(r + 1)^2/(2*radius)",
+        "(r + radius - 1)^2",
+        "2*(r^2 + radius - 1)",
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        let remedy = messages[0].split('`').nth(1).unwrap();
+        assert!(on_ball(&format!("{text} {remedy}")).is_ok(), "{text}: {messages:?}");
+    }
+}
+
+#[test]
+fn a_double_star_is_read_as_a_power() {
+    let messages = on_unit("r**2 - r**4, max_radius = 0.5").err().unwrap();
+    assert!(messages.len() == 2 && messages.iter().all(|message| message.contains("not `**`")));
+}
+
+#[test]
+fn faults_of_all_terms_are_reported_together() {
+    let messages = on_ball("2r^2 + sin(r) + raduis*r - name*r*name + r^radius + 3, depth = 3").err().unwrap();
+    for rule in ["`2 * r`", "functions", "did you mean `radius`", "field `name`", "exponent", "`depth`"] {
+        assert!(messages.iter().any(|message| message.contains(rule)), "{rule}: {messages:?}");
+    }
+    // The constant may be what makes the unknown function vanish.
+    assert_eq!(messages.len(), 6);
+    for (text, rules) in [
+        ("r^2 + 3, max_radius = 0, order = 3", ["remove `+ 3`", "greater than 0", "even"].as_slice()),
+        ("-r^2, foo = 3", &["not an option", "falls from the centre"]),
+        ("-r^2, max_radius = -3", &["greater than 0", "falls from the centre"]),
+        ("r^2 - r^2, depth = 3", &["not an option", "its terms cancel"]),
+        ("r^2 - r^4 + 1", &["remove `+ 1`", "add `max_radius"]),
+        ("r^2 - r^4, maximum = 0.5", &["not an option"]),
+        ("2x * raduis * r^2", &["one literal", "did you mean `radius`?"]),
+        ("sin(r) * raduis * r^2", &["without functions", "did you mean `radius`?"]),
+        (
+            "raduis^3 / f64::powi(r, 2).abs() / depth",
+            &["`^`", "did you mean `radius`?", "`depth` is unknown"],
+        ),
+        ("femur = sphere(10), tibia = sphere(20), order = 4", &["write `upper =`", "write `lower =`"]),
+        ("tibia = r^2, order = 3, femur = -2*r^2", &["write `upper =`", "write `lower =`", "even", "falls"]),
+        ("bottom = 0, top = sphere(20), order = 4", &["write `lower =`", "write `upper =`"]),
+        ("top = sphere(10), lower = 0, order = 4", &["`top` is not an option; the two"]),
+        ("upper = sphere(10), bottom = 0, order = 4", &["write `lower =`"]),
+        ("upper = r^2, tibia = sphere(20) + raduis, order = 4", &["write `lower =`", "`raduis`"]),
+        ("a = r^2, b = r^2, c = r^2", &["remove `a =`", "`b` is not", "`c` is not"]),
+        ("a = r^2, a = r^2", &["remove `a =`", "given twice"]),
+        ("[2] * raduis * r^2", &["only parentheses", "did you mean `radius`?"]),
+        ("c[0] * raduis * r^2", &["only parentheses", "`c`", "did you mean `radius`?"]),
+        ("r.powi(2) * raduis", &["no methods", "did you mean `radius`?"]),
+        ("sphere(1, 2) * raduis", &["takes the radius", "did you mean `radius`?"]),
+        ("r^1/2 * raduis", &["exponent in parentheses", "did you mean `radius`?"]),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert_eq!(messages.len(), rules.len(), "{text}: {messages:?}");
+        for rule in rules {
+            assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
+        }
+    }
+}

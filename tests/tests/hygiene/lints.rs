@@ -1,0 +1,58 @@
+//! What a program denies is not found in generated code, where nobody has written it.
+
+#![deny(
+    clippy::approx_constant,
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    single_use_lifetimes,
+    unfulfilled_lint_expectations
+)]
+
+use super::radius;
+
+/// Its coefficient is near π.
+#[cartcontact::gap_profile(3.14159265358979 * r^2)]
+struct NearPi;
+
+/// The coefficient of its load integral is near 1/π.
+#[cartcontact::gap_profile(0.9549 * r^4)]
+struct NearItsInverse;
+
+#[test]
+fn coefficients_may_be_near_famous_numbers() {
+    assert!(radius::<f64>(&NearPi) > 0.0 && radius::<f64>(&NearItsInverse) > 0.0);
+}
+
+/// Of it, and of its field, no more than the generated code makes use.
+#[cartcontact::gap_profile(curvature * r^2, max_radius = end)]
+#[deprecated]
+#[allow(dead_code, reason = "not all of it is read")]
+struct Old {
+    #[deprecated]
+    curvature: f64,
+    #[deprecated]
+    end: f64,
+}
+
+/// The compiler knows its lifetime twice, generated code but once.
+#[cartcontact::gap_profile(curvature * r^2)]
+#[allow(dead_code, reason = "not all of it is read")]
+struct Borrowed<'a> {
+    curvature: f64,
+    name: &'a str,
+    other: &'a str,
+}
+
+#[cartcontact::gap_profile(r^2 / (2 * R))]
+#[allow(non_camel_case_types, reason = "as a symbol")]
+#[expect(non_snake_case, reason = "as printed in the paper")]
+struct Ball<real> {
+    R: real,
+}
+
+#[test]
+fn lints_about_the_struct_concern_the_struct_alone() {
+    let borrowed = Borrowed { curvature: 0.025, name: "", other: "" };
+    assert!(radius::<f64>(&borrowed) > 0.0 && radius(&Ball { R: 20.0 }) > 0.0);
+}
