@@ -4,7 +4,8 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::evaluate::Evaluator;
-use crate::gap::expansion::{self, Options, Truncation};
+use crate::gap::expansion::{self, Expanded, Truncation};
+use crate::gap::options::Options;
 use crate::gap::range::Range;
 use crate::proof::{self, Proof, Wanted};
 use crate::reading::attribute::Attribute;
@@ -47,16 +48,18 @@ pub(crate) fn geometry(
         return None;
     };
     let expanded = expansion::expand(shape, &options, &range, place);
-    let (powers, truncation) =
+    let Expanded { powers, truncation } =
         expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     let gap = Gap::new(powers, written.extent, diagnostics)?;
-    let values = values(&gap, &range, truncation.as_ref());
+    let values = values(&gap, &range, truncation.as_ref().ok().and_then(Option::as_ref));
     item.mark_used(|field| values.iter().any(|value| value.depends_on(field)), diagnostics);
     if let Some(positive) = &attribute.positive {
         positive.check_used(item, diagnostics);
     }
     let proof = proof::prove(&gap, &wanted(&range, place));
-    let proof = proof.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
+    // Where the gap itself fails, no order helps.
+    let proved = proof.and_then(|proof| Ok((proof, truncation?)));
+    let (proof, truncation) = proved.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
     Some(Geometry { gap, range, proof, truncation })
 }
 

@@ -6,6 +6,7 @@ pub(crate) mod coefficient;
 pub(crate) mod evaluate;
 pub(crate) mod expansion;
 mod like_terms;
+pub(crate) mod options;
 pub(crate) mod polynomial;
 pub(crate) mod range;
 pub(crate) mod shape;

@@ -127,6 +127,31 @@ fn the_smallest_order_is_found() {
     }
 }
 
+/// Whatever the options for the surfaces, as none of them helps.
+#[test]
+fn a_gap_that_falls_is_the_fault() {
+    for (gap, rule) in [
+        ("sphere(20) - sphere(10)", "falls from the centre"),
+        ("upper = sphere(20), lower = -sphere(10)", "falls from the centre"),
+        ("-sphere(10)", "falls from the centre"),
+        ("sphere(10) - r", "falls from the centre"),
+        ("sphere(10) - 0.04*r^2 - 0.0001*r^6", "no longer exceeds its mean"),
+    ] {
+        for options in [
+            "order = 4",
+            "order = 4, max_radius = 5",
+            "order = 4, max_radius = 5, tolerance = 1e-3",
+            "order = auto, max_radius = 5, tolerance = 1e-3",
+        ] {
+            let text = format!("{gap}, {options}");
+            let messages = on_unit(&text).err().unwrap();
+            assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+        }
+    }
+    let beyond = on_unit("sphere(20) - sphere(10), order = 4, max_radius = 12").err().unwrap();
+    assert!(beyond.len() == 1 && beyond[0].contains("falls from the centre"), "{beyond:?}");
+}
+
 #[test]
 fn each_fault_of_a_surface_is_named() {
     for (text, rule) in [
