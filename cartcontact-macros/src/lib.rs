@@ -19,13 +19,14 @@
 //! | `emit` | item and geometry | the solver |
 //!
 //! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
-//! together.
+//! together; those of a whole geometry offer a way out that works (`fault`).
 
 // Who uses the crate compiles this one: `Debug` costs time, so only what a test prints has it, and only there.
 
 mod closed_forms;
 mod diagnostics;
 mod emit;
+mod fault;
 mod first_zero;
 mod gap;
 mod geometry;

@@ -4,6 +4,8 @@
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
 
 use crate::diagnostics::Extent;
+use crate::fault::Fault;
+use crate::first_zero::End;
 use crate::gap::MAXIMUM_EXPONENT;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::options::{Options, Order};
@@ -11,11 +13,8 @@ use crate::gap::polynomial::{Monomial, Polynomial};
 use crate::gap::range::Range;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
-use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected, three_digits};
-use crate::number::{Rational, decimal, integer};
-
-/// A place and what is wrong there.
-type Fault = (Extent, String);
+use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
+use crate::number::{Rational, decimal, fraction, integer};
 
 /// A shape whose surfaces are powers of r.
 pub(crate) struct Expanded {
@@ -45,15 +44,15 @@ pub(crate) fn expand(
     let (request, place) = match (options.order, tolerance) {
         (Some((Order::Fixed(order), place)), _) => (Request::Order(order, tolerance), place),
         (Some((Order::Smallest, place)), Some(tolerance)) => (Request::Smallest(tolerance), place),
-        (Some((Order::Smallest, place)), None) => return Err((place, without_tolerance(limit))),
-        (None, _) => return Err((first.extent, without_order(tolerance.is_some()))),
+        (Some((Order::Smallest, place)), None) => return Err((place, without_tolerance(limit)).into()),
+        (None, _) => return Err((first.extent, without_order(tolerance.is_some())).into()),
     };
     let highest = request.highest_order();
     let expansion = Expansion { shape: &shape, range, limit, place };
     let truncation = match (expansion.neglected(highest), tolerance) {
         (Ok(neglected), _) => expansion.bounded(&request, &neglected),
         (Err(Unbounded::BeyondRim(fault)), _) => Err(fault),
-        (Err(Unbounded::AtRunTime(reason)), Some((_, place))) => return Err((*place, reason.to_owned())),
+        (Err(Unbounded::AtRunTime(reason)), Some((_, place))) => return Err((*place, reason).into()),
         (Err(Unbounded::AtRunTime(_)), None) => Ok(expansion.unbounded(highest)),
     };
     let order = truncation.as_ref().map_or(highest, |truncation| truncation.order);
@@ -64,8 +63,10 @@ pub(crate) fn expand(
     }
 }
 
-const OVERWHELMED: &str = "the terms that the order neglects are as large as the gap itself before max_radius; lower \
-                           max_radius, or raise the order";
+const OVERWHELMED: &str =
+    "the terms that the order neglects are as large as the gap itself before max_radius";
+const UNATTAINABLE: &str = "no order up to 128 is within this tolerance";
+const LESS: &str = "lower max_radius, or raise the tolerance";
 
 fn without_surfaces(powers: Polynomial, options: &Options) -> Result<Expanded, Fault> {
     let order = options.order.as_ref().map(|(_, extent)| *extent);
@@ -82,7 +83,7 @@ fn without_surfaces(powers: Polynomial, options: &Options) -> Result<Expanded, F
     }
     let message =
         format!("{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove {them}");
-    Err((place, message))
+    Err((place, message).into())
 }
 
 fn without_order(is_auto_likely: bool) -> String {
@@ -131,25 +132,23 @@ struct Expansion<'a> {
 impl Expansion<'_> {
     /// The order that was asked for, if it is within the tolerance and what it neglects is less than the gap.
     fn bounded(&self, request: &Request<'_>, neglected: &Neglected) -> Result<Truncation, Fault> {
-        let too_hard = |message: &'static str| (self.place, message.to_owned());
         let order = match request {
             Request::Order(order, None) => *order,
             Request::Order(order, Some((tolerance, _))) => {
-                if !neglected.is_within(tolerance, *order).map_err(too_hard)? {
-                    return Err((self.place, self.too_low(*order, tolerance, neglected)?));
+                if !neglected.is_within(tolerance, *order).map_err(|rule| (self.place, rule))? {
+                    return Err(self.too_low(*order, tolerance, neglected)?);
                 }
                 *order
             }
             Request::Smallest((tolerance, place)) => {
-                let smallest = neglected.smallest_order(tolerance).map_err(too_hard)?;
-                smallest.ok_or_else(|| (*place, unattainable()))?
+                let smallest = neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule))?;
+                smallest.ok_or_else(|| Fault::from((*place, UNATTAINABLE)).otherwise(LESS))?
             }
         };
-        let error = neglected.bound(order).map_err(too_hard)?;
         // What is bounded has been compared with the range.
         let unchecked = Vec::new();
-        match error {
-            None => Err((self.limit.unwrap_or(self.place), OVERWHELMED.to_owned())),
+        match neglected.bound(order).map_err(|rule| (self.place, rule))? {
+            None => Err(self.overwhelmed()?),
             error => Ok(Truncation { order, error, unchecked }),
         }
     }
@@ -174,22 +173,30 @@ impl Expansion<'_> {
         }
         let neglected = Neglected::new(self.shape, radius, highest);
         let neglected = neglected.ok_or(Unbounded::AtRunTime(GAP_OF_FIELDS))?;
-        neglected.map_err(|BeyondRim(rim)| Unbounded::BeyondRim((limit, beyond_rim(rim))))
+        neglected.map_err(|BeyondRim(rim)| Unbounded::BeyondRim(beyond_rim(limit, rim)))
     }
 
-    fn too_low(&self, order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<String, Fault> {
-        let too_hard = |message: &'static str| (self.place, message.to_owned());
-        let size = match neglected.bound(order).map_err(too_hard)? {
+    fn too_low(&self, order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<Fault, Fault> {
+        let size = match neglected.bound(order).map_err(|rule| (self.place, rule))? {
             Some(bound) => format!("up to {} of the gap", decimal(&bound)),
             None => "terms as large as the gap".to_owned(),
         };
-        let higher = self.neglected(HIGHEST_ORDER).map(|all| all.smallest_order(tolerance));
-        let remedy = match higher.unwrap_or(Ok(None)).map_err(too_hard)? {
-            Some(order) => format!("write `order = {order}`"),
-            None => unattainable(),
-        };
-        let tolerance = decimal(tolerance);
-        Ok(format!("order {order} neglects {size}, more than the tolerance of {tolerance}; {remedy}"))
+        let shown = decimal(tolerance);
+        let rule = format!("order {order} neglects {size}, more than the tolerance of {shown}");
+        let higher = self.smallest_order(tolerance)?;
+        let otherwise = if higher.is_some() { LESS.to_owned() } else { format!("{UNATTAINABLE}; {LESS}") };
+        Ok(Fault::from((self.place, rule)).or_order(higher).otherwise(otherwise))
+    }
+
+    fn overwhelmed(&self) -> Result<Fault, Fault> {
+        let fault = Fault::from((self.limit.unwrap_or(self.place), OVERWHELMED));
+        Ok(fault.or_order(self.smallest_order(&fraction(1, 2))?).otherwise("lower max_radius"))
+    }
+
+    /// Whatever order was asked for.
+    fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Fault> {
+        let Ok(neglected) = self.neglected(HIGHEST_ORDER) else { return Ok(None) };
+        neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule).into())
     }
 }
 
@@ -206,26 +213,25 @@ const GAP_OF_FIELDS: &str = "a tolerance is proved when the program is compiled,
 const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compiled, and max_radius depends on fields; \
                                write a number there";
 
-fn beyond_rim(rim: f64) -> String {
-    let shown = three_digits(rim).map_or_else(|| rim.to_string(), |rim| decimal(&rim));
-    format!("max_radius must lie below r = {shown}, where the series of a surface ends; write a smaller one")
-}
-
-fn unattainable() -> String {
-    format!(
-        "no order up to {HIGHEST_ORDER} is within this tolerance; lower max_radius, or raise the tolerance"
-    )
+fn beyond_rim(extent: Extent, mut rim: End) -> Fault {
+    let (shown, largest) = rim.decimals();
+    let rule = format!("max_radius must lie below r = {shown}, where the series of a surface ends");
+    let fault = Fault::from((extent, rule)).otherwise("write a smaller one");
+    match largest {
+        Some(largest) => fault.or_max_radius("write at most `", largest),
+        None => fault,
+    }
 }
 
 fn expanded(shape: Shape, order: u32) -> Result<Polynomial, Fault> {
     let mut sum = shape.powers;
     for surface in shape.surfaces {
         let extent = surface.extent;
-        let series = surface.series(order / 2).map_err(|message| (extent, message.to_owned()))?;
+        let series = surface.series(order / 2).map_err(|message| (extent, message))?;
         if !series.iter().all(Coefficient::is_representable) {
             let message =
                 format!("order {order} has coefficients beyond the range of `f64`; write a lower one");
-            return Err((extent, message));
+            return Err((extent, message).into());
         }
         for (j, coefficient) in (1_u32..).zip(series) {
             sum.accumulate(integer(2 * j), Monomial { coefficient, extent });

@@ -9,6 +9,7 @@ mod like_terms;
 pub(crate) mod options;
 pub(crate) mod polynomial;
 pub(crate) mod range;
+pub(crate) mod rim;
 pub(crate) mod shape;
 pub(crate) mod surface;
 pub(crate) mod truncation;

@@ -29,6 +29,12 @@ impl Options {
         let tolerance = attribute.tolerance.as_ref().map(|written| read_tolerance(written, evaluator));
         Some(Options { order: transposed(order)?, tolerance: transposed(tolerance)? })
     }
+
+    pub(crate) fn set_order(&mut self, order: u32) {
+        if let Some((own, _)) = &mut self.order {
+            *own = Order::Fixed(order);
+        }
+    }
 }
 
 /// An option that is there must have a value.

@@ -24,9 +24,10 @@ use core::cmp::Ordering;
 
 use num_traits::{One, ToPrimitive, Zero};
 
-use crate::first_zero::first_zero;
+use crate::first_zero::{End, first_zero};
 use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::LikeTerms;
+use crate::gap::rim::rim;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, floor, integer};
@@ -72,8 +73,8 @@ struct Series {
     rest: Rational,
 }
 
-/// The range reaches the radius, given here, where a series no longer converges.
-pub(crate) struct BeyondRim(pub(crate) f64);
+/// The range reaches the rim of a surface, given here.
+pub(crate) struct BeyondRim(pub(crate) End);
 
 impl Neglected {
     /// What orders up to the highest neglect; nothing if a coefficient is no number.
@@ -216,8 +217,7 @@ impl Series {
         let relative = range / &radius;
         let ratio = shape.abs() * &relative * &relative;
         if ratio >= Rational::one() {
-            let rim = radius.abs().to_f64().unwrap_or(0.0) / shape.abs().to_f64().unwrap_or(1.0).sqrt();
-            return Some(Err(BeyondRim(rim)));
+            return rim(surface).map(|rim| Err(BeyondRim(rim)));
         }
         let terms = surface.series(count(highest_order) as u32).ok()?;
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;

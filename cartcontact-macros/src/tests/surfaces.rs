@@ -152,6 +152,52 @@ fn a_gap_that_falls_is_the_fault() {
     assert!(beyond.len() == 1 && beyond[0].contains("falls from the centre"), "{beyond:?}");
 }
 
+/// What stands behind `option`, up to the next comma or backtick.
+fn value_of<'a>(option: &str, text: &'a str) -> Option<&'a str> {
+    let value = text.split_once(option)?.1;
+    value.split([',', '`']).next()
+}
+
+/// The attribute with what its message proposes; nothing if that is no number.
+fn mended(text: &str, message: &str) -> Option<String> {
+    for (words, option) in
+        [("write at most `", "max_radius = "), ("max_radius = ", "max_radius = "), ("`order = ", "order = ")]
+    {
+        if let Some(value) = value_of(words, message) {
+            let replaced = value_of(option, text).map(|own| text.replace(&format!("{option}{own}"), ""));
+            return Some(
+                format!("{}, {option}{value}", replaced.unwrap_or(text.to_owned())).replace(", ,", ","),
+            );
+        }
+    }
+    None
+}
+
+#[test]
+fn remedies_work() {
+    for (text, remedy) in [
+        ("sphere(10) - 0.0002*r^4, order = 4", "add `max_radius = "),
+        ("upper = sphere(10), lower = -conic(20, 10), order = 4", "add `max_radius = "),
+        ("conic(15, -0.5) - conic(16.5, 4), order = 4", "up to which the order suffices"),
+        ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 23", "write at most `"),
+        ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 12", "write at most `"),
+        (
+            "sphere(10.06), order = 4, max_radius = 10.08",
+            "r = 10.06, where the series of a surface ends; write at most `",
+        ),
+        (
+            "conic(10, 1), order = 8, max_radius = 10.08",
+            "r = 7.07107, where the series of a surface ends; write at most `",
+        ),
+        ("sphere(10) - sphere(12), order = 4, tolerance = 1e-4, max_radius = 5", "write `order = 12`"),
+    ] {
+        let messages = on_unit(text).err().unwrap();
+        assert!(messages.len() == 1 && messages[0].contains(remedy), "{text}: {messages:?}");
+        let mended = mended(text, &messages[0]).unwrap();
+        assert!(on_unit(&mended).is_ok(), "{text}: {messages:?}; {mended}: {:?}", on_unit(&mended).err());
+    }
+}
+
 #[test]
 fn each_fault_of_a_surface_is_named() {
     for (text, rule) in [
