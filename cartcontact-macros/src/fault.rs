@@ -12,9 +12,24 @@ use crate::gap::truncation::three_digits;
 use crate::number::{Rational, decimal, fraction};
 use crate::reading::literal;
 
+/// Of two faults the higher is reported: it remains if the other is mended, or is the reason for it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Rank {
+    /// Nobody knows whether there is one.
+    Undecided,
+    /// What an order neglects.
+    Truncation,
+    /// The range ends behind the one in which the gap determines a contact radius.
+    Range,
+    Rim,
+    /// The gap does not open.
+    Opening,
+}
+
 /// The ways are in the order in which they are preferred; if none works, `otherwise` is what is left to say.
 pub(crate) struct Fault {
     pub(crate) extent: Extent,
+    pub(crate) rank: Rank,
     rule: String,
     ways: Vec<Way>,
     otherwise: String,
@@ -34,11 +49,16 @@ pub(crate) enum Change<'a> {
 
 impl<T: Into<String>> From<(Extent, T)> for Fault {
     fn from((extent, message): (Extent, T)) -> Self {
-        Fault { extent, rule: message.into(), ways: Vec::new(), otherwise: String::new() }
+        let (rank, rule) = (Rank::Truncation, message.into());
+        Fault { extent, rank, rule, ways: Vec::new(), otherwise: String::new() }
     }
 }
 
 impl Fault {
+    pub(crate) fn ranked(self, rank: Rank) -> Self {
+        Fault { rank, ..self }
+    }
+
     /// Way out: a `max_radius` that is no larger than this literal.
     pub(crate) fn or_max_radius(mut self, words: &'static str, largest: String) -> Self {
         self.ways.push(Way::MaxRadius { words, largest });
@@ -60,9 +80,7 @@ impl Fault {
         let offered = self.ways.iter().find_map(|way| match way {
             Way::MaxRadius { words, largest } if surfaces.is_empty() => Some(format!("{words}{largest}`")),
             Way::MaxRadius { words, largest } => {
-                let works = |radius: &Rational| works(&Change::MaxRadius(radius));
-                let (radius, reason) = within_series(largest, surfaces, works)?;
-                Some(format!("{words}{radius}`{reason}"))
+                within_series(words, largest, surfaces, |radius| works(&Change::MaxRadius(radius)))
             }
             Way::Order(order) => works(&Change::Order(*order)).then(|| format!("write `order = {order}`")),
         });
@@ -73,21 +91,22 @@ impl Fault {
     }
 }
 
-/// The largest radius that works, or a short one not far below it, and why it is not the one given.
+/// How to write the largest `max_radius` that works, or a short one not far below it.
 fn within_series(
+    words: &str,
     largest: &str,
     surfaces: &[Surface],
     works: impl Fn(&Rational) -> bool,
-) -> Option<(String, &'static str)> {
+) -> Option<String> {
     let inside = rim::inside(largest, surfaces);
     let radius = literal::number(&inside).ok()?;
     if works(&radius) {
         let reason = if inside == largest { "" } else { ", as the series of a surface ends there" };
-        return Some((inside, reason));
+        return Some(format!("{words}{inside}`{reason}"));
     }
     let parts = [fraction(3, 4), fraction(1, 2), fraction(1, 4)];
     parts.iter().find_map(|part| {
         let radius = three_digits((&radius * part).to_f64()?)?;
-        works(&radius).then(|| (decimal(&radius), ", up to which the order suffices"))
+        works(&radius).then(|| format!("write `max_radius = {}`, for example", decimal(&radius)))
     })
 }

@@ -59,8 +59,11 @@ pub(crate) fn geometry(
     if let Some(positive) = &attribute.positive {
         positive.check_used(item, diagnostics);
     }
-    // Where the gap itself fails, no order helps.
-    let proved = declared.proof(&gap).and_then(|proof| Ok((proof, truncation?)));
+    let proved = match (declared.proof(&gap), truncation) {
+        (Ok(proof), Ok(truncation)) => Ok((proof, truncation)),
+        (Err(fault), Err(of_surfaces)) if of_surfaces.rank > fault.rank => Err(of_surfaces),
+        (Err(fault), _) | (_, Err(fault)) => Err(fault),
+    };
     let (proof, truncation) = proved.map_err(|fault| declared.report(&fault, diagnostics)).ok()?;
     Some(Geometry { gap, range: declared.range, proof, truncation })
 }

@@ -16,7 +16,7 @@
 use core::cmp::Ordering;
 
 use crate::diagnostics::Extent;
-use crate::fault::Fault;
+use crate::fault::{Fault, Rank};
 use crate::first_zero::{End, first_zero};
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
@@ -49,14 +49,15 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, Fault> {
     {
         let message = "the gap falls from the centre on, so the surfaces would overlap; the term with the lowest power \
                        needs a positive coefficient";
-        return Err((first.extent, message).into());
+        return Err(Fault::from((first.extent, message)).ranked(Rank::Opening));
     }
     let Some(terms) = slope(gap) else { return Ok(of_fields(gap)) };
     let negative = terms.iter().zip(&gap.terms).find(|((_, coefficient), _)| coefficient.is_negative());
     let Some((_, guilty)) = negative else {
         return Ok(Proof::AllRadii { by: "all coefficients are positive" });
     };
-    let end = first_zero(&terms).map_err(|message| (guilty.extent, message))?;
+    let end = first_zero(&terms)
+        .map_err(|message| Fault::from((guilty.extent, message)).ranked(Rank::Undecided))?;
     let Some(mut end) = end else {
         return Ok(Proof::AllRadii { by: "the slope of the approach has no positive root" });
     };
@@ -97,6 +98,7 @@ fn unlimited(extent: Extent, end: &mut End) -> Fault {
 
 /// What to do about an end below which `largest` is, where an `f64` is.
 fn with_remedy(fault: Fault, largest: Option<String>, words: &'static str, otherwise: &str) -> Fault {
+    let fault = fault.ranked(Rank::Range);
     match largest {
         Some(largest) => fault.or_max_radius(words, largest).otherwise(otherwise),
         None => fault.otherwise("use a smaller unit of length"),

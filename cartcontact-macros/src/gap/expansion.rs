@@ -4,7 +4,7 @@
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
 
 use crate::diagnostics::Extent;
-use crate::fault::Fault;
+use crate::fault::{Fault, Rank};
 use crate::first_zero::End;
 use crate::gap::MAXIMUM_EXPONENT;
 use crate::gap::coefficient::Coefficient;
@@ -19,7 +19,7 @@ use crate::number::{Rational, decimal, fraction, integer};
 /// A shape whose surfaces are powers of r.
 pub(crate) struct Expanded {
     pub(crate) powers: Polynomial,
-    /// Nothing without surfaces. What is wrong with an order is no news of powers that are no gap, and may come of it.
+    /// Nothing without surfaces. What is wrong with it may be because the powers are no gap.
     pub(crate) truncation: Result<Option<Truncation>, Fault>,
 }
 
@@ -216,7 +216,7 @@ const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compile
 fn beyond_rim(extent: Extent, mut rim: End) -> Fault {
     let (shown, largest) = rim.decimals();
     let rule = format!("max_radius must lie below r = {shown}, where the series of a surface ends");
-    let fault = Fault::from((extent, rule)).otherwise("write a smaller one");
+    let fault = Fault::from((extent, rule)).ranked(Rank::Rim).otherwise("write a smaller one");
     match largest {
         Some(largest) => fault.or_max_radius("write at most `", largest),
         None => fault,

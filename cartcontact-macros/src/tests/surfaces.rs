@@ -148,8 +148,14 @@ fn a_gap_that_falls_is_the_fault() {
             assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
         }
     }
-    let beyond = on_unit("sphere(20) - sphere(10), order = 4, max_radius = 12").err().unwrap();
-    assert!(beyond.len() == 1 && beyond[0].contains("falls from the centre"), "{beyond:?}");
+    for (text, rule) in [
+        ("sphere(20) - sphere(10), order = 4, max_radius = 12", "falls from the centre"),
+        ("conic(5, -5) - 1e-6*r^6, order = 4, max_radius = 50", "r = 2.5, where the series"),
+        ("conic(20, 4) - 0.01*r^2.3, order = auto, tolerance = 1e-5, max_radius = 9", "where the series"),
+    ] {
+        let messages = on_unit(text).err().unwrap();
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
 }
 
 /// What stands behind `option`, up to the next comma or backtick.
@@ -176,18 +182,18 @@ fn mended(text: &str, message: &str) -> Option<String> {
 #[test]
 fn remedies_work() {
     for (text, remedy) in [
-        ("sphere(10) - 0.0002*r^4, order = 4", "add `max_radius = "),
-        ("upper = sphere(10), lower = -conic(20, 10), order = 4", "add `max_radius = "),
-        ("conic(15, -0.5) - conic(16.5, 4), order = 4", "up to which the order suffices"),
-        ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 23", "write at most `"),
-        ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 12", "write at most `"),
+        ("sphere(10) - 0.0002*r^4, order = 4", "write `max_radius = "),
+        ("upper = sphere(10), lower = -conic(20, 10), order = 4", "write `max_radius = "),
+        ("conic(15, -0.5) - conic(16.5, 4), order = 4", "`, for example"),
+        ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 23", "below r = 10, where"),
+        ("sphere(10) - 0.0002*r^4, order = 4, max_radius = 12", "`, for example"),
         (
             "sphere(10.06), order = 4, max_radius = 10.08",
-            "r = 10.06, where the series of a surface ends; write at most `",
+            "r = 10.06, where the series of a surface ends; write `max_radius = ",
         ),
         (
             "conic(10, 1), order = 8, max_radius = 10.08",
-            "r = 7.07107, where the series of a surface ends; write at most `",
+            "r = 7.07107, where the series of a surface ends; write `max_radius = ",
         ),
         ("sphere(10) - sphere(12), order = 4, tolerance = 1e-4, max_radius = 5", "write `order = 12`"),
     ] {
