@@ -11,9 +11,10 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::options::{Options, Order};
 use crate::gap::polynomial::{Monomial, Polynomial};
 use crate::gap::range::Range;
+use crate::gap::series::BeyondRim;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
-use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected};
+use crate::gap::truncation::{HIGHEST_ORDER, Neglected};
 use crate::number::{Rational, decimal, fraction, integer};
 
 /// A shape whose surfaces are powers of r.
@@ -145,11 +146,13 @@ impl Expansion<'_> {
                 smallest.ok_or_else(|| Fault::from((*place, UNATTAINABLE)).otherwise(LESS))?
             }
         };
-        // What is bounded has been compared with the range.
+        // The range has been compared with the rims.
         let unchecked = Vec::new();
-        match neglected.bound(order).map_err(|rule| (self.place, rule))? {
-            None => Err(self.overwhelmed()?),
-            error => Ok(Truncation { order, error, unchecked }),
+        match neglected.bound(order) {
+            Ok(None) => Err(self.overwhelmed()?),
+            Ok(error) => Ok(Truncation { order, error, unchecked }),
+            // Nobody asked for it.
+            Err(_) => Ok(Truncation { order, error: None, unchecked }),
         }
     }
 

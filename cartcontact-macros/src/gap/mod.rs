@@ -10,6 +10,7 @@ pub(crate) mod options;
 pub(crate) mod polynomial;
 pub(crate) mod range;
 pub(crate) mod rim;
+mod series;
 pub(crate) mod shape;
 pub(crate) mod surface;
 pub(crate) mod truncation;
