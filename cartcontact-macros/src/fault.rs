@@ -75,7 +75,7 @@ impl Fault {
         self
     }
 
-    /// The message with the first way that works. A gap without surfaces need not be asked.
+    /// The message with the first way that works, which without surfaces any `max_radius` does.
     pub(crate) fn message(&self, surfaces: &[Surface], works: impl Fn(&Change<'_>) -> bool) -> String {
         let offered = self.ways.iter().find_map(|way| match way {
             Way::MaxRadius { words, largest } if surfaces.is_empty() => Some(format!("{words}{largest}`")),

@@ -82,7 +82,7 @@ struct Declared {
 
 impl Declared {
     fn expanded(&self) -> Result<Expanded, Fault> {
-        expansion::expand(self.shape.clone(), &self.options, &self.range, self.limit)
+        expansion::expand(&self.shape, &self.options, &self.range, self.limit)
     }
 
     fn proof(&self, gap: &Gap) -> Result<Proof, Fault> {

@@ -35,12 +35,12 @@ pub(crate) struct Truncation {
 
 /// Expands the surfaces, if there are any; `limit` is where max_radius was written.
 pub(crate) fn expand(
-    shape: Shape,
+    shape: &Shape,
     options: &Options,
     range: &Range,
     limit: Option<Extent>,
 ) -> Result<Expanded, Fault> {
-    let Some(first) = shape.surfaces.first() else { return without_surfaces(shape.powers, options) };
+    let Some(first) = shape.surfaces.first() else { return without_surfaces(&shape.powers, options) };
     let tolerance = options.tolerance.as_ref();
     let (request, place) = match (options.order, tolerance) {
         (Some((Order::Fixed(order), place)), _) => (Request::Order(order, tolerance), place),
@@ -49,7 +49,7 @@ pub(crate) fn expand(
         (None, _) => return Err((first.extent, without_order(tolerance.is_some())).into()),
     };
     let highest = request.highest_order();
-    let expansion = Expansion { shape: &shape, range, limit, place };
+    let expansion = Expansion { shape, range, limit, place };
     let truncation = match (expansion.neglected(highest), tolerance) {
         (Ok(neglected), _) => expansion.bounded(&request, &neglected),
         (Err(Unbounded::BeyondRim(fault)), _) => Err(fault),
@@ -57,10 +57,17 @@ pub(crate) fn expand(
         (Err(Unbounded::AtRunTime(_)), None) => Ok(expansion.unbounded(highest)),
     };
     let order = truncation.as_ref().map_or(highest, |truncation| truncation.order);
-    match (expanded(shape, order), truncation) {
+    let powers = expanded(shape, order);
+    if powers.as_ref().is_ok_and(|powers| powers.terms().is_empty())
+        && let Some(fault) = expansion.nothing_left(order, tolerance)
+    {
+        return Err(fault);
+    }
+    match (powers, truncation) {
         (Ok(powers), truncation) => Ok(Expanded { powers, truncation: truncation.map(Some) }),
-        // Nobody may have asked for this order.
-        (Err(_), Err(fault)) | (Err(fault), Ok(_)) => Err(fault),
+        // Nobody asked for this order.
+        (Err(_), Err(fault)) if matches!(request, Request::Smallest(_)) => Err(fault),
+        (Err(fault), _) => Err(fault),
     }
 }
 
@@ -69,18 +76,18 @@ const OVERWHELMED: &str =
 const UNATTAINABLE: &str = "no order up to 128 is within this tolerance";
 const LESS: &str = "lower max_radius, or raise the tolerance";
 
-fn without_surfaces(powers: Polynomial, options: &Options) -> Result<Expanded, Fault> {
+fn without_surfaces(powers: &Polynomial, options: &Options) -> Result<Expanded, Fault> {
     let order = options.order.as_ref().map(|(_, extent)| *extent);
     let tolerance = options.tolerance.as_ref().map(|(_, extent)| *extent);
     let (place, named, them) = match (order, tolerance) {
         (Some(order), Some(_)) => (order, "`order` and `tolerance` are", "them"),
         (Some(order), None) => (order, "`order` is", "it"),
         (None, Some(tolerance)) => (tolerance, "`tolerance` is", "it"),
-        (None, None) => return Ok(Expanded { powers, truncation: Ok(None) }),
+        (None, None) => return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) }),
     };
     // A gap of which nothing is left is reported when it is checked.
     if powers.terms().is_empty() {
-        return Ok(Expanded { powers, truncation: Ok(None) });
+        return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) });
     }
     let message =
         format!("{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove {them}");
@@ -149,7 +156,7 @@ impl Expansion<'_> {
         // The range has been compared with the rims.
         let unchecked = Vec::new();
         match neglected.bound(order) {
-            Ok(None) => Err(self.overwhelmed()?),
+            Ok(None) => Err(self.overwhelmed()),
             Ok(error) => Ok(Truncation { order, error, unchecked }),
             // Nobody asked for it.
             Err(_) => Ok(Truncation { order, error: None, unchecked }),
@@ -191,9 +198,19 @@ impl Expansion<'_> {
         Ok(Fault::from((self.place, rule)).or_order(higher).otherwise(otherwise))
     }
 
-    fn overwhelmed(&self) -> Result<Fault, Fault> {
+    fn overwhelmed(&self) -> Fault {
         let fault = Fault::from((self.limit.unwrap_or(self.place), OVERWHELMED));
-        Ok(fault.or_order(self.smallest_order(&fraction(1, 2))?).otherwise("lower max_radius"))
+        fault.or_order(self.smallest_order(&fraction(1, 2)).ok().flatten()).otherwise("lower max_radius")
+    }
+
+    /// Nothing if a higher order leaves no more of the gap.
+    fn nothing_left(&self, order: u32, tolerance: Option<&Tolerance>) -> Option<Fault> {
+        let opens = |next: &u32| expanded(self.shape, *next).is_ok_and(|powers| !powers.terms().is_empty());
+        let next = (order + 2..=HIGHEST_ORDER).step_by(2).find(opens)?;
+        let within = tolerance.and_then(|(tolerance, _)| self.smallest_order(tolerance).ok()?);
+        let rule = format!("the terms of the gap cancel up to r^{order}, and those behind it are neglected");
+        let fault = Fault::from((self.place, rule)).or_order(Some(next)).or_order(within);
+        Some(fault.otherwise("raise the order"))
     }
 
     /// Whatever order was asked for.
@@ -226,9 +243,9 @@ fn beyond_rim(extent: Extent, mut rim: End) -> Fault {
     }
 }
 
-fn expanded(shape: Shape, order: u32) -> Result<Polynomial, Fault> {
-    let mut sum = shape.powers;
-    for surface in shape.surfaces {
+fn expanded(shape: &Shape, order: u32) -> Result<Polynomial, Fault> {
+    let mut sum = shape.powers.clone();
+    for surface in &shape.surfaces {
         let extent = surface.extent;
         let series = surface.series(order / 2).map_err(|message| (extent, message))?;
         if !series.iter().all(Coefficient::is_representable) {

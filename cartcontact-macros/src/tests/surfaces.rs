@@ -242,6 +242,15 @@ fn remedies_work() {
             "r = 7.07107, where the series of a surface ends; write at most `7.071067`",
         ),
         ("sphere(10) - sphere(12), order = 4, tolerance = 1e-4, max_radius = 5", "write `order = 12`"),
+        (
+            "sphere(10) - r^2/20, order = 2",
+            "cancel up to r^2, and those behind it are neglected; write `order = 4`",
+        ),
+        ("sphere(10) - r^2/20, order = 2, tolerance = 1e-3, max_radius = 2", "neglected; write `order = "),
+        (
+            "sphere(10) - r^2/20 + r^6, order = 2, max_radius = 3",
+            "as large as the gap itself before max_radius; write `order = ",
+        ),
     ] {
         let messages = on_unit(text).err().unwrap();
         assert!(messages.len() == 1 && messages[0].contains(remedy), "{text}: {messages:?}");
