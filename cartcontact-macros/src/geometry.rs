@@ -1,11 +1,13 @@
 //! Attribute and item -> [`Geometry`]: the last stage before code is written.
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::fault::{Change, Fault};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::constant::{Standing, standing};
 use crate::gap::evaluate::Evaluator;
-use crate::gap::expansion::{self, Options, Truncation};
+use crate::gap::expansion::{self, Expanded, Truncation};
+use crate::gap::options::Options;
 use crate::gap::range::Range;
 use crate::gap::shape::Shape;
 use crate::proof::{self, Proof, Wanted};
@@ -44,18 +46,73 @@ pub(crate) fn geometry(
         check_without_range(shape, complete, (standing.as_ref(), written.extent), diagnostics);
         return None;
     };
-    let expanded = expansion::expand(shape, &options, &range, place);
-    let (powers, truncation) =
-        expanded.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
-    let gap = Gap::new(powers, standing.as_ref(), written.extent, diagnostics)?;
-    let values = values(&gap, &range, truncation.as_ref());
+    let declared = Declared { shape, options, range, extent: written.extent, limit: place };
+    let expanded = declared.expanded();
+    let Expanded { powers, truncation } =
+        expanded.map_err(|fault| declared.report(&fault, diagnostics)).ok()?;
+    let gap = Gap::new(powers, standing.as_ref(), declared.extent, diagnostics)?;
+    let values = values(&gap, &declared.range, truncation.as_ref().ok().and_then(Option::as_ref));
     item.mark_used(|field| values.iter().any(|value| value.depends_on(field)), diagnostics);
     if let Some(positive) = &attribute.positive {
         positive.check_used(item, diagnostics);
     }
-    let proof = proof::prove(&gap, &wanted(&range, place));
-    let proof = proof.map_err(|(extent, message)| diagnostics.report(extent, message)).ok()?;
-    Some(Geometry { gap, range, proof, truncation })
+    let proved = match (declared.proof(&gap), truncation) {
+        (Ok(proof), Ok(truncation)) => Ok((proof, truncation)),
+        (Err(fault), Err(of_surfaces)) if of_surfaces.rank > fault.rank => Err(of_surfaces),
+        (Err(fault), _) | (_, Err(fault)) => Err(fault),
+    };
+    let (proof, truncation) = proved.map_err(|fault| declared.report(&fault, diagnostics)).ok()?;
+    Some(Geometry { gap, range: declared.range, proof, truncation })
+}
+
+/// What an attribute says, evaluated.
+#[derive(Clone)]
+struct Declared {
+    shape: Shape,
+    options: Options,
+    range: Range,
+    /// Where the gap was written.
+    extent: Extent,
+    /// Where max_radius was written.
+    limit: Option<Extent>,
+}
+
+impl Declared {
+    fn expanded(&self) -> Result<Expanded, Fault> {
+        expansion::expand(&self.shape, &self.options, &self.range, self.limit)
+    }
+
+    fn proof(&self, gap: &Gap) -> Result<Proof, Fault> {
+        let wanted = match (&self.range, self.limit) {
+            (Range::Limited(radius), Some(limit)) => Wanted::UpTo(radius, limit),
+            (Range::Symbolic(_), _) => Wanted::UpToSomewhere,
+            _ => Wanted::AllRadii,
+        };
+        proof::prove(gap, &wanted)
+    }
+
+    fn report(&self, fault: &Fault, diagnostics: &mut Diagnostics) {
+        let works = |change: &Change<'_>| self.with(change).is_some_and(|changed| changed.is_geometry());
+        diagnostics.report(fault.extent, fault.message(&self.shape.surfaces, works));
+    }
+
+    fn with(&self, change: &Change<'_>) -> Option<Self> {
+        let mut changed = self.clone();
+        match change {
+            Change::Order(order) => changed.options.set_order(*order),
+            Change::MaxRadius(radius) => {
+                changed.range = Range::of(Coefficient::constant((*radius).clone())).ok()?;
+                changed.limit = self.limit.or(Some(self.extent));
+            }
+        }
+        Some(changed)
+    }
+
+    fn is_geometry(&self) -> bool {
+        let Ok(Expanded { powers, truncation: Ok(_) }) = self.expanded() else { return false };
+        let gap = Gap::new(powers, None, self.extent, &mut Diagnostics::default());
+        gap.is_some_and(|gap| self.proof(&gap).is_ok())
+    }
 }
 
 /// Reports what is wrong with a gap whatever its options are, which could not be read.
@@ -70,9 +127,9 @@ fn check_without_range(
     } else if !shape.surfaces.is_empty() {
         drop(Gap::terms(shape.powers, standing, diagnostics));
     } else if let Some(gap) = Gap::new(shape.powers, standing, extent, diagnostics)
-        && let Err((extent, message)) = proof::prove(&gap, &Wanted::UpToSomewhere)
+        && let Err(fault) = proof::prove(&gap, &Wanted::UpToSomewhere)
     {
-        diagnostics.report(extent, message);
+        diagnostics.report(fault.extent, fault.message(&[], |_| true));
     }
 }
 
@@ -81,14 +138,6 @@ fn declared_range(limit: Option<&Expression>, evaluator: &mut Evaluator<'_>) -> 
     let Some(limit) = limit else { return Some(Range::Unbounded) };
     let value = evaluator.coefficient(limit, "max_radius")?;
     Range::of(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
-}
-
-fn wanted(range: &Range, place: Option<Extent>) -> Wanted<'_> {
-    match (range, place) {
-        (Range::Limited(radius), Some(place)) => Wanted::UpTo(radius, place),
-        (Range::Symbolic(_), _) => Wanted::UpToSomewhere,
-        _ => Wanted::AllRadii,
-    }
 }
 
 /// All that may depend on fields.

@@ -9,7 +9,7 @@
 //! | `reading::item` | the struct's tokens | its `name`, `generics` (`declaration`), and fields that can be symbols (`positive`: of known sign) |
 //! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`, `divisor`, `surface`: what is no part of the language) |
 //! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
-//! | `gap::expansion` | a shape and the options for surfaces | powers of r alone, and a bound of what that neglects (`truncation`) |
+//! | `gap::expansion` | a shape and the `options` for surfaces | powers of r alone, and a bound of what that neglects (`truncation`, `series`) |
 //! | `gap` | powers of r | the same, checked to be a gap, which has no `constant` |
 //! | `first_zero` | a sum of powers of r with exact coefficients | its first zero (`search`, `first_root`, `end`) |
 //! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined |
@@ -19,13 +19,14 @@
 //! | `emit` | item and geometry | the solver |
 //!
 //! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
-//! together.
+//! together; those of a whole geometry offer a way out that works (`fault`).
 
 // Who uses the crate compiles this one: `Debug` costs time, so only what a test prints has it, and only there.
 
 mod closed_forms;
 mod diagnostics;
 mod emit;
+mod fault;
 mod first_zero;
 mod gap;
 mod geometry;

@@ -16,6 +16,7 @@
 use core::cmp::Ordering;
 
 use crate::diagnostics::Extent;
+use crate::fault::{Fault, Rank};
 use crate::first_zero::{End, first_zero};
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
@@ -42,28 +43,29 @@ pub(crate) enum Wanted<'a> {
 }
 
 /// Proves that delta0'(a) > 0, or says where that fails.
-pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, (Extent, String)> {
+pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, Fault> {
     if let Some(first) = gap.terms.first()
         && first.coefficient.certain_sign() == Some(Sign::NotPositive)
     {
         let message = "the gap falls from the centre on, so the surfaces would overlap; the term with the lowest power \
                        needs a positive coefficient";
-        return Err((first.extent, message.to_owned()));
+        return Err(Fault::from((first.extent, message)).ranked(Rank::Opening));
     }
     let Some(terms) = slope(gap) else { return Ok(of_fields(gap)) };
     let negative = terms.iter().zip(&gap.terms).find(|((_, coefficient), _)| coefficient.is_negative());
     let Some((_, guilty)) = negative else {
         return Ok(Proof::AllRadii { by: "all coefficients are positive" });
     };
-    let end = first_zero(&terms).map_err(|message| (guilty.extent, message.to_owned()))?;
+    let end = first_zero(&terms)
+        .map_err(|message| Fault::from((guilty.extent, message)).ranked(Rank::Undecided))?;
     let Some(mut end) = end else {
         return Ok(Proof::AllRadii { by: "the slope of the approach has no positive root" });
     };
     match wanted {
         Wanted::UpToSomewhere => Ok(Proof::AtRunTime),
         Wanted::UpTo(radius, _) if end.compare(radius) == Ordering::Greater => Ok(Proof::OnRange),
-        Wanted::UpTo(_, extent) => Err((*extent, too_large(&mut end))),
-        Wanted::AllRadii => Err((guilty.extent, unlimited(&mut end))),
+        Wanted::UpTo(_, extent) => Err(too_large(*extent, &mut end)),
+        Wanted::AllRadii => Err(unlimited(guilty.extent, &mut end)),
     }
 }
 
@@ -77,28 +79,29 @@ fn of_fields(gap: &Gap) -> Proof {
     }
 }
 
-fn too_large(end: &mut End) -> String {
+fn too_large(extent: Extent, end: &mut End) -> Fault {
     let (shown, largest) = end.decimals();
-    let remedy = remedy(largest, "write at most `");
-    format!(
-        "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc; {remedy}"
-    )
+    let rule = format!(
+        "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc"
+    );
+    with_remedy((extent, rule).into(), largest, "write at most `", "write a smaller one")
 }
 
-fn unlimited(end: &mut End) -> String {
+fn unlimited(extent: Extent, end: &mut End) -> Fault {
     let (shown, largest) = end.decimals();
-    let remedy = remedy(largest, "add `max_radius = ");
-    format!(
+    let rule = format!(
         "the gap no longer exceeds its mean over the contact disc from r = {shown} on: beyond it the contact radius is \
-         not determined; {remedy}"
-    )
+         not determined"
+    );
+    with_remedy((extent, rule).into(), largest, "add `max_radius = ", "add a `max_radius` well below that")
 }
 
 /// What to do about an end below which `largest` is, where an `f64` is.
-fn remedy(largest: Option<String>, way: &str) -> String {
+fn with_remedy(fault: Fault, largest: Option<String>, words: &'static str, otherwise: &str) -> Fault {
+    let fault = fault.ranked(Rank::Range);
     match largest {
-        Some(largest) => format!("{way}{largest}`"),
-        None => "use a smaller unit of length".to_owned(),
+        Some(largest) => fault.or_max_radius(words, largest).otherwise(otherwise),
+        None => fault.otherwise("use a smaller unit of length"),
     }
 }
 

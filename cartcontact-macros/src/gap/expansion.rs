@@ -3,23 +3,26 @@
 //! `order = auto` takes the smallest order whose neglected terms are within the tolerance. An order without a surface
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
 
-use num_traits::{One, ToPrimitive};
-
 use crate::diagnostics::Extent;
+use crate::fault::{Fault, Rank};
+use crate::first_zero::End;
 use crate::gap::MAXIMUM_EXPONENT;
 use crate::gap::coefficient::Coefficient;
-use crate::gap::evaluate::Evaluator;
+use crate::gap::options::{Options, Order};
 use crate::gap::polynomial::{Monomial, Polynomial};
 use crate::gap::range::Range;
+use crate::gap::series::BeyondRim;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
-use crate::gap::truncation::{BeyondRim, HIGHEST_ORDER, Neglected, three_digits};
-use crate::number::{Rational, decimal, integer, nearest};
-use crate::reading::attribute::Attribute;
-use crate::reading::syntax::{Expression, Kind};
+use crate::gap::truncation::{HIGHEST_ORDER, Neglected};
+use crate::number::{Rational, decimal, fraction, integer};
 
-/// A place and what is wrong there.
-type Fault = (Extent, String);
+/// A shape whose surfaces are powers of r.
+pub(crate) struct Expanded {
+    pub(crate) powers: Polynomial,
+    /// Nothing without surfaces. What is wrong with it may be because the powers are no gap.
+    pub(crate) truncation: Result<Option<Truncation>, Fault>,
+}
 
 /// How far surfaces were expanded.
 pub(crate) struct Truncation {
@@ -30,189 +33,190 @@ pub(crate) struct Truncation {
     pub(crate) unchecked: Vec<Surface>,
 }
 
-/// The options that govern the expansion.
-pub(crate) struct Options {
-    order: Option<(Order, Extent)>,
-    tolerance: Option<(Rational, Extent)>,
-}
-
-enum Order {
-    Fixed(u32),
-    Smallest,
-}
-
-impl Options {
-    /// The options of an attribute; nothing if one is faulty.
-    pub(crate) fn read(attribute: &Attribute, evaluator: &mut Evaluator<'_>) -> Option<Self> {
-        let order = attribute.order.as_ref().map(|written| read_order(written, evaluator));
-        let tolerance = attribute.tolerance.as_ref().map(|written| read_tolerance(written, evaluator));
-        Some(Options { order: transposed(order)?, tolerance: transposed(tolerance)? })
-    }
-}
-
-/// An option that is there must have a value.
-fn transposed<T>(option: Option<Option<T>>) -> Option<Option<T>> {
-    match option {
-        None => Some(None),
-        Some(value) => value.map(Some),
-    }
-}
-
-fn read_order(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Order, Extent)> {
-    let extent = written.extent;
-    let number = match &written.kind {
-        Kind::Name(name) if name == "auto" => return Some((Order::Smallest, extent)),
-        Kind::Name(_) => return evaluator.fault(extent, ORDER),
-        _ => evaluator.number(written, ORDER)?,
-    };
-    if number > integer(HIGHEST_ORDER) {
-        let message =
-            format!("order must be at most {HIGHEST_ORDER}; lower max_radius if less does not suffice");
-        return evaluator.fault(extent, message);
-    }
-    match (&number / integer(2)).to_u32().filter(|half| integer(2 * half) == number && *half > 0) {
-        Some(half) => Some((Order::Fixed(2 * half), extent)),
-        None => {
-            let next = (number.max(Rational::one()) / integer(2)).ceil() * integer(2);
-            let message = format!(
-                "order must be even and above 0, as surfaces have even powers of r only; write `order = {next}`"
-            );
-            evaluator.fault(extent, message)
-        }
-    }
-}
-
-fn read_tolerance(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Rational, Extent)> {
-    let tolerance = evaluator.number(written, TOLERANCE)?;
-    let is_fraction = tolerance.is_positive() && tolerance < Rational::one() && nearest(&tolerance).is_some();
-    if is_fraction { Some((tolerance, written.extent)) } else { evaluator.fault(written.extent, TOLERANCE) }
-}
-
-const ORDER: &str = "order must be an even number, as in `order = 4`, or `auto`";
-const TOLERANCE: &str =
-    "tolerance must be a number between 0 and 1, a fraction of the gap; write `tolerance = 1e-6`";
-
 /// Expands the surfaces, if there are any; `limit` is where max_radius was written.
 pub(crate) fn expand(
-    shape: Shape,
+    shape: &Shape,
     options: &Options,
     range: &Range,
     limit: Option<Extent>,
-) -> Result<(Polynomial, Option<Truncation>), Fault> {
-    let Some(first) = shape.surfaces.first() else { return without_surfaces(shape.powers, options) };
-    let Some((order, place)) = &options.order else {
-        let wanted = if options.tolerance.is_some() { "auto" } else { "4" };
-        let message = format!(
-            "a surface is expanded in powers of r; say how far, as in `order = {wanted}`, after a comma"
-        );
-        return Err((first.extent, message));
+) -> Result<Expanded, Fault> {
+    let Some(first) = shape.surfaces.first() else { return without_surfaces(&shape.powers, options) };
+    let tolerance = options.tolerance.as_ref();
+    let (request, place) = match (options.order, tolerance) {
+        (Some((Order::Fixed(order), place)), _) => (Request::Order(order, tolerance), place),
+        (Some((Order::Smallest, place)), Some(tolerance)) => (Request::Smallest(tolerance), place),
+        (Some((Order::Smallest, place)), None) => return Err((place, without_tolerance(limit)).into()),
+        (None, _) => return Err((first.extent, without_order(tolerance.is_some())).into()),
     };
-    let expansion = Expansion { shape: &shape, range, limit };
-    let order = expansion.order(order, *place, options.tolerance.as_ref())?;
-    let too_hard = |message: &'static str| (*place, message.to_owned());
-    let error = match (expansion.neglected(order)?, limit) {
-        (Bounded::By(neglected), Some(limit)) => match neglected.bound(order).map_err(too_hard)? {
-            None => return Err((limit, OVERWHELMED.to_owned())),
-            bound => bound,
-        },
-        _ => None,
+    let highest = request.highest_order();
+    let expansion = Expansion { shape, range, limit, place };
+    let truncation = match (expansion.neglected(highest), tolerance) {
+        (Ok(neglected), _) => expansion.bounded(&request, &neglected),
+        (Err(Unbounded::BeyondRim(fault)), _) => Err(fault),
+        (Err(Unbounded::AtRunTime(reason)), Some((_, place))) => return Err((*place, reason).into()),
+        (Err(Unbounded::AtRunTime(_)), None) => Ok(expansion.unbounded(highest)),
     };
-    // What is bounded has been compared with the range.
-    let unchecked = if error.is_none() && limit.is_some() {
-        shape.surfaces.iter().filter(|surface| !surface.shape.is_zero()).cloned().collect()
-    } else {
-        Vec::new()
-    };
-    Ok((expanded(shape, order)?, Some(Truncation { order, error, unchecked })))
+    let order = truncation.as_ref().map_or(highest, |truncation| truncation.order);
+    let powers = expanded(shape, order);
+    if powers.as_ref().is_ok_and(|powers| powers.terms().is_empty())
+        && let Some(fault) = expansion.nothing_left(order, tolerance)
+    {
+        return Err(fault);
+    }
+    match (powers, truncation) {
+        (Ok(powers), truncation) => Ok(Expanded { powers, truncation: truncation.map(Some) }),
+        // Nobody asked for this order.
+        (Err(_), Err(fault)) if matches!(request, Request::Smallest(_)) => Err(fault),
+        (Err(fault), _) => Err(fault),
+    }
 }
 
-const OVERWHELMED: &str = "the terms that the order neglects are as large as the gap itself before max_radius; lower \
-                           max_radius, or raise the order";
+const OVERWHELMED: &str =
+    "the terms that the order neglects are as large as the gap itself before max_radius";
+const UNATTAINABLE: &str = "no order up to 128 is within this tolerance";
+const LESS: &str = "lower max_radius, or raise the tolerance";
 
-fn without_surfaces(
-    powers: Polynomial,
-    options: &Options,
-) -> Result<(Polynomial, Option<Truncation>), Fault> {
+fn without_surfaces(powers: &Polynomial, options: &Options) -> Result<Expanded, Fault> {
     let order = options.order.as_ref().map(|(_, extent)| *extent);
     let tolerance = options.tolerance.as_ref().map(|(_, extent)| *extent);
     let (place, named, them) = match (order, tolerance) {
         (Some(order), Some(_)) => (order, "`order` and `tolerance` are", "them"),
         (Some(order), None) => (order, "`order` is", "it"),
         (None, Some(tolerance)) => (tolerance, "`tolerance` is", "it"),
-        (None, None) => return Ok((powers, None)),
+        (None, None) => return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) }),
     };
     // A gap of which nothing is left is reported when it is checked.
     if powers.terms().is_empty() {
-        return Ok((powers, None));
+        return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) });
     }
     let message =
         format!("{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove {them}");
-    Err((place, message))
+    Err((place, message).into())
 }
 
-/// What is neglected has a bound, or a reason why none is known when the program is compiled.
-enum Bounded {
-    By(Neglected),
-    Not(&'static str),
+fn without_order(is_auto_likely: bool) -> String {
+    let wanted = if is_auto_likely { "auto" } else { "4" };
+    format!("a surface is expanded in powers of r; say how far, as in `order = {wanted}`, after a comma")
 }
 
-/// Surfaces that are expanded, and the range on which; `limit` is where its end was written.
+fn without_tolerance(limit: Option<Extent>) -> String {
+    let range = if limit.is_some() { "" } else { ", max_radius = 6.0" };
+    format!("`order = auto` meets a tolerance; add one, as in `tolerance = 1e-6{range}`")
+}
+
+/// A number below 1, and where it was written.
+type Tolerance = (Rational, Extent);
+
+/// The order that is asked for.
+enum Request<'a> {
+    Order(u32, Option<&'a Tolerance>),
+    Smallest(&'a Tolerance),
+}
+
+impl Request<'_> {
+    fn highest_order(&self) -> u32 {
+        match self {
+            Request::Order(order, _) => *order,
+            Request::Smallest(_) => HIGHEST_ORDER,
+        }
+    }
+}
+
+/// Why there is no bound of what is neglected.
+enum Unbounded {
+    BeyondRim(Fault),
+    /// It depends on values that are known only at run time, or there is no range or no gap.
+    AtRunTime(&'static str),
+}
+
+/// Surfaces that are expanded, and the range on which; `limit` is where its end was written, `place` where the order.
 struct Expansion<'a> {
     shape: &'a Shape,
     range: &'a Range,
     limit: Option<Extent>,
+    place: Extent,
 }
 
 impl Expansion<'_> {
-    /// The order that was asked for, which was written at `place`, if it is within the tolerance.
-    fn order(
-        &self,
-        order: &Order,
-        place: Extent,
-        tolerance: Option<&(Rational, Extent)>,
-    ) -> Result<u32, Fault> {
-        let too_hard = |message: &'static str| (place, message.to_owned());
-        let neglected = |highest, extent: Extent| match self.neglected(highest)? {
-            Bounded::By(neglected) => Ok(neglected),
-            Bounded::Not(reason) => Err((extent, reason.to_owned())),
-        };
-        match (order, tolerance) {
-            (Order::Fixed(order), None) => Ok(*order),
-            (Order::Smallest, None) => {
-                let range = if self.limit.is_some() { "" } else { ", max_radius = 6.0" };
-                let message =
-                    format!("`order = auto` meets a tolerance; add one, as in `tolerance = 1e-6{range}`");
-                Err((place, message))
-            }
-            (Order::Smallest, Some((tolerance, extent))) => {
-                let smallest = neglected(HIGHEST_ORDER, *extent)?.smallest_order(tolerance);
-                smallest.map_err(too_hard)?.ok_or_else(|| (*extent, unattainable()))
-            }
-            (Order::Fixed(order), Some((tolerance, extent))) => {
-                if neglected(*order, *extent)?.is_within(tolerance, *order).map_err(too_hard)? {
-                    return Ok(*order);
+    /// The order that was asked for, if it is within the tolerance and what it neglects is less than the gap.
+    fn bounded(&self, request: &Request<'_>, neglected: &Neglected) -> Result<Truncation, Fault> {
+        let order = match request {
+            Request::Order(order, None) => *order,
+            Request::Order(order, Some((tolerance, _))) => {
+                if !neglected.is_within(tolerance, *order).map_err(|rule| (self.place, rule))? {
+                    return Err(self.too_low(*order, tolerance, neglected)?);
                 }
-                let message = too_low(*order, tolerance, &neglected(HIGHEST_ORDER, *extent)?);
-                Err((place, message.map_err(too_hard)?))
+                *order
             }
+            Request::Smallest((tolerance, place)) => {
+                let smallest = neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule))?;
+                smallest.ok_or_else(|| Fault::from((*place, UNATTAINABLE)).otherwise(LESS))?
+            }
+        };
+        // The range has been compared with the rims.
+        let unchecked = Vec::new();
+        match neglected.bound(order) {
+            Ok(None) => Err(self.overwhelmed()),
+            Ok(error) => Ok(Truncation { order, error, unchecked }),
+            // Nobody asked for it.
+            Err(_) => Ok(Truncation { order, error: None, unchecked }),
         }
     }
 
+    fn unbounded(&self, order: u32) -> Truncation {
+        let mut unchecked = Vec::new();
+        if self.limit.is_some() {
+            unchecked.extend(self.shape.surfaces.iter().filter(|surface| !surface.shape.is_zero()).cloned());
+        }
+        Truncation { order, error: None, unchecked }
+    }
+
     /// What orders up to the highest neglect.
-    fn neglected(&self, highest: u32) -> Result<Bounded, Fault> {
+    fn neglected(&self, highest: u32) -> Result<Neglected, Unbounded> {
         let (radius, limit) = match (self.range, self.limit) {
             (Range::Limited(radius), Some(limit)) => (radius, limit),
-            (Range::Symbolic(_), _) => return Ok(Bounded::Not(RANGE_OF_FIELDS)),
-            _ => return Ok(Bounded::Not(NO_RANGE)),
+            (Range::Symbolic(_), _) => return Err(Unbounded::AtRunTime(RANGE_OF_FIELDS)),
+            _ => return Err(Unbounded::AtRunTime(NO_RANGE)),
         };
         if self.shape.powers.terms().iter().any(|(exponent, _)| !is_of_a_gap(exponent)) {
-            return Ok(Bounded::Not(NOT_A_GAP));
+            return Err(Unbounded::AtRunTime(NOT_A_GAP));
         }
-        match Neglected::new(self.shape, radius, highest) {
-            None => Ok(Bounded::Not(GAP_OF_FIELDS)),
-            Some(Ok(neglected)) => Ok(Bounded::By(neglected)),
-            Some(Err(BeyondRim(rim))) => Err((limit, beyond_rim(rim))),
-        }
+        let neglected = Neglected::new(self.shape, radius, highest);
+        let neglected = neglected.ok_or(Unbounded::AtRunTime(GAP_OF_FIELDS))?;
+        neglected.map_err(|BeyondRim(rim)| Unbounded::BeyondRim(beyond_rim(limit, rim)))
+    }
+
+    fn too_low(&self, order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<Fault, Fault> {
+        let size = match neglected.bound(order).map_err(|rule| (self.place, rule))? {
+            Some(bound) => format!("up to {} of the gap", decimal(&bound)),
+            None => "terms as large as the gap".to_owned(),
+        };
+        let shown = decimal(tolerance);
+        let rule = format!("order {order} neglects {size}, more than the tolerance of {shown}");
+        let higher = self.smallest_order(tolerance)?;
+        let otherwise = if higher.is_some() { LESS.to_owned() } else { format!("{UNATTAINABLE}; {LESS}") };
+        Ok(Fault::from((self.place, rule)).or_order(higher).otherwise(otherwise))
+    }
+
+    fn overwhelmed(&self) -> Fault {
+        let fault = Fault::from((self.limit.unwrap_or(self.place), OVERWHELMED));
+        fault.or_order(self.smallest_order(&fraction(1, 2)).ok().flatten()).otherwise("lower max_radius")
+    }
+
+    /// Nothing if a higher order leaves no more of the gap.
+    fn nothing_left(&self, order: u32, tolerance: Option<&Tolerance>) -> Option<Fault> {
+        let opens = |next: &u32| expanded(self.shape, *next).is_ok_and(|powers| !powers.terms().is_empty());
+        let next = (order + 2..=HIGHEST_ORDER).step_by(2).find(opens)?;
+        let within = tolerance.and_then(|(tolerance, _)| self.smallest_order(tolerance).ok()?);
+        let rule = format!("the terms of the gap cancel up to r^{order}, and those behind it are neglected");
+        let fault = Fault::from((self.place, rule)).or_order(Some(next)).or_order(within);
+        Some(fault.otherwise("raise the order"))
+    }
+
+    /// Whatever order was asked for.
+    fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Fault> {
+        let Ok(neglected) = self.neglected(HIGHEST_ORDER) else { return Ok(None) };
+        neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule).into())
     }
 }
 
@@ -229,39 +233,25 @@ const GAP_OF_FIELDS: &str = "a tolerance is proved when the program is compiled,
 const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compiled, and max_radius depends on fields; \
                                write a number there";
 
-fn beyond_rim(rim: f64) -> String {
-    let shown = three_digits(rim).map_or_else(|| rim.to_string(), |rim| decimal(&rim));
-    format!("max_radius must lie below r = {shown}, where the series of a surface ends; write a smaller one")
+fn beyond_rim(extent: Extent, mut rim: End) -> Fault {
+    let (shown, largest) = rim.decimals();
+    let rule = format!("max_radius must lie below r = {shown}, where the series of a surface ends");
+    let fault = Fault::from((extent, rule)).ranked(Rank::Rim).otherwise("write a smaller one");
+    match largest {
+        Some(largest) => fault.or_max_radius("write at most `", largest),
+        None => fault,
+    }
 }
 
-fn unattainable() -> String {
-    format!(
-        "no order up to {HIGHEST_ORDER} is within this tolerance; lower max_radius, or raise the tolerance"
-    )
-}
-
-fn too_low(order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<String, &'static str> {
-    let size = match neglected.bound(order)? {
-        Some(bound) => format!("up to {} of the gap", decimal(&bound)),
-        None => "terms as large as the gap".to_owned(),
-    };
-    let remedy = match neglected.smallest_order(tolerance)? {
-        Some(order) => format!("write `order = {order}`"),
-        None => unattainable(),
-    };
-    let tolerance = decimal(tolerance);
-    Ok(format!("order {order} neglects {size}, more than the tolerance of {tolerance}; {remedy}"))
-}
-
-fn expanded(shape: Shape, order: u32) -> Result<Polynomial, Fault> {
-    let mut sum = shape.powers;
-    for surface in shape.surfaces {
+fn expanded(shape: &Shape, order: u32) -> Result<Polynomial, Fault> {
+    let mut sum = shape.powers.clone();
+    for surface in &shape.surfaces {
         let extent = surface.extent;
-        let series = surface.series(order / 2).map_err(|message| (extent, message.to_owned()))?;
+        let series = surface.series(order / 2).map_err(|message| (extent, message))?;
         if !series.iter().all(Coefficient::is_representable) {
             let message =
                 format!("order {order} has coefficients beyond the range of `f64`; write a lower one");
-            return Err((extent, message));
+            return Err((extent, message).into());
         }
         for (j, coefficient) in (1_u32..).zip(series) {
             sum.accumulate(integer(2 * j), Monomial { coefficient, extent });

@@ -57,6 +57,12 @@ impl<Key: Ord, Value: Summable> LikeTerms<Key, Value> {
         }
     }
 
+    /// Takes a value out, if it is there.
+    pub(crate) fn take(&mut self, key: &Key) -> Option<Value> {
+        let index = self.terms.binary_search_by(|(own, _)| own.cmp(key)).ok()?;
+        Some(self.terms.remove(index).1)
+    }
+
     /// Changes every value to another that is not zero.
     pub(crate) fn map(&mut self, value: impl Fn(&mut Value)) {
         for (_, own) in &mut self.terms {

@@ -4,6 +4,7 @@ use crate::gap::coefficient::{Coefficient, Sign};
 use crate::number::{self, Rational};
 
 /// The radii that the geometry is declared for.
+#[derive(Clone)]
 pub(crate) enum Range {
     Unbounded,
     /// Up to the exact value of an `f64`.

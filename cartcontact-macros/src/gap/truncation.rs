@@ -1,44 +1,48 @@
 //! What a series cut off at r^N neglects, bounded relative to the gap.
 //!
-//! Let Φ be the gap with its surfaces exact, and E what is cut off. Surface by surface, the terms c_j r^(2j) of a
-//! series ([`crate::gap::surface`]) shrink at least by
+//! Let Φ be the gap with its surfaces exact, Φ_N the gap with their series up to r^N, and E = Φ − Φ_N. |E| ≤ ε Φ is
 //!
 //! ```text
-//! |c_(j+1)| r² / |c_j| = |κ| r²/R² (2j−1)/(2j+2) < q,    q = |κ| ρ²/R² < 1,    r ≤ ρ
+//! (1 − ε) E ≤ ε Φ_N  and  −(1 + ε) E ≤ ε Φ_N
 //! ```
 //!
-//! on the range up to ρ, so all behind r^(2J) add up to at most M r^(2J+2) with M = Σ |w c_(J+1)| / (1 − q), summed
-//! over the surfaces with their weights w; to |w c_(J+1)| alone where κ < 0, as the terms of a hyperboloid alternate.
-//! The terms before that are added up with their signs, e_j = Σ w c_j:
+//! so that E alone needs bounds. Its series is summed up to r^(2J), with e_j = Σ w c_j over the surfaces with their
+//! weights w; what is behind that ([`crate::gap::series`]) is Σ w c_(J+1) F r^(2J+2), and with m and M on either side of
+//! Σ w c_(J+1) F in the range,
 //!
 //! ```text
-//! ±E(r) ≤ B±(r) = ±Σ e_j r^(2j) + M r^(2J+2),    N < 2j ≤ 2J
-//!  Φ(r) ≥ D(r)  = the gap with its series up to r^(2J), − M r^(2J+2)
+//! m r^(2J+2) ≤ E(r) − Σ e_j r^(2j) ≤ M r^(2J+2),    N < 2j ≤ 2J
 //! ```
 //!
-//! |E| ≤ ε Φ on (0, ρ] if neither ε D − B₊ nor ε D − B₋, sums of powers with rational coefficients, has a zero there,
-//! which is decided exactly; only to keep them short, the coefficients of B are rounded up and those of D down. Where
-//! the e_j have one sign, as those of two spheres have, one of the two suffices.
+//! leaves sums of powers with rational coefficients, and whether they have a zero in the range is decided exactly. Only
+//! to keep them short, coefficients are rounded: up in the bounds of ±E, down in Φ_N.
 
 use core::cmp::Ordering;
 
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::first_zero;
-use crate::gap::coefficient::Coefficient;
 use crate::gap::like_terms::LikeTerms;
+use crate::gap::series::{BeyondRim, Series};
 use crate::gap::shape::Shape;
-use crate::gap::surface::Surface;
 use crate::number::{Rational, floor, integer};
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;
-/// J − N/2: with it, M is small next to the first term that is cut off unless the range ends near the rim.
-const TERMS_AHEAD: u32 = 24;
-/// Of the coefficients in B and D, binary: the surfaces of a joint share far fewer.
+/// J − N/2: m and M are next to each other unless the range ends near a rim, and beside fractional exponents, which
+/// multiply the degree of a proof, there is room for some orders.
+const TERMS_AHEAD: u32 = 8;
+/// Of the coefficients, binary: the surfaces of a joint share far fewer.
 const DIGITS: u64 = 256;
+/// Of powers of ρ for estimates.
+const FEW_DIGITS: u64 = 64;
 /// How many radii a bound is estimated at before it is proved.
 const SAMPLES: u32 = 16;
+/// By how much an estimate may be too large: sums of `f64` lose more only next to a zero of the gap.
+const UNCERTAIN: f64 = 1e-6;
+
+const UNPROVABLE: &str = "what the surfaces neglect cannot be compared with a tolerance beside these exponents; round \
+                          them, as in `r^2.5`, or write a number for the order and no tolerance";
 
 /// The terms of a series that an order asks for.
 fn count(order: u32) -> usize {
@@ -49,31 +53,36 @@ type Powers = LikeTerms<Rational, Rational>;
 
 /// A gap with constant surfaces on a range that ends inside all of them.
 pub(crate) struct Neglected {
-    powers: Powers,
+    /// Those that no term of a series is added to.
+    others: Powers,
+    /// Their exponents, and what they are at the end of the range.
+    others_at_end: Vec<(f64, f64)>,
     surfaces: Vec<Series>,
     /// For j = 1, 2, ..., as many as the highest order asks for.
-    sums: Vec<Bounds>,
+    sums: Vec<Sum>,
     highest_order: u32,
     /// ρ
     radius: Rational,
 }
 
-/// Few digits on either side of e_j.
-struct Bounds {
+/// e_j, between two numbers of few digits.
+struct Sum {
     below: Rational,
     above: Rational,
-    /// What e_j adds to a power that the gap has itself: that sum is rounded down, so that what cancels leaves nothing.
-    in_gap: Rational,
+    /// The coefficient of r^(2j) that the gap has itself, and its sum with e_j: what cancels leaves nothing.
+    own: Rational,
+    with_own: Rational,
+    /// ρ^(2j), for estimates.
+    scale: Rational,
+    /// `below`, `above`, `own` and `with_own` times that.
+    at_end: [f64; 4],
 }
 
-/// A weighted surface: w c_j for j = 1, 2, ..., and a bound of what they add up to from one on, in units of that.
-struct Series {
-    terms: Vec<Rational>,
-    rest: Rational,
+/// A bound of E, or of −E, and what it is to be multiplied with if it is compared with ε Φ_N.
+struct Side {
+    powers: Powers,
+    factor: Rational,
 }
-
-/// The range reaches the radius, given here, where a series no longer converges.
-pub(crate) struct BeyondRim(pub(crate) f64);
 
 impl Neglected {
     /// What orders up to the highest neglect; nothing if a coefficient is no number.
@@ -82,35 +91,40 @@ impl Neglected {
         radius: &Rational,
         highest_order: u32,
     ) -> Option<Result<Self, BeyondRim>> {
-        let mut powers = Powers::default();
+        let mut others = Powers::default();
         for (exponent, monomial) in shape.powers.terms() {
-            powers.add(exponent.clone(), monomial.coefficient.as_constant()?);
+            others.add(exponent.clone(), monomial.coefficient.as_constant()?);
         }
         let mut surfaces = Vec::new();
         for surface in &shape.surfaces {
-            match Series::new(surface, radius, highest_order)? {
+            match Series::new(surface, radius, count(highest_order))? {
                 Ok(series) => surfaces.push(series),
                 Err(beyond) => return Some(Err(beyond)),
             }
         }
-        let sums = (0..count(highest_order)).map(|index| Bounds::of(&surfaces, &powers, index)).collect();
-        Some(Ok(Neglected { powers, surfaces, sums, highest_order, radius: radius.clone() }))
+        let (square, mut scale) = (radius * radius, Rational::one());
+        let sums = (0..count(highest_order)).map(|index| {
+            scale = floor(&(&scale * &square), FEW_DIGITS);
+            Sum::of(&surfaces, others.take(&integer(2 * (index + 1))), index, &scale)
+        });
+        let sums = sums.collect();
+        let others_at_end = others.iter().map(|(exponent, value)| at_end(radius, exponent, value)).collect();
+        Some(Ok(Neglected { others, others_at_end, surfaces, sums, highest_order, radius: radius.clone() }))
     }
 
     /// Whether |E| ≤ ε Φ on the whole range.
     pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, &'static str> {
-        let (below, sides) = self.bounds(order);
-        for side in sides {
-            let mut difference = side;
-            difference.map(|value| *value = -&*value);
-            for (exponent, value) in below.iter() {
-                difference.add(exponent.clone(), value * tolerance);
+        for Side { powers, factor } in self.sides(order, tolerance) {
+            let mut difference = self.kept(order);
+            difference.map(|value| *value = &*value * tolerance);
+            for (exponent, value) in powers {
+                difference.add(exponent, -value * &factor);
             }
             if !difference.first().is_some_and(|(_, value)| value.is_positive()) {
                 return Ok(false);
             }
-            if first_zero(&difference)?.is_some_and(|mut end| end.compare(&self.radius) != Ordering::Greater)
-            {
+            let end = first_zero(&difference).map_err(|_| UNPROVABLE)?;
+            if end.is_some_and(|mut end| end.compare(&self.radius) != Ordering::Greater) {
                 return Ok(false);
             }
         }
@@ -119,16 +133,15 @@ impl Neglected {
 
     /// A proved bound of |E|/Φ, an `f64` of three digits; nothing if that is above 1.
     pub(crate) fn bound(&self, order: u32) -> Result<Option<Rational>, &'static str> {
-        let (below, sides) = self.bounds(order);
-        if sides.iter().all(|side| side.is_empty()) {
+        if self.sides(order, &Rational::zero()).is_empty() {
             return Ok(Some(Rational::zero()));
         }
         // What underflows is bounded by the least number that it could be.
-        let mut estimate = self.estimate(&below, &sides).max(f64::MIN_POSITIVE);
+        let mut estimate = self.estimate(order).max(f64::MIN_POSITIVE);
         let mut margin = 0.005;
         while estimate < 1.0 {
             let rounded = three_digits(estimate * (1.0 + margin));
-            if let Some(rounded) = rounded
+            if let Some(rounded) = rounded.filter(|rounded| *rounded < Rational::one())
                 && self.is_within(&rounded, order)?
             {
                 return Ok(Some(rounded));
@@ -139,114 +152,109 @@ impl Neglected {
         Ok(None)
     }
 
-    /// The smallest order within a tolerance, if there is one.
-    ///
-    /// Bisection ends where the next lower order is not. Where the e_j have one sign no other is either: what M stands
-    /// for includes the next term and the next M, so B falls and D rises with the order.
+    /// The smallest order within a tolerance, if there is one. One that is not may follow one that is, where the e_j
+    /// have different signs, so that all are tried from the lowest on.
     pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, &'static str> {
-        let (mut too_low, mut within) = (0, self.highest_order);
-        if !self.is_within(tolerance, within)? {
-            return Ok(None);
-        }
-        while within - too_low > 2 {
-            let middle = (too_low + within) / 4 * 2;
-            if self.is_within(tolerance, middle)? { within = middle } else { too_low = middle }
-        }
-        Ok(Some(within))
-    }
-
-    /// D, and B₊ and B₋ as far as neither is below the other.
-    fn bounds(&self, order: u32) -> (Powers, Vec<Powers>) {
-        let last = order / 2 + TERMS_AHEAD;
-        let (mut below, mut over, mut under) = (self.powers.clone(), Powers::default(), Powers::default());
-        let (mut rises, mut falls) = (false, false);
-        for (j, sum) in (1..=last).zip(&self.sums) {
-            let exponent = integer(2 * j);
-            below.add(exponent.clone(), sum.in_gap.clone());
-            if 2 * j > order {
-                rises |= sum.above.is_positive();
-                falls |= sum.below.is_negative();
-                over.add(exponent.clone(), sum.above.clone());
-                under.add(exponent, -&sum.below);
+        let wanted = tolerance.to_f64().unwrap_or(0.0).max(f64::MIN_POSITIVE) * (1.0 + UNCERTAIN);
+        for order in (2..=self.highest_order).step_by(2) {
+            if self.estimate(order) <= wanted && self.is_within(tolerance, order)? {
+                return Ok(Some(order));
             }
         }
-        let (rest, exponent) = (rest(&self.surfaces, last as usize), integer(2 * last + 2));
-        below.add(exponent.clone(), -&rest);
-        over.add(exponent.clone(), rest.clone());
-        under.add(exponent, rest);
-        let sides = match (rises, falls) {
-            (true, true) => vec![over, under],
-            (_, false) => vec![over],
-            (false, true) => vec![under],
-        };
-        (below, sides)
+        Ok(None)
     }
 
-    /// The largest B/D at some radii, in `f64`: not a bound, but near the smallest. Infinite where there is none.
-    fn estimate(&self, below: &Powers, sides: &[Powers]) -> f64 {
-        let scaled = |powers: &Powers| -> Vec<(f64, f64)> {
-            powers.iter().map(|(exponent, value)| self.at_end(exponent, value)).collect()
+    /// Φ_N, or less.
+    fn kept(&self, order: u32) -> Powers {
+        let mut kept = self.others.clone();
+        for (j, sum) in (1..).zip(&self.sums) {
+            let value = if 2 * j <= order { &sum.with_own } else { &sum.own };
+            kept.add(integer(2 * j), value.clone());
+        }
+        kept
+    }
+
+    /// The bounds of E and −E, without one that is nowhere positive: the other implies that it is below Φ_N.
+    fn sides(&self, order: u32, tolerance: &Rational) -> Vec<Side> {
+        let (mut over, mut under) = (Powers::default(), Powers::default());
+        let (first, last) = (order / 2, order / 2 + TERMS_AHEAD);
+        for (j, sum) in (1..=last).zip(&self.sums).skip(first as usize) {
+            over.add(integer(2 * j), sum.above.clone());
+            under.add(integer(2 * j), -&sum.below);
+        }
+        let (below, above) = self.rest(last as usize);
+        over.add(integer(2 * last + 2), above);
+        under.add(integer(2 * last + 2), -below);
+        let sides = [(over, Rational::one() - tolerance), (under, Rational::one() + tolerance)];
+        let sides =
+            sides.into_iter().filter(|(powers, _)| powers.iter().any(|(_, value)| value.is_positive()));
+        sides.map(|(powers, factor)| Side { powers, factor }).collect()
+    }
+
+    /// m and M, where the first term that is not summed has this index.
+    fn rest(&self, index: usize) -> (Rational, Rational) {
+        let sum = |choose: fn(Rational, Rational) -> Rational| {
+            let rests = self.surfaces.iter().filter_map(|series| {
+                let (first, end) = (series.terms.get(index)?, series.ends.get(index)?);
+                Some(choose(first.clone(), first * end))
+            });
+            unreduced_sum(rests)
         };
-        let (below, sides) = (scaled(below), sides.iter().map(scaled).collect::<Vec<_>>());
+        (floor(&sum(Rational::min), DIGITS), -floor(&-sum(Rational::max), DIGITS))
+    }
+
+    /// The smallest ε at some radii, in `f64`: not a bound, but near the smallest. Infinite where there is none.
+    fn estimate(&self, order: u32) -> f64 {
+        let (first, last) = ((order / 2) as usize, (order / 2 + TERMS_AHEAD) as usize);
+        let (below, above) = self.rest(last);
+        let scale = self.sums.get(last).map_or_else(Rational::zero, |next| next.scale.clone());
+        let [below, above] = [below, above].map(|value| (value * &scale).to_f64().unwrap_or(f64::NAN));
         let ratio = |sample: u32| {
             let x = f64::from(sample) / f64::from(SAMPLES);
-            let value =
-                |terms: &Vec<(f64, f64)>| terms.iter().map(|(n, term)| term * x.powf(*n)).sum::<f64>();
-            let gap = value(&below);
-            let neglected = sides.iter().map(value).fold(0.0, f64::max);
-            if gap > 0.0 { neglected / gap } else { f64::INFINITY }
+            let mut gap: f64 = self.others_at_end.iter().map(|(n, term)| term * x.powf(*n)).sum();
+            let (mut least, mut most, mut power) = (0.0, 0.0, 1.0);
+            for (index, sum) in self.sums.iter().enumerate() {
+                power *= x * x;
+                gap += power * if index < first { sum.at_end[3] } else { sum.at_end[2] };
+                let [below, above] = match index {
+                    _ if index == last => [below, above],
+                    _ if (first..last).contains(&index) => [sum.at_end[0], sum.at_end[1]],
+                    _ => continue,
+                };
+                least += power * below;
+                most += power * above;
+            }
+            if gap > 0.0 && gap + least > 0.0 {
+                (most / (gap + most)).max(-least / (gap + least)).max(0.0)
+            } else {
+                f64::INFINITY
+            }
         };
         (1..=SAMPLES).map(ratio).fold(0.0, f64::max)
     }
-
-    /// The exponent, and the term at the end of the range: exact until it is rounded, as powers of lengths in metres
-    /// would leave the range of an `f64`.
-    fn at_end(&self, exponent: &Rational, value: &Rational) -> (f64, f64) {
-        let whole = exponent.floor();
-        let term = value * self.radius.pow(whole.to_i32().unwrap_or(0));
-        let fraction = (exponent - whole).to_f64().unwrap_or(0.0);
-        let rest = self.radius.to_f64().unwrap_or(0.0).powf(fraction);
-        (exponent.to_f64().unwrap_or(0.0), term.to_f64().unwrap_or(f64::NAN) * rest)
-    }
 }
 
-impl Series {
-    fn new(surface: &Surface, range: &Rational, highest_order: u32) -> Option<Result<Self, BeyondRim>> {
-        let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
-        let relative = range / &radius;
-        let ratio = shape.abs() * &relative * &relative;
-        if ratio >= Rational::one() {
-            let rim = radius.abs().to_f64().unwrap_or(0.0) / shape.abs().to_f64().unwrap_or(1.0).sqrt();
-            return Some(Err(BeyondRim(rim)));
-        }
-        let terms = surface.series(count(highest_order) as u32).ok()?;
-        let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
-        let rest = if shape.is_negative() { Rational::one() } else { (Rational::one() - ratio).recip() };
-        Some(Ok(Series { terms, rest }))
-    }
+/// The exponent, and the term at the end of the range: exact until it is rounded, as powers of lengths in metres would
+/// leave the range of an `f64`.
+fn at_end(radius: &Rational, exponent: &Rational, value: &Rational) -> (f64, f64) {
+    let whole = exponent.floor();
+    let term = value * radius.pow(whole.to_i32().unwrap_or(0));
+    let fraction = (exponent - whole).to_f64().unwrap_or(0.0);
+    let rest = radius.to_f64().unwrap_or(0.0).powf(fraction);
+    (exponent.to_f64().unwrap_or(0.0), term.to_f64().unwrap_or(f64::NAN) * rest)
 }
 
-impl Bounds {
-    /// Those for j = index + 1.
-    fn of(surfaces: &[Series], powers: &Powers, index: usize) -> Self {
+impl Sum {
+    /// That for j = index + 1, where the gap has the coefficient `own`.
+    fn of(surfaces: &[Series], own: Option<Rational>, index: usize, scale: &Rational) -> Self {
         let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
         let (below, above) = (floor(&sum, DIGITS), -floor(&-&sum, DIGITS));
-        let exponent = integer(2 * (index + 1));
-        let in_gap = match powers.iter().find(|(power, _)| *power == exponent) {
-            Some((_, own)) => floor(&(own + sum), DIGITS) - own,
-            None => below.clone(),
-        };
-        Bounds { below, above, in_gap }
+        let with_own = own.as_ref().map_or_else(|| below.clone(), |own| floor(&(own + sum), DIGITS));
+        let own = own.unwrap_or_else(Rational::zero);
+        let at_end = [&below, &above, &own, &with_own];
+        let at_end = at_end.map(|value| (value * scale).to_f64().unwrap_or(f64::NAN));
+        Sum { below, above, own, with_own, scale: scale.clone(), at_end }
     }
-}
-
-/// Not below M, where the first term that is not summed has this index.
-fn rest(surfaces: &[Series], index: usize) -> Rational {
-    let of_series = |series: &Series| {
-        let first = series.terms.get(index)?;
-        Some(-floor(&-first.abs(), DIGITS) * &series.rest)
-    };
-    unreduced_sum(surfaces.iter().filter_map(of_series))
 }
 
 /// Without the greatest common divisors that take most of the time of such a sum.

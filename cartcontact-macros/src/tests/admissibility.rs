@@ -82,7 +82,7 @@ fn everywhere(gap: &Gap) -> bool {
 }
 
 fn message(gap: &Gap) -> String {
-    prove(gap, &Wanted::AllRadii).unwrap_err().1
+    prove(gap, &Wanted::AllRadii).err().unwrap().message(&[], |_| true)
 }
 
 #[test]
@@ -297,7 +297,7 @@ fn degree_64_is_decided_at_once() {
         let start = Instant::now();
         let proof = prove(&gap, &Wanted::AllRadii);
         let elapsed = start.elapsed();
-        println!("{name}: {elapsed:?}, {:?}", proof.as_ref().map_err(|(_, message)| message));
+        println!("{name}: {elapsed:?}, {:?}", proof.as_ref().map_err(|fault| fault.message(&[], |_| true)));
         assert_eq!(proof.is_ok(), end.is_none(), "{name}");
         if let Some(end) = end {
             assert!(holds_up_to(&gap, &(exact(end) * exact("0.99999999999999999999"))), "{name}");

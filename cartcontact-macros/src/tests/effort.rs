@@ -30,6 +30,11 @@ fn effort_is_bounded() {
             "two conics, smallest order",
             "conic(10.37, -0.2) - sphere(20.11), order = auto, tolerance = 1e-9, max_radius = 7.1".to_owned(),
         ),
+        (
+            "two conics near a rim, smallest order",
+            "conic(10, -2) + sphere(16.5), order = auto, tolerance = 1e-5, max_radius = 9.5".to_owned(),
+        ),
+        ("two spheres, order 128", "sphere(10) - sphere(20), order = 128, max_radius = 9.99".to_owned()),
         ("two conics of fields, order 64", "conic(a, b) - b * conic(a + c, c), order = 64".to_owned()),
         ("a power of 2 fields", "(a*r + b*r^2)^16".to_owned()),
         ("a high power of numbers", "(0.123456789*r + 0.987654321*r^2)^127".to_owned()),

@@ -1,0 +1,112 @@
+//! What is wrong with a geometry as a whole, and the way out that is offered.
+//!
+//! A change that contents one stage may be refused by another: a range that ends before the gap turns may reach the rim
+//! of a surface, or be too long for the order. So a way is offered only if it leads to a geometry.
+
+use num_traits::ToPrimitive;
+
+use crate::diagnostics::Extent;
+use crate::gap::rim;
+use crate::gap::surface::Surface;
+use crate::gap::truncation::three_digits;
+use crate::number::{Rational, decimal, fraction};
+use crate::reading::literal;
+
+/// Of two faults the higher is reported: it remains if the other is mended, or is the reason for it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Rank {
+    /// Nobody knows whether there is one.
+    Undecided,
+    /// What an order neglects.
+    Truncation,
+    /// The range ends behind the one in which the gap determines a contact radius.
+    Range,
+    Rim,
+    /// The gap does not open.
+    Opening,
+}
+
+/// The ways are in the order in which they are preferred; if none works, `otherwise` is what is left to say.
+pub(crate) struct Fault {
+    pub(crate) extent: Extent,
+    pub(crate) rank: Rank,
+    rule: String,
+    ways: Vec<Way>,
+    otherwise: String,
+}
+
+/// An option and its value, with the words in front of it.
+enum Way {
+    MaxRadius { words: &'static str, largest: String },
+    Order(u32),
+}
+
+/// An option with another value.
+pub(crate) enum Change<'a> {
+    MaxRadius(&'a Rational),
+    Order(u32),
+}
+
+impl<T: Into<String>> From<(Extent, T)> for Fault {
+    fn from((extent, message): (Extent, T)) -> Self {
+        let (rank, rule) = (Rank::Truncation, message.into());
+        Fault { extent, rank, rule, ways: Vec::new(), otherwise: String::new() }
+    }
+}
+
+impl Fault {
+    pub(crate) fn ranked(self, rank: Rank) -> Self {
+        Fault { rank, ..self }
+    }
+
+    /// Way out: a `max_radius` that is no larger than this literal.
+    pub(crate) fn or_max_radius(mut self, words: &'static str, largest: String) -> Self {
+        self.ways.push(Way::MaxRadius { words, largest });
+        self
+    }
+
+    pub(crate) fn or_order(mut self, order: Option<u32>) -> Self {
+        self.ways.extend(order.map(Way::Order));
+        self
+    }
+
+    pub(crate) fn otherwise(mut self, advice: impl Into<String>) -> Self {
+        self.otherwise = advice.into();
+        self
+    }
+
+    /// The message with the first way that works, which without surfaces any `max_radius` does.
+    pub(crate) fn message(&self, surfaces: &[Surface], works: impl Fn(&Change<'_>) -> bool) -> String {
+        let offered = self.ways.iter().find_map(|way| match way {
+            Way::MaxRadius { words, largest } if surfaces.is_empty() => Some(format!("{words}{largest}`")),
+            Way::MaxRadius { words, largest } => {
+                within_series(words, largest, surfaces, |radius| works(&Change::MaxRadius(radius)))
+            }
+            Way::Order(order) => works(&Change::Order(*order)).then(|| format!("write `order = {order}`")),
+        });
+        match offered.as_ref().unwrap_or(&self.otherwise) {
+            remedy if remedy.is_empty() => self.rule.clone(),
+            remedy => format!("{}; {remedy}", self.rule),
+        }
+    }
+}
+
+/// How to write the largest `max_radius` that works, or a short one not far below it.
+fn within_series(
+    words: &str,
+    largest: &str,
+    surfaces: &[Surface],
+    works: impl Fn(&Rational) -> bool,
+) -> Option<String> {
+    let inside = rim::inside(largest, surfaces);
+    let radius = literal::number(&inside).ok()?;
+    if works(&radius) {
+        let reason = if inside == largest { "" } else { ", as the series of a surface ends there" };
+        return Some(format!("{words}{inside}`{reason}"));
+    }
+    let parts = [fraction(3, 4), fraction(1, 2), fraction(1, 4)];
+    parts.iter().find_map(|part| {
+        let radius = three_digits((&radius * part).to_f64()?)?;
+        works(&radius).then(|| format!("write `max_radius = {}`, for example", decimal(&radius)))
+    })
+}

@@ -1,0 +1,25 @@
+//! The rim of a surface, |κ| r² = R², where its series ends.
+
+use core::cmp::Ordering;
+
+use crate::first_zero::{End, first_zero};
+use crate::gap::surface::Surface;
+use crate::number::{Rational, integer, nearest};
+use crate::reading::literal;
+
+/// Nothing for a paraboloid, and where a field decides.
+pub(crate) fn rim(surface: &Surface) -> Option<End> {
+    let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
+    first_zero(&[(integer(0), &radius * &radius), (integer(2), -shape.abs())]).ok()?
+}
+
+/// A decimal, or the largest of seven digits that lies within all rims if it does not.
+pub(crate) fn inside(decimal: &str, surfaces: &[Surface]) -> String {
+    surfaces.iter().filter_map(rim).fold(decimal.to_owned(), |inside, mut rim| {
+        let radius = literal::number(&inside).ok().as_ref().and_then(nearest).and_then(Rational::from_float);
+        match radius.map(|radius| rim.compare(&radius)) {
+            Some(Ordering::Greater) | None => inside,
+            Some(_) => rim.decimals().1.unwrap_or(inside),
+        }
+    })
+}

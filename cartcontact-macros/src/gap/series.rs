@@ -1,0 +1,83 @@
+//! What the series of a surface adds behind some power of r, on the range up to ρ.
+//!
+//! With u = κ r²/R² the terms of [`crate::gap::surface`] behind r^(2J) add up to
+//!
+//! ```text
+//! c_(J+1) r^(2J+2) F(u),    F(u) = Σ b_(J+1+i)/b_(J+1) u^i, i ≥ 0
+//! ```
+//!
+//! and as b_(j+1) = 1/π ∫ t^j √((1−t)/t) dt from 0 to 1, F(u) is a mean of values of 1/(1 − u t). So it grows with u,
+//! from or to F(0) = 1, and lies between 1 and 1/(1 − u). Where that is far from F, near a rim, the sum of the whole
+//! series is a better bound:
+//!
+//! ```text
+//! b_(J+1) u^(J+1) F(u) = 1 − √(1 − u) − Σ b_j u^j,    j ≤ J
+//! ```
+
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+
+use crate::first_zero::End;
+use crate::gap::coefficient::Coefficient;
+use crate::gap::rim::rim;
+use crate::gap::surface::{Surface, binomial_ratio};
+use crate::number::{Rational, floor};
+
+/// Behind the binary point, of sums of a whole series; where u^J is less, 1/(1 − u) is near F.
+const DIGITS: u64 = 512;
+/// Of F.
+const FEW_DIGITS: u64 = 64;
+
+/// A weighted surface: w c_j for j = 1, 2, ...
+pub(super) struct Series {
+    pub(super) terms: Vec<Rational>,
+    /// For each term, what lies with 1 on either side of the F that begins with it.
+    pub(super) ends: Vec<Rational>,
+}
+
+/// The range reaches the rim of a surface, given here.
+pub(crate) struct BeyondRim(pub(crate) End);
+
+impl Series {
+    /// Nothing if a coefficient is no number.
+    pub(super) fn new(surface: &Surface, range: &Rational, count: usize) -> Option<Result<Self, BeyondRim>> {
+        let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
+        let relative = range / &radius;
+        let u = shape * &relative * &relative;
+        if u.abs() >= Rational::one() {
+            return rim(surface).map(|rim| Err(BeyondRim(rim)));
+        }
+        let terms = surface.series(count as u32).ok()?;
+        let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
+        let geometric = (Rational::one() - &u).recip();
+        let ends = if u.is_positive() {
+            let geometric = ceil(&geometric);
+            let least =
+                |of_sum: Option<Rational>| of_sum.unwrap_or_else(|| geometric.clone()).min(geometric.clone());
+            ends(&u).map(least).take(count).collect()
+        } else {
+            vec![floor(&geometric, FEW_DIGITS); count]
+        };
+        Some(Ok(Series { terms, ends }))
+    }
+}
+
+/// F from the sum of the series, or more, for J = 0, 1, ...; nothing where u^J has no digits.
+fn ends(u: &Rational) -> impl Iterator<Item = Option<Rational>> {
+    let shifted = |value: &Rational, digits: u64| (value.numer() << digits) / value.denom();
+    let step = shifted(u, DIGITS);
+    let mut term: BigInt = &step >> 1;
+    // Roots and terms are rounded down.
+    let mut left = (BigInt::one() << DIGITS) - shifted(&(Rational::one() - u), 2 * DIGITS).sqrt();
+    (1_u32..).map(move |j| {
+        let end = (!term.is_zero()).then(|| ceil(&Rational::new_raw(left.clone(), term.clone())));
+        left -= &term;
+        let ratio = binomial_ratio(j);
+        term = ((&term * &step * ratio.numer()) >> DIGITS) / ratio.denom();
+        end
+    })
+}
+
+fn ceil(value: &Rational) -> Rational {
+    -floor(&-value, FEW_DIGITS)
+}
