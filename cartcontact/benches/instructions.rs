@@ -12,8 +12,8 @@ use cartcontact::load::Load;
 use cartcontact::{Contact, GapProfile, Scalar};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, Blunt, BluntBall, FlatBall, FourTerm, LOAD, Paraboloid, Patellofemoral, RATE, RoundBall, STIFFNESS,
-    ThreeFields, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
+    Ball, Blunt, BluntBall, FlatBall, FourTerm, Paraboloid, Patellofemoral, RATE, RoundBall, ThreeFields,
+    ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.

@@ -128,13 +128,11 @@ impl Rule {
     pub(crate) fn nodes<T: Scalar>(&self, low: T, high: T) -> impl Iterator<Item = (T, T)> {
         let half = T::constant(0.5);
         let (middle, radius) = ((low + high) * half, (high - low) * half);
-        let (nodes, weights) = self.tables();
-        let singles = self.single[0].iter().zip(&self.single[1]);
-        nodes.iter().zip(weights).zip(singles).map(move |((&node, &weight), (&single, &single_weight))| {
+        (0..self.len()).map(move |index| {
             let (node, weight) = if is_single::<T>() {
-                (from_single(single), from_single(single_weight))
+                (from_single(self.single[0][index]), from_single(self.single[1][index]))
             } else {
-                (T::constant(node), T::constant(weight))
+                (T::constant(self.nodes[index]), T::constant(self.weights[index]))
             };
             (middle + radius * node, radius * weight)
         })
