@@ -1,5 +1,7 @@
 //! One scene in other units.
 
+use cartcontact::load::Load;
+
 use super::examine::{Examination, Now};
 use super::finding::{Fault, Tally};
 use super::precision::Precision;
@@ -25,13 +27,15 @@ impl<T: Precision> Examination<'_, T> {
             let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
             let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
             let load_integral = self.contact.profile().load_integral(now.radius());
-            let impulse = self.least_impulse();
+            let (impulse, last) = (self.least_impulse(), self.contact.load().impulse(self.scene.time));
             let intermediate = [
                 least,
                 load_integral,
                 load_integral * T::power_of_two(5 * length),
                 impulse,
                 impulse * T::power_of_two(force + time),
+                last,
+                last * T::power_of_two(force + time),
             ];
             let has_room = |x: &T| {
                 x.is_zero()
