@@ -8,6 +8,7 @@ mod force_series;
 mod piece;
 mod piecewise_linear;
 mod recession;
+mod shortest;
 
 use crate::Scalar;
 
@@ -17,6 +18,7 @@ pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
+pub(crate) use shortest::Shortest;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
 ///

@@ -16,20 +16,17 @@
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
 //! so the search ends. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
-//! rounding of 1 − e^(−t) early on; lest noise is followed through a whole history, the bound is doubled after every
-//! sixteen of them.
+//! rounding of 1 − e^(−t) early on, because of which the bound [grows](Shortest).
 
 use super::ForceSeries;
 use super::contradiction::{self, Contradiction};
-use super::{Load, LoadError, knot_between};
+use super::{Load, LoadError, Shortest, knot_between};
 use crate::Scalar;
 use crate::scalar::smallest_normal;
 
 /// How often panels are halved at most because of their impulse, which may simply be that of another load, or when they
 /// are short already.
 const MOST_DOUBTS: u32 = 128;
-/// After so many panels that are given up, those that are given up next are twice as long.
-const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
 /// Why a history is not one that the solution covers.
 pub(super) enum Fault<T> {
@@ -73,8 +70,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         time: zero,
         impulse: zero,
         crest: Crest { time: zero, fallen: zero },
-        shortest: T::constant(1.0 / 131_072.0),
-        given_up: 0,
+        shortest: Shortest::of(T::constant(1.0 / 131_072.0)),
         doubts: MOST_DOUBTS,
         suspicion: None,
     };
@@ -102,9 +98,7 @@ struct Search<'a, T, L: ?Sized> {
     /// The highest hereditary load so far.
     crest: Crest<T>,
     /// Of the time between knots, the share below which panels are short.
-    shortest: T,
-    /// How many panels leave something out although they were not halved any more.
-    given_up: u32,
+    shortest: Shortest<T>,
     /// How many more panels may be halved that are short, or because of their impulse.
     doubts: u32,
     /// A contradiction that a fall would explain, if one is found before its end; the shortest so far.
@@ -147,7 +141,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
         let whole = step;
         while self.time < end {
-            let short = (whole * self.shortest).max(least);
+            let short = (whole * self.shortest.length()).max(least);
             let stop = if self.time + step + least < end { self.time + step } else { end };
             step = stop - self.time;
             let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
@@ -173,7 +167,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 Some(Finding::Rises(crest) | Finding::Unclear(crest)) => crest,
             };
             if force.is_unresolved() || force.is_rough() {
-                self.give_up();
+                self.shortest.give_up();
             }
             (self.time, self.impulse) = (stop, impulse);
             // Also where no knot tells of a jump.
@@ -259,14 +253,6 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             let start = (self.time, self.impulse);
             let found = Contradiction::within(force, start, end, self.chi, self.tolerance);
             self.suspicion = found.or(self.suspicion);
-        }
-    }
-
-    /// Notes a panel that leaves something out.
-    fn give_up(&mut self) {
-        self.given_up += 1;
-        if self.given_up.is_multiple_of(GIVEN_UP_PER_DOUBLING) {
-            self.shortest += self.shortest;
         }
     }
 

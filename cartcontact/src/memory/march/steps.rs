@@ -4,8 +4,7 @@
 //! [polynomial](crate::load::ForceSeries). A step is taken in one piece and in two halves; if the force is no polynomial,
 //! or has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
 //! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, nor than some roundings of
-//! the time, so the march ends; and lest the rounding of forces next to zero is followed through a whole history, that bound
-//! is doubled after every sixteen steps that are given up at it.
+//! the time, so the march ends; where forces next to zero are rounding, the first bound [grows](Shortest).
 //!
 //! **Jumps and kinks of which no knot tells** are polynomials in no step. A limited number of steps is halved further because
 //! of them, down to roundings of the time; what then is still none is a jump.
@@ -14,7 +13,7 @@
 //! is that of another load.
 
 use super::March;
-use crate::load::{ForceSeries, Load};
+use crate::load::{ForceSeries, Load, Shortest};
 use crate::memory::stretch::Course;
 use crate::{GapProfile, Scalar};
 
@@ -22,43 +21,44 @@ use crate::{GapProfile, Scalar};
 const MOST_DOUBTS: u32 = 256;
 /// How often the shortest steps are halved further at most: for some sixty jumps and kinks, by 32 halvings each.
 const MOST_HALVINGS: u32 = 2048;
-/// After so many steps that are given up, the shortest are twice as long.
-const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
 /// The length of steps.
 struct Pace<T> {
     step: T,
     /// How short steps are at most, and those of which only a limited number is: still long enough to move the time, also
     /// where all of it is few of its roundings.
-    shortest: T,
+    shortest: Shortest<T>,
     least: T,
     /// How many more may be shorter than the shortest.
     halvings: u32,
-    /// How many could not be shortened any more.
-    given_up: u32,
 }
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
         let least = end * T::default_epsilon() * T::constant(4.0);
-        let shortest = (duration * T::constant(1.0 / 1_048_576.0)).max(least);
-        Self { step: duration, shortest, least, halvings: MOST_HALVINGS, given_up: 0 }
+        let shortest = Shortest::of((duration * T::constant(1.0 / 1_048_576.0)).max(least));
+        Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
     }
 
     /// The end of a step from a time on; the last one must not leave a rest that is too short to divide.
     fn stop(&self, start: T, end: T) -> T {
-        let rest = self.step.min(self.shortest);
+        let rest = self.step.min(self.shortest.length());
         if start + self.step + rest < end { start + self.step } else { end }
+    }
+
+    fn is_long(&self) -> bool {
+        self.step > self.shortest.length()
     }
 
     /// False if the step may not be shortened.
     fn halve(&mut self) -> bool {
-        let is_long = self.step > self.shortest;
+        let is_long = self.is_long();
         if !is_long && (self.step <= self.least || self.halvings == 0) {
             return false;
         }
         self.halvings -= u32::from(!is_long);
-        self.step = (self.step * T::constant(0.5)).max(if is_long { self.shortest } else { self.least });
+        self.step =
+            (self.step * T::constant(0.5)).max(if is_long { self.shortest.length() } else { self.least });
         true
     }
 
@@ -68,10 +68,7 @@ impl<T: Scalar> Pace<T> {
 
     /// Goes on after a step that could not be shortened.
     fn give_up(&mut self) {
-        self.given_up += 1;
-        if self.given_up.is_multiple_of(GIVEN_UP_PER_DOUBLING) {
-            self.shortest += self.shortest;
-        }
+        self.shortest.give_up();
         self.double();
     }
 }
@@ -103,7 +100,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 }
                 continue;
             }
-            if doubts > 0 && pace.step > pace.shortest && self.misses(&force, stop) {
+            if doubts > 0 && pace.is_long() && self.misses(&force, stop) {
                 doubts -= 1;
                 pace.halve();
                 continue;
@@ -111,7 +108,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let middle = start + (stop - start) * T::constant(0.5);
             let mut halves = self.clone();
             halves.advance_smooth(&self.force_series(middle), middle);
-            if halves.now.radius <= self.transition.reach && stop - start > pace.shortest {
+            if halves.now.radius <= self.transition.reach && stop - start > pace.shortest.length() {
                 // Nothing of the first half counts, so the second would only be compared with itself.
                 *self = halves;
                 pace.double();

@@ -1,0 +1,31 @@
+//! How short the parts are at most in which a history is followed.
+
+use crate::Scalar;
+
+/// After so many parts that are given up, the next are twice as long.
+const GIVEN_UP_PER_DOUBLING: u32 = 16;
+
+/// The shortest length of a part. It is doubled after every sixteen parts that are given up, although they still leave
+/// something out, lest the noise of a load is followed through a whole history.
+pub(crate) struct Shortest<T> {
+    length: T,
+    given_up: u32,
+}
+
+impl<T: Scalar> Shortest<T> {
+    pub(crate) fn of(length: T) -> Self {
+        Self { length, given_up: 0 }
+    }
+
+    pub(crate) fn length(&self) -> T {
+        self.length
+    }
+
+    /// Notes a part that is given up.
+    pub(crate) fn give_up(&mut self) {
+        self.given_up += 1;
+        if self.given_up.is_multiple_of(GIVEN_UP_PER_DOUBLING) {
+            self.length += self.length;
+        }
+    }
+}
