@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
-use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, Scalar, gap_profile};
+use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, Scalar, Snapshot, gap_profile};
 use num_dual::{Dual32, Dual64, DualNum};
 
 type Failure = Box<dyn core::error::Error>;
@@ -119,6 +119,14 @@ fn slopes_with_respect_to_the_load_are_those_of_differences() -> Result<(), Fail
     Ok(())
 }
 
+/// P_t + χ P = (m/4) δ₀′(t) (a² − r²) with m = 0.375 and χ = 0.0015, of a snapshot at a time with the derivative 1.
+fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Plain, L>) {
+    let (a, r) = (now.radius().re, 2.0);
+    let pressure = now.pressure(Dual64::from(r));
+    let expected = 0.375 / 4.0 * now.approach().eps * (a * a - r * r) - 0.0015 * pressure.re;
+    assert_close(pressure.eps, expected, 1e-12);
+}
+
 /// The slopes of a snapshot with respect to time are those that the model's equations give.
 #[test]
 fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), Failure> {
@@ -129,11 +137,7 @@ fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), 
     // F′ + χ F = (π m/8) a⁴ δ₀′(t).
     let fluid = PI * 0.375 / 8.0 * a.re.powi(4) * now.approach().eps;
     assert_close(fluid, 0.0015 * 100.0, 1e-13);
-    // P_t + χ P = (m/4) δ₀′(t) (a² − r²).
-    let r = 2.0;
-    let pressure = now.pressure(Dual64::from(r));
-    let expected = 0.375 / 4.0 * now.approach().eps * (a.re * a.re - r * r) - 0.0015 * pressure.re;
-    assert_close(pressure.eps, expected, 1e-12);
+    assert_pressure_follows_edge(&now);
     Ok(())
 }
 
@@ -143,10 +147,7 @@ fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
     let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
     let contact = Contact::new(Plain, medium, Constant(Dual64::from(100.0)))?;
     let now = contact.at(variable(0.0))?;
-    let (a, r) = (now.radius(), 2.0);
-    let pressure = now.pressure(Dual64::from(r));
-    let expected = 0.375 / 4.0 * now.approach().eps * (a.re * a.re - r * r) - 0.0015 * pressure.re;
-    assert_close(pressure.eps, expected, 1e-12);
+    assert_pressure_follows_edge(&now);
     Ok(())
 }
 
