@@ -4,7 +4,6 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 /// A positive number between lower · 2^exponent and upper · 2^exponent.
-#[derive(Clone)]
 pub(crate) struct Interval {
     pub(crate) lower: BigInt,
     pub(crate) upper: BigInt,

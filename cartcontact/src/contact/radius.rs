@@ -100,9 +100,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
         // As a difference of nearly the same, a good one is negative by rounding early on.
-        let rounding = impulse_tolerance(loading.hereditary, self.medium.chi());
-        let is_rounding = rounding.is_finite() && loading.impulse.abs() <= rounding;
-        if !(is_size(loading.impulse) || is_rounding) {
+        let is_rounding = || {
+            let rounding = impulse_tolerance(loading.hereditary, self.medium.chi());
+            rounding.is_finite() && loading.impulse.abs() <= rounding
+        };
+        if !(is_size(loading.impulse) || is_rounding()) {
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
         }
         Ok(loading)

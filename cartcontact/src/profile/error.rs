@@ -223,9 +223,6 @@ pub fn with_parameters<T: Scalar, const N: usize>(
     names: &'static [&'static str; N],
     values: [T; N],
 ) -> ProfileError {
-    if matches!(error, ProfileError::Empty) {
-        return ProfileError::Vanishing { parameters: Parameters::new(names, values) };
-    }
     match &mut error {
         ProfileError::Vanishing { parameters }
         | ProfileError::InvalidCoefficient { parameters, .. }
@@ -233,7 +230,8 @@ pub fn with_parameters<T: Scalar, const N: usize>(
         | ProfileError::NotOpening { parameters, .. }
         | ProfileError::BeyondSurface { parameters, .. }
         | ProfileError::NotAdmissible { parameters, .. } => *parameters = Parameters::new(names, values),
-        ProfileError::Empty | ProfileError::InvalidExponent { .. } | ProfileError::NotPositive { .. } => {}
+        ProfileError::Empty => error = ProfileError::Vanishing { parameters: Parameters::new(names, values) },
+        ProfileError::InvalidExponent { .. } | ProfileError::NotPositive { .. } => {}
     }
     error
 }
