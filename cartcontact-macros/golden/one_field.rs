@@ -175,14 +175,7 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<
-                        _,
-                        6,
-                        1,
-                    >::of(
-                        __c0,
-                        <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    ),
+                    __cartcontact::generated::SingleTerm::<_, 6, 1>::of(__c0),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -208,14 +201,7 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<
-                        _,
-                        6,
-                        1,
-                    >::of(
-                        __c0,
-                        <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    ),
+                    __cartcontact::generated::SingleTerm::<_, 6, 1>::of(__c0),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -241,14 +227,7 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __cartcontact::generated::SingleTerm::<
-                        _,
-                        6,
-                        1,
-                    >::of(
-                        __c0,
-                        <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    ),
+                    __cartcontact::generated::SingleTerm::<_, 6, 1>::of(__c0),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

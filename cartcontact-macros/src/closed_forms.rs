@@ -41,6 +41,14 @@ impl Summand {
         }
     }
 
+    /// What a symbol is multiplied by in the factor of its power, if it is one.
+    pub(crate) fn weight(&self) -> Option<&Rational> {
+        match &self.factor {
+            Factor::Constant(_) => None,
+            Factor::Weight(weight) => Some(weight),
+        }
+    }
+
     /// The factor of its power, if that is a constant.
     pub(crate) fn constant(&self) -> Option<&Rational> {
         match &self.factor {
@@ -143,10 +151,7 @@ impl PowerSum {
     /// less than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of
     /// a number.
     fn shortener(&self) -> Rational {
-        let common = common_denominator(self.summands.iter().filter_map(|summand| match &summand.factor {
-            Factor::Weight(weight) => Some(weight),
-            Factor::Constant(_) => None,
-        }));
+        let common = common_denominator(self.summands.iter().filter_map(Summand::weight));
         let odd = &common >> common.trailing_zeros().unwrap_or(0);
         let digits = odd.bits();
         if digits > MOST_DIGITS { Rational::one() } else { Rational::new(odd, BigInt::one() << (digits - 1)) }

@@ -50,11 +50,11 @@ impl<'a> Coefficients<'a> {
         }
     }
 
-    /// Two numbers of which the factor is the product: the coefficient of the gap and a weight, or all of it and 1.
-    pub(super) fn parts(&self, summand: &Summand) -> [TokenStream; 2] {
+    /// The factor without the weight that `summand` has beside a symbol.
+    pub(super) fn unweighted(&self, summand: &Summand) -> TokenStream {
         match &summand.factor {
-            Factor::Constant(value) => [self.names.number(value), self.names.number(&Rational::one())],
-            Factor::Weight(weight) => [variable(summand.term).into_token_stream(), self.names.number(weight)],
+            Factor::Constant(value) => self.names.number(value),
+            Factor::Weight(_) => variable(summand.term).into_token_stream(),
         }
     }
 

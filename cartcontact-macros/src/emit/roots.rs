@@ -48,7 +48,7 @@ pub(super) fn radii(
     }
 }
 
-/// The term of J: what the table has, or its coefficient and weight for a table of any.
+/// The term of J: what the table has, or its coefficient for a table of any.
 fn term(
     roots: &Roots,
     load_integral: &PowerSum,
@@ -60,6 +60,6 @@ fn term(
     };
     let single_term = names.generated("SingleTerm");
     let (k, q) = (Literal::u32_unsuffixed(k), Literal::u32_unsuffixed(q));
-    let [c, weight] = coefficients.parts(only);
-    quote!(#single_term::<_, #k, #q>::of(#c, #weight))
+    let c = coefficients.unweighted(only);
+    quote!(#single_term::<_, #k, #q>::of(#c))
 }

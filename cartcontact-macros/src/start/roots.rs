@@ -9,9 +9,10 @@
 //! and (1 − s²) d/ds ((1 + s)/(1 − s))^α = 2α ((1 + s)/(1 − s))^α gives (k + 1) c₍ₖ₊₁₎ = 2α cₖ + (k − 1) c₍ₖ₋₁₎.
 //!
 //! A constant term has its window of y. Where C is a symbol, where no length belongs to C r^n, as n ≤ 1, and where a window would
-//! hold few radii, the table is one of y/j from 1 to 2^k, p = k/q: there the radius has become 2^q times as long.
+//! hold few radii, the table is one of y/C from 1 to 2^k, p = k/q: there the radius has become 2^q times as long. What J has
+//! beside a symbol C, the weight w of j = w C, is in the roots, so that the solver need not multiply by it.
 
-use num_traits::ToPrimitive;
+use num_traits::{One, ToPrimitive};
 
 use crate::closed_forms::Summand;
 use crate::geometry::Geometry;
@@ -58,7 +59,10 @@ pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
     });
     let table = match window {
         Some((j, bottom)) => table(power, (bottom, OCTAVES), j),
-        None => table(power, (0, i32::try_from(power.k).ok().filter(|&k| k <= OCTAVES)?), &integer(1)),
+        None => {
+            let octaves = i32::try_from(power.k).ok().filter(|&k| k <= OCTAVES)?;
+            table(power, (0, octaves), only.weight().unwrap_or(&Rational::one()))
+        }
     };
     Some(Roots {
         table: table?,

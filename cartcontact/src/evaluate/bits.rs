@@ -106,6 +106,28 @@ pub(crate) fn fraction<T: Scalar>(x: T) -> T {
     )
 }
 
+/// The quarter of an octave that a positive normal number is in: k = 4 e + ⌊4 (f − 1)⌋ of f · 2^e, 1 ≤ f < 2.
+#[inline(always)]
+pub(crate) fn quarter<T: Scalar>(x: T) -> i32 {
+    let any: &dyn Any = &x;
+    let biased = match any.downcast_ref::<f32>() {
+        Some(single) => single.to_bits() >> 21,
+        None => (x.value().to_bits() >> 50) as u32,
+    };
+    biased as i32 - 4 * bias::<T>()
+}
+
+/// The least number in the quarter k of an octave, if that has normal numbers.
+#[inline(always)]
+pub(crate) fn least_of_quarter<T: Scalar>(k: i32) -> T {
+    let biased = (k + 4 * bias::<T>()) as u32;
+    if is::<T, f32>() {
+        T::from_subset(&f32::from_bits(biased << 21))
+    } else {
+        T::constant(f64::from_bits(u64::from(biased) << 50))
+    }
+}
+
 /// The middle of the quarter of an octave that a positive number is in, of four digits.
 #[inline(always)]
 pub(crate) fn middle_of_quarter<T: Scalar>(x: T) -> T {
@@ -170,6 +192,9 @@ mod tests {
     fn quarters_of_octaves_have_their_middle() {
         for (x, middle) in [(1.0, 1.125), (1.24, 1.125), (1.5, 1.625), (7.99, 7.5)] {
             assert_eq!((middle_of_quarter(x), middle_of_quarter(x as f32)), (middle, middle as f32));
+            assert_eq!(quarter(x), quarter(x as f32));
+            assert_eq!(least_of_quarter::<f64>(quarter(x)), f64::from(least_of_quarter::<f32>(quarter(x))));
+            assert!((least_of_quarter(quarter(x))..least_of_quarter(quarter(x) + 1)).contains(&x));
         }
     }
 

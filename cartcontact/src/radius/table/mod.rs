@@ -24,6 +24,7 @@ pub(crate) mod units;
 use core::any::Any;
 
 use crate::Scalar;
+use crate::evaluate::bits::{least_of_quarter, quarter};
 use crate::scalar::is;
 
 /// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
@@ -102,20 +103,14 @@ impl Table {
     /// Too small for the table, or with the sign set, y becomes an index that is too large.
     #[inline(always)]
     fn contains<T: Scalar>(&self, y: T) -> bool {
-        let any: &dyn Any = &y;
-        let (quarter, bias) = match any.downcast_ref::<f32>() {
-            Some(single) => (single.to_bits() >> 21, 127),
-            None => ((y.value().to_bits() >> 50) as u32, 1023),
-        };
         let Quarters { first, count } = self.quarters::<T>();
-        quarter.wrapping_sub((4 * bias + first) as u32) < count
+        (quarter(y).wrapping_sub(first) as u32) < count
     }
 
     /// The load integrals at both ends of the rows for a scalar.
     pub(super) fn ends<T: Scalar>(&self) -> [T; 2] {
-        let quarter = |k: i32| T::constant(f64::from_bits(((4 * 1023 + k) as u64) << 50));
         let Quarters { first, count } = self.quarters::<T>();
-        [first, first + count as i32].map(quarter)
+        [first, first + count as i32].map(least_of_quarter)
     }
 
     #[inline(always)]
