@@ -278,7 +278,10 @@ const _: () = {
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             match {
-                let __units = __cartcontact::generated::Squared(
+                let __units = __cartcontact::generated::RootOf::<
+                    _,
+                    2,
+                >(
                     __cartcontact::generated::EqualTerms::of(
                         (
                             __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
@@ -364,7 +367,10 @@ const _: () = {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             let __limit = <S as __cartcontact::Scalar>::infinity();
             match {
-                let __units = __cartcontact::generated::Squared(
+                let __units = __cartcontact::generated::RootOf::<
+                    _,
+                    2,
+                >(
                     __cartcontact::generated::EqualTerms::of(
                         (
                             __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
@@ -405,7 +411,10 @@ const _: () = {
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __units = __cartcontact::generated::Squared(
+            let __units = __cartcontact::generated::RootOf::<
+                _,
+                2,
+            >(
                 __cartcontact::generated::EqualTerms::of(
                     (
                         __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),

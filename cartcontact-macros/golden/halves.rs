@@ -234,9 +234,10 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match {
-                let __units = __cartcontact::generated::Squared(
-                    __cartcontact::generated::OwnUnits,
-                );
+                let __units = __cartcontact::generated::RootOf::<
+                    _,
+                    2,
+                >(__cartcontact::generated::OwnUnits);
                 __TABLE
                     .radius(
                         __load_integral,
@@ -309,9 +310,10 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            let __units = __cartcontact::generated::Squared(
-                __cartcontact::generated::OwnUnits,
-            );
+            let __units = __cartcontact::generated::RootOf::<
+                _,
+                2,
+            >(__cartcontact::generated::OwnUnits);
             __TABLE
                 .radii(
                     (__load_integrals, __radii),

@@ -44,19 +44,17 @@ const _: () = {
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
-        __cartcontact::generated::power_sum_steepness(
-            __a,
-            [
-                (
-                    <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                ),
-                (
-                    <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
-                    __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
-                ),
-            ],
-        )
+        __cartcontact::generated::NestedPowers::of(__a)
+            .plus(
+                <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
+                <T as __cartcontact::Scalar>::constant(29.0f64),
+            )
+            .times_power::<7>()
+            .plus(
+                <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                <T as __cartcontact::Scalar>::constant(22.0f64),
+            )
+            .of_lowest_power::<22>()
     }
     #[automatically_derived]
     impl<T> __cartcontact::GapProfile<T> for RealPowers
@@ -236,7 +234,10 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match {
-                let __units = __cartcontact::generated::OwnUnits;
+                let __units = __cartcontact::generated::RootOf::<
+                    _,
+                    4,
+                >(__cartcontact::generated::OwnUnits);
                 __TABLE
                     .radius(
                         __load_integral,
@@ -309,7 +310,10 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            let __units = __cartcontact::generated::OwnUnits;
+            let __units = __cartcontact::generated::RootOf::<
+                _,
+                4,
+            >(__cartcontact::generated::OwnUnits);
             __TABLE
                 .radii(
                     (__load_integrals, __radii),

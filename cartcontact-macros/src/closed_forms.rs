@@ -4,7 +4,7 @@
 //! I. Argatov, Mech. Res. Commun. 38 (2011), doi 10.1016/j.mechrescom.2010.11.006.
 
 use num_bigint::BigInt;
-use num_traits::One;
+use num_traits::{One, ToPrimitive};
 
 use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
@@ -12,6 +12,8 @@ use crate::number::{Rational, common_denominator, integer};
 
 /// Half of those of double precision.
 const MOST_DIGITS: u64 = 26;
+/// Exponents of two decimals have the index 20 or less if they are multiples of 0.05.
+const HIGHEST_ROOT: u32 = 20;
 
 /// Σ weight · C · x^exponent, where C is the coefficient of the gap's term with that index.
 pub(crate) struct PowerSum {
@@ -64,10 +66,11 @@ pub(crate) struct Scaled {
     pub(crate) per_unit: Rational,
 }
 
-/// J for the step from a table of seeds: of the square root of the radius, if its powers are then whole.
+/// J for the step from a table of seeds: of the root of the radius with this index, of which its powers are whole; or of the
+/// radius itself, index 1, if there is none but with a high index.
 pub(crate) struct Seeded {
     pub(crate) scaled: Scaled,
-    pub(crate) is_of_square_root: bool,
+    pub(crate) root: u32,
 }
 
 pub(crate) struct ClosedForms {
@@ -107,9 +110,9 @@ impl ClosedForms {
 
 impl Scaled {
     fn seeded(&self) -> Seeded {
-        let is_of_square_root = self.load_integral.has_halves();
-        let load_integral = self.load_integral.in_root(if is_of_square_root { 2 } else { 1 });
-        Seeded { scaled: Scaled { load_integral, per_unit: self.per_unit.clone() }, is_of_square_root }
+        let root = self.load_integral.root_of_whole_powers().unwrap_or(1);
+        let load_integral = self.load_integral.in_root(root);
+        Seeded { scaled: Scaled { load_integral, per_unit: self.per_unit.clone() }, root }
     }
 }
 
@@ -126,16 +129,14 @@ impl PowerSum {
         Self { summands: summands.collect() }
     }
 
-    /// Whether all exponents are multiples of 1/2, and not all are whole.
-    fn has_halves(&self) -> bool {
-        let are_whole = |times: i32| {
-            self.summands.iter().all(|summand| (&summand.exponent * integer(times)).is_integer())
-        };
-        are_whole(2) && !are_whole(1)
+    /// The least index of a root of x of which all powers are whole, if it is not too high.
+    fn root_of_whole_powers(&self) -> Option<u32> {
+        let index = common_denominator(self.summands.iter().map(|summand| &summand.exponent));
+        index.to_u32().filter(|&index| index <= HIGHEST_ROOT)
     }
 
     /// The sum with all exponents multiplied: one of powers of a root of x.
-    fn in_root(&self, index: i32) -> Self {
+    fn in_root(&self, index: u32) -> Self {
         let mut sum = self.weighted(|_| Rational::one());
         for summand in &mut sum.summands {
             summand.exponent = &summand.exponent * integer(index);

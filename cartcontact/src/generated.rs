@@ -18,7 +18,7 @@ pub use crate::evaluate::pressure_kernel::{
     quick_whole_pressure_kernel,
 };
 pub use crate::evaluate::steepness::{
-    Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
+    NestedPowers, Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
 };
 pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
@@ -27,7 +27,7 @@ pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;
 pub use crate::radius::out_of_line;
 pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
-pub use crate::radius::table::units::{EqualTerms, OwnUnits, Squared};
+pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};
 pub use crate::radius::table::{Quarters, Rows, Table};
 pub use crate::radius::whole_powers::{WholePowers, radii_of_whole_powers};
 pub use crate::scalar::constants;

@@ -1,7 +1,7 @@
 //! The step from the table of seeds to the contact radius.
 
 use num_traits::One;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
@@ -70,18 +70,17 @@ pub(super) fn radii(
 /// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.
 fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let units = local("units");
-    let Seeded { scaled: Scaled { load_integral, per_unit }, is_of_square_root } = seeded;
+    let Seeded { scaled: Scaled { load_integral, per_unit }, root } = seeded;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
         names.generated("OwnUnits")
     } else {
         equal_terms(seeds, load_integral, per_unit, coefficients, names)
     };
-    if *is_of_square_root {
-        let squared = names.generated("Squared");
-        quote!(let #units = #squared(#own);)
-    } else {
-        quote!(let #units = #own;)
+    if *root == 1 {
+        return quote!(let #units = #own;);
     }
+    let (root_of, index) = (names.generated("RootOf"), Literal::u32_unsuffixed(*root));
+    quote!(let #units = #root_of::<_, #index>(#own);)
 }
 
 /// The units in which the first two terms have the same size, from the sizes of all: a coefficient with another sign than
@@ -111,12 +110,15 @@ fn equal_terms(
 /// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
 /// bound.
 fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let Seeded { scaled: Scaled { load_integral, .. }, is_of_square_root } = seeded;
+    let Seeded { scaled: Scaled { load_integral, .. }, root } = seeded;
     let Some(whole) = Whole::of(load_integral) else {
         let (function, terms) =
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
         return quote!(#function(#a, #terms));
     };
+    if *root > 2 {
+        return nested_powers(load_integral, &whole, a, coefficients, names);
+    }
     let unit = unit(load_integral).unwrap_or_else(Rational::one);
     let first = load_integral.weighted(|p| p / &unit);
     let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * &unit));
@@ -129,8 +131,30 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
         nested((&whole, is_monic(&first)), &variable, of_first, names),
         paired(&whole, &variable, of_half_second, names),
     ];
-    let steepness = steepness::value((&whole, *is_of_square_root), a, &sums, &unit, names);
+    let steepness = steepness::value((&whole, *root == 2), a, &sums, &unit, names);
     quote!(#values #firsts #half_seconds #steepness)
+}
+
+/// The same by Horner's rule with powers that are not rounded, as those of a root are so high that they would round often.
+fn nested_powers(
+    load_integral: &PowerSum,
+    whole: &Whole,
+    a: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
+    let mut above = None;
+    let terms = load_integral.summands.iter().zip(&whole.exponents).rev().map(|(summand, &exponent)| {
+        let down_to = above.replace(exponent).map(|above: u32| {
+            let difference = Literal::u32_unsuffixed(above - exponent);
+            quote!(.times_power::<#difference>())
+        });
+        let (c, p) = (coefficients.factor(summand), names.number(&summand.exponent));
+        quote!(#down_to.plus(#c, #p))
+    });
+    let terms: Vec<TokenStream> = terms.collect();
+    let (nested, lowest) = (names.generated("NestedPowers"), Literal::u32_unsuffixed(whole.lowest()));
+    quote!(#nested::of(#a) #(#terms)* .of_lowest_power::<#lowest>())
 }
 
 /// The coefficient of the highest power in a J′, if all are constants.

@@ -7,7 +7,8 @@
 //! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
 //! radii: no equation is solved but for the ends of the rows.
 //!
-//! **Halves.** Where powers are multiples of 1/2, a is the square root of the radius, of which they all are whole.
+//! **Roots.** Where powers are multiples of a common fraction such as 1/2 or 1/10, a is the root of the radius of which they
+//! all are whole.
 //!
 //! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. Every row is
 //! evaluated as the solver will, in single precision, between its points and at an end, and with what it loses where
@@ -47,7 +48,7 @@ pub(crate) struct Seeds {
     pub(crate) factors: Vec<f64>,
 }
 
-/// The table of a geometry, if its rows are near enough to the radius; to its square root, if J has whole powers of that only.
+/// The table of a geometry, if its rows are near enough to the radius, or to the root that J has whole powers of.
 pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
     let load_integral = &seeded.scaled.load_integral;
@@ -61,10 +62,9 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
         terms.push((factor, summand.exponent.to_f64()?));
     }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
-    let root = if seeded.is_of_square_root { 2.0 } else { 1.0 };
-    let sum = LoadIntegral::new(terms, root, largest_single);
+    let sum = LoadIntegral::new(terms, seeded.root, largest_single);
     let top = if is_constant {
-        top(geometry, |a| sum.at(a.powf(1.0 / sum.root)).value)
+        top(geometry, |a| sum.at(a.powf(sum.root.recip())).value)
     } else {
         sum.octaves_above_equality()
     };
@@ -86,8 +86,10 @@ fn before_first_gap(rows: &[Option<Row>]) -> &[Option<Row>] {
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
 struct LoadIntegral {
     terms: Vec<(f64, f64)>,
-    /// 2 if a is the square root of the radius, otherwise 1.
+    /// Of the radius a is the root with this index.
     root: f64,
+    /// What of a is cut off in single precision.
+    cut_off: f64,
     /// The largest |log₂ y| that single precision may meet.
     largest_single: f64,
     /// The largest |log₂| of the coefficients of J, J′ and J″, of which a unit is taken out once and twice.
@@ -107,7 +109,7 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
-    fn new(terms: Vec<(f64, f64)>, root: f64, largest_single: f64) -> Self {
+    fn new(terms: Vec<(f64, f64)>, root: u32, largest_single: f64) -> Self {
         let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
         let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
         let in_units = |term| {
@@ -116,7 +118,9 @@ impl LoadIntegral {
         };
         let largest_coefficient = terms.iter().map(in_units).fold(0.0, f64::max);
         let lowest = terms.first().map_or(0.0, |&(_, p)| p);
-        Self { terms, root, largest_single, largest_coefficient, unit, lowest, highest }
+        let cut_off = if root > 2 { 0.0 } else { CUT_OFF };
+        let root = f64::from(root);
+        Self { terms, root, cut_off, largest_single, largest_coefficient, unit, lowest, highest }
     }
 
     /// How much of its window lies above the load integral at which the first two terms are equal.
@@ -209,10 +213,12 @@ impl LoadIntegral {
             let at = self.at(a);
             let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
-            let of_a = (half_second * half_second - third).abs();
+            let of_step = half_second * half_second - third;
+            let corrected = if self.root > 2.0 { (at.first / at.value).powi(2) / 12.0 } else { 0.0 };
+            let of_a = (of_step - corrected).abs();
             let left = |error: f64| self.root * of_a * error * error * error;
             largest = largest.max(self.largest_logarithm(a, &at));
-            left(error) <= ALLOWED_ERROR && left(error + CUT_OFF) <= ALLOWED_ERROR_OF_SINGLE
+            left(error) <= ALLOWED_ERROR && left(error + self.cut_off) <= ALLOWED_ERROR_OF_SINGLE
         };
         let is_near = [1e-3, 0.15, 0.5, 0.85].into_iter().all(&mut passes);
         let is_single = largest < LARGEST_SINGLE && unit.log2().abs() <= self.largest_single;
@@ -267,7 +273,7 @@ mod tests {
     #[test]
     fn seeds_have_six_digits() {
         let two_terms =
-            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1.0, LARGEST_SINGLE);
+            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1, LARGEST_SINGLE);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
@@ -282,7 +288,7 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1.0, LARGEST_SINGLE);
+        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1, LARGEST_SINGLE);
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());

@@ -60,6 +60,13 @@ impl<T: Scalar> Halved<T> {
         self.head + self.rest
     }
 
+    /// The number rounded, and what that lacks.
+    #[inline(always)]
+    pub(crate) fn word_and_lost(self) -> (T, T) {
+        let word = self.word();
+        (word, (self.head - word) + self.rest)
+    }
+
     #[inline(always)]
     pub(crate) fn head(self) -> T {
         self.head
@@ -76,6 +83,13 @@ impl<T: Scalar> Halved<T> {
         Self::of_sum(high, low)
     }
 
+    /// By how much `product` exceeds that of two numbers, to which it is near.
+    #[inline(always)]
+    pub(crate) fn excess_of_product(self, product: T, other: Self) -> T {
+        let (high, low) = self.parts_of_product(other);
+        (product - high) - low
+    }
+
     #[inline(always)]
     fn parts_of_product(self, other: Self) -> (T, T) {
         (self.head * other.head, self.head * other.rest + self.rest * other.word())
@@ -90,15 +104,26 @@ impl<T: Scalar> Halved<T> {
     #[inline(always)]
     pub(crate) fn power(self, square: Self, k: u32) -> Self {
         debug_assert!(k >= 2, "the power {k}");
-        let low_bits = (k | 2).ilog2() - 1;
-        let mut power = if k >> low_bits & 1 == 1 { square.times(self) } else { square };
-        for bit in (0..low_bits).rev() {
-            power = power.square();
-            if k >> bit & 1 == 1 {
-                power = power.times(self);
+        // From the lowest bit on, so that products need not wait for each other.
+        let (mut beside, mut power, mut rest) = ((k & 1 == 1).then_some(self), square, k >> 1);
+        while rest > 1 {
+            if rest & 1 == 1 {
+                beside = Some(beside.map_or(power, |beside| beside.times(power)));
             }
+            power = power.square();
+            rest >>= 1;
         }
-        power
+        beside.map_or(power, |beside| beside.times(power))
+    }
+
+    /// The `K`-th power, with the square at hand.
+    #[inline(always)]
+    pub(crate) fn whole_power<const K: u32>(self, square: Self) -> Self {
+        match K {
+            0 => Self { head: T::one(), rest: T::zero() },
+            1 => self,
+            _ => self.power(square, K),
+        }
     }
 
     /// The product with a power of two.

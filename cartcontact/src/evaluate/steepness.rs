@@ -109,6 +109,61 @@ pub(crate) fn halved_power_sum_steepness<T: Scalar>(
     sum
 }
 
+/// Σ c x^p of whole powers with its derivatives, and how much it is too large, by Horner's rule from the highest power on.
+///
+/// Every power is a [`Halved`] number: of a root x of the radius they are high, and would round often.
+#[derive(Clone, Copy, Debug)]
+pub struct NestedPowers<T> {
+    x: Halved<T>,
+    square: Halved<T>,
+    sum: Steepness<T>,
+}
+
+impl<T: Scalar> NestedPowers<T> {
+    /// No terms.
+    #[inline(always)]
+    pub fn of(x: T) -> Self {
+        let x = Halved::of(x);
+        Self { x, square: x.square(), sum: Steepness::of_nothing() }
+    }
+
+    /// With one more coefficient c, of the power p in the whole sum.
+    #[inline(always)]
+    pub fn plus(mut self, c: T, p: T) -> Self {
+        self.sum.add_derivatives(c, p);
+        self.sum.value += c;
+        self
+    }
+
+    /// Multiplied by x^`K`.
+    #[inline(always)]
+    pub fn times_power<const K: u32>(mut self) -> Self {
+        let (power, excess) = self.power_and_excess::<K>();
+        let Steepness { value, first, half_second, .. } = &mut self.sum;
+        for sum in [value, first, half_second] {
+            *sum *= power;
+        }
+        self.sum.excess = excess;
+        self
+    }
+
+    /// All of it, if the lowest power is `K`.
+    #[inline(always)]
+    pub fn of_lowest_power<const K: u32>(self) -> Steepness<T> {
+        let (power, excess) = self.power_and_excess::<K>();
+        Steepness { power, excess, ..self.sum }.in_units_of_its_slope()
+    }
+
+    /// x^`K`, and by how much its product with the value, rounded, exceeds that of the sum.
+    #[inline(always)]
+    fn power_and_excess<const K: u32>(&self) -> (T, T) {
+        let Steepness { value, excess, .. } = self.sum;
+        let power = self.x.whole_power::<K>(self.square);
+        let word = power.word();
+        (word, word * excess + power.excess_of_product(word * value, Halved::of(value)))
+    }
+}
+
 /// `scale` Σ c x^p with its derivatives, with every product rounded: what all steps but the last need.
 #[inline(always)]
 pub fn quick_power_sum_steepness<T: Scalar>(

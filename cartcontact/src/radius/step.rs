@@ -45,8 +45,28 @@ impl<T: Scalar> Steepness<T> {
     /// What a seed exceeds the radius by.
     #[inline(always)]
     pub(super) fn step(self, a: T, target: Target<T>) -> T {
+        self.step_of(self.surplus(target), a)
+    }
+
+    /// The share of itself that a seed of a high power exceeds the radius by, to the third order.
+    ///
+    /// Of J ~ a^p, C is (p² − 1)/12, and e nearly f/(p J): Halley's step leaves e (f/J)²/12.
+    #[inline(always)]
+    pub(super) fn share_of_high_power(self, target: Target<T>) -> T {
+        let surplus = self.surplus(target);
+        let share = surplus * target.value.recip();
+        self.step_of(surplus, T::one()) * (T::one() + T::constant(1.0 / 12.0) * share * share)
+    }
+
+    /// How much J is too large at the seed.
+    #[inline(always)]
+    fn surplus(self, target: Target<T>) -> T {
         // Differences instead of sums, as a zero that is taken away takes no instruction.
-        let surplus = ((self.power * self.value - target.value) - self.excess) - target.rest;
+        ((self.power * self.value - target.value) - self.excess) - target.rest
+    }
+
+    #[inline(always)]
+    fn step_of(self, surplus: T, a: T) -> T {
         // What needs no surplus is multiplied while that is formed, and nothing after the division.
         let steep = self.power * self.first * self.first - surplus * self.half_second;
         (a * self.per_unit * self.first) * surplus / steep

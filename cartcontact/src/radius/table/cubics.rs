@@ -65,6 +65,6 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
     #[inline(always)]
     fn radius(self, _row: &Row, start: f32, load_integral: T) -> T {
         let seed = self.units.seed(from_single(start));
-        self.units.radius(seed, (self.evaluate)(seed).step(seed, self.units.target(load_integral)))
+        self.units.radius(seed, (self.evaluate)(seed), self.units.target(load_integral))
     }
 }

@@ -2,7 +2,9 @@
 
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
+use crate::evaluate::halved::Halved;
 use crate::evaluate::power::equal_terms;
+use crate::evaluate::steepness::Steepness;
 use crate::radius::step::Target;
 use crate::scalar::is;
 
@@ -13,20 +15,22 @@ pub trait Units<T: Scalar>: Copy {
     /// A load integral of the geometry in units of the table.
     fn in_table(self, load_integral: T) -> T;
 
-    /// A radius from the table in the units of the step, with a square that is exact.
+    /// A radius from the table in the units of the step.
+    fn length(self, radius: T) -> T;
+
+    /// The same with half its digits, so that its square is exact.
     #[inline(always)]
     fn seed(self, radius: T) -> T {
-        // The table's numbers have half the digits of double precision.
-        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
+        with_half_its_digits(self.length(radius))
     }
 
     /// The same load integral as J has to be in the step.
     fn target(self, load_integral: T) -> Target<T>;
 
-    /// The radius from its seed, less the step.
+    /// The radius from its seed, by one step.
     #[inline(always)]
-    fn radius(self, seed: T, step: T) -> T {
-        seed - step
+    fn radius(self, seed: T, steepness: Steepness<T>, target: Target<T>) -> T {
+        steepness.halley(seed, target)
     }
 }
 
@@ -38,6 +42,17 @@ impl<T: Scalar> Units<T> for OwnUnits {
     #[inline(always)]
     fn in_table(self, load_integral: T) -> T {
         load_integral
+    }
+
+    #[inline(always)]
+    fn length(self, radius: T) -> T {
+        radius
+    }
+
+    #[inline(always)]
+    fn seed(self, radius: T) -> T {
+        // The table's numbers have half the digits of double precision.
+        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
     }
 
     #[inline(always)]
@@ -85,8 +100,8 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     }
 
     #[inline(always)]
-    fn seed(self, radius: T) -> T {
-        with_half_its_digits(radius * self.radius)
+    fn length(self, radius: T) -> T {
+        radius * self.radius
     }
 
     #[inline(always)]
@@ -95,19 +110,25 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     }
 }
 
-/// The same for the square root of the radius, of which J has whole powers where those of the radius are multiples of 1/2.
+/// The same for the `Q`-th root x of the radius, of which J has whole powers.
 #[derive(Clone, Copy, Debug)]
-pub struct Squared<U>(pub U);
+pub struct RootOf<U, const Q: u32>(pub U);
 
-impl<T: Scalar, U: Units<T>> Units<T> for Squared<U> {
+impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
     #[inline(always)]
     fn in_table(self, load_integral: T) -> T {
         self.0.in_table(load_integral)
     }
 
     #[inline(always)]
+    fn length(self, radius: T) -> T {
+        self.0.length(radius)
+    }
+
+    /// Of higher roots with all digits: the step takes [`Halved`] powers of them, which lose none of the square.
+    #[inline(always)]
     fn seed(self, radius: T) -> T {
-        self.0.seed(radius)
+        if Q == 2 { self.0.seed(radius) } else { self.0.length(radius) }
     }
 
     #[inline(always)]
@@ -115,9 +136,21 @@ impl<T: Scalar, U: Units<T>> Units<T> for Squared<U> {
         self.0.target(load_integral)
     }
 
-    /// As exact as the seed less the step: the square of a seed is exact, and what is taken from it is small.
+    /// As exact as the root less its step: the power of the seed comes with what it lacks, or is exact, and what is taken
+    /// from it is small.
     #[inline(always)]
-    fn radius(self, seed: T, step: T) -> T {
-        seed * seed - step * (seed + (seed - step))
+    fn radius(self, seed: T, steepness: Steepness<T>, target: Target<T>) -> T {
+        if Q == 2 {
+            let step = steepness.step(seed, target);
+            return seed * seed - step * (seed + (seed - step));
+        }
+        let e = steepness.share_of_high_power(target);
+        // 1 − (1 − e)^Q, where e is 10⁻⁶ at the most, without what follows the fourth power of Q e, by the ratios
+        // (Q − k)/(k + 1) of neighbouring binomial coefficients.
+        let ratio = |k: u32| T::constant(f64::from(Q.saturating_sub(k)) / f64::from(k + 1)) * e;
+        let share = ratio(0) * (T::one() - ratio(1) * (T::one() - ratio(2) * (T::one() - ratio(3))));
+        let seed = Halved::of(seed);
+        let (power, lost) = seed.whole_power::<Q>(seed.square()).word_and_lost();
+        power - (power * share - lost)
     }
 }
