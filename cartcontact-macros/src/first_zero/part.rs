@@ -85,9 +85,7 @@ impl<'a> Whole<'a> {
 
     /// The sign at the lower end of a part, or at its upper one.
     pub(crate) fn sign_at(&self, part: &Part, end: u32) -> Ordering {
-        let exponent = self.exponent - part.bits as i64;
-        let offset = part.end(end) << exponent.max(0);
-        self.polynomial.value_at(&offset, exponent.min(0).unsigned_abs()).cmp(&BigInt::zero())
+        self.polynomial.sign_at(&part.end(end), self.exponent - part.bits as i64)
     }
 
     /// The coefficients, of which the longest has so many binary digits; what is below these is cut.
