@@ -29,6 +29,7 @@ use num_traits::Zero;
 
 use crate::first_zero::fixed_point::{Numbers, binomials};
 use crate::first_zero::taylor::expand;
+use crate::number::shifted;
 
 /// Σ c_j x^j over the interval from 0 to 1.
 pub(crate) struct Powers {
@@ -59,9 +60,8 @@ impl Powers {
     /// coefficients is part of the error of that change; less than one unit is what leaving some of them out adds.
     pub(crate) fn cut(&self, digits: u64) -> Powers {
         let guard = self.degree() + GUARD;
-        let excess = (self.guard + digits) as i64 - guard as i64;
-        let cut = |number: &BigInt| if excess < 0 { number << -excess } else { number >> excess };
-        let numbers = self.numbers.iter().map(cut).collect();
+        let missing = guard as i64 - (self.guard + digits) as i64;
+        let numbers = self.numbers.iter().map(|number| shifted(number, missing)).collect();
         let error = ((self.error + 1) >> digits.min(126)) + 1;
         Powers { numbers, guard, error }
     }

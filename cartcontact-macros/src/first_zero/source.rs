@@ -19,6 +19,7 @@ use num_bigint::BigInt;
 use crate::first_zero::horner::{Abscissa, CoefficientTable};
 use crate::first_zero::part::{Part, Whole};
 use crate::first_zero::powers::Powers;
+use crate::number::shifted;
 
 /// Where a polynomial over a part is taken from.
 #[derive(Clone)]
@@ -163,7 +164,7 @@ impl<'a> Source<'a> {
                 (value, unit + digits - finer)
             }
         };
-        if unit < digits { value << (digits - unit) } else { value >> (unit - digits) }
+        shifted(&value, digits - unit)
     }
 }
 

@@ -70,6 +70,11 @@ pub(crate) fn code(numbers: impl Debug) -> TokenStream {
     format!("{numbers:?}").parse().unwrap_or_default()
 }
 
+/// An integer times 2^steps, rounded down.
+pub(crate) fn shifted(number: &BigInt, steps: i64) -> BigInt {
+    if steps < 0 { number >> -steps } else { number << steps }
+}
+
 const TOO_LONG: &str = "a number may have at most 1000 digits; round it";
 
 /// `digits` with `decimals` of them behind the point, times a power of ten.
@@ -188,6 +193,13 @@ mod tests {
             assert!(below <= value && value - &below <= unit * below.abs() && below.numer().bits() <= 134);
         }
         assert_eq!(floor(&fraction(3, 4), 20), fraction(3, 4));
+    }
+
+    #[test]
+    fn shifts_round_down() {
+        let shifts =
+            [(-5, -1), (5, -1), (-5, 2), (7, 0)].map(|(number, steps)| shifted(&number.into(), steps));
+        assert_eq!(shifts, [-3, 2, -20, 7].map(BigInt::from));
     }
 
     #[test]
