@@ -5,18 +5,15 @@ use std::time::{Duration, Instant};
 use num_traits::Zero;
 use proc_macro2::Span;
 
+use super::exact;
+use super::random::{Random, SEED};
 use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, integer};
 use crate::proof::{Proof, Wanted, prove};
-use crate::reading::literal;
 
 /// The coefficients of a factor of delta0', in ascending order.
 type Factor = Vec<Rational>;
-
-fn exact(text: &str) -> Rational {
-    literal::number(text).unwrap()
-}
 
 /// Vanishes at `at`, positive below.
 fn root(at: &str) -> Factor {
@@ -159,16 +156,12 @@ fn ends_of_all_magnitudes_are_found() {
 
 #[test]
 fn random_roots_are_found() {
-    let mut state = 1_u32;
-    let mut random = |below: u32| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 16) % below
-    };
+    let mut random = Random(SEED);
     for _ in 0..60 {
-        let roots: Vec<u32> = (0..1 + random(8)).map(|_| 1 + random(30)).collect();
+        let roots: Vec<usize> = (0..1 + random.below(8)).map(|_| 1 + random.below(30)).collect();
         let real = roots.iter().map(|at| root(&format!("{at}e-1")));
-        let pairs =
-            (0..random(4)).map(|_| pair(&format!("{}e-1", 1 + random(30)), &format!("1e-{}", random(40))));
+        let pairs = (0..random.below(4))
+            .map(|_| pair(&format!("{}e-1", 1 + random.below(30)), &format!("1e-{}", random.below(40))));
         let pairs = pairs.collect::<Vec<_>>();
         let gap = planted(&real.chain(pairs).collect::<Vec<_>>());
         let first = Rational::new((*roots.iter().min().unwrap()).into(), 10.into());

@@ -3,14 +3,10 @@
 use num_traits::Zero;
 use proc_macro2::Span;
 
-use super::{on_ball, on_unit, shown};
+use super::{exact, on_ball, on_unit, shown};
 use crate::gap::coefficient::Coefficient;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, integer};
-
-fn exact(text: &str) -> Rational {
-    crate::reading::literal::number(text).unwrap()
-}
 
 fn order(text: &str) -> u32 {
     on_unit(text).unwrap().truncation.unwrap().order
