@@ -74,8 +74,15 @@ struct Sum {
     with_own: Rational,
     /// ρ^(2j), for estimates.
     scale: Rational,
-    /// `below`, `above`, `own` and `with_own` times that.
-    at_end: [f64; 4],
+    at_end: AtEnd,
+}
+
+/// The numbers of a sum times its scale: the terms at the end of the range.
+struct AtEnd {
+    below: f64,
+    above: f64,
+    own: f64,
+    with_own: f64,
 }
 
 /// A bound of E, or of −E, and what it is to be multiplied with if it is compared with ε Φ_N.
@@ -215,10 +222,10 @@ impl Neglected {
             let (mut least, mut most, mut power) = (0.0, 0.0, 1.0);
             for (index, sum) in self.sums.iter().enumerate() {
                 power *= x * x;
-                gap += power * if index < first { sum.at_end[3] } else { sum.at_end[2] };
+                gap += power * if index < first { sum.at_end.with_own } else { sum.at_end.own };
                 let [below, above] = match index {
                     _ if index == last => [below, above],
-                    _ if (first..last).contains(&index) => [sum.at_end[0], sum.at_end[1]],
+                    _ if (first..last).contains(&index) => [sum.at_end.below, sum.at_end.above],
                     _ => continue,
                 };
                 least += power * below;
@@ -251,8 +258,13 @@ impl Sum {
         let (below, above) = (floor(&sum, DIGITS), -floor(&-&sum, DIGITS));
         let with_own = own.as_ref().map_or_else(|| below.clone(), |own| floor(&(own + sum), DIGITS));
         let own = own.unwrap_or_else(Rational::zero);
-        let at_end = [&below, &above, &own, &with_own];
-        let at_end = at_end.map(|value| (value * scale).to_f64().unwrap_or(f64::NAN));
+        let at_end = |value: &Rational| (value * scale).to_f64().unwrap_or(f64::NAN);
+        let at_end = AtEnd {
+            below: at_end(&below),
+            above: at_end(&above),
+            own: at_end(&own),
+            with_own: at_end(&with_own),
+        };
         Sum { below, above, own, with_own, scale: scale.clone(), at_end }
     }
 }
