@@ -32,9 +32,9 @@ pub(crate) const HIGHEST_ORDER: u32 = 128;
 /// J − N/2: m and M are next to each other unless the range ends near a rim, and beside fractional exponents, which
 /// multiply the degree of a proof, there is room for some orders.
 const TERMS_AHEAD: u32 = 8;
-/// Of the coefficients, binary: the surfaces of a joint share far fewer.
+/// Binary digits kept of a coefficient: the surfaces of a joint share far fewer.
 const DIGITS: u64 = 256;
-/// Of powers of ρ for estimates.
+/// Binary digits kept of the powers of ρ for estimates.
 const FEW_DIGITS: u64 = 64;
 /// How many radii a bound is estimated at before it is proved.
 const SAMPLES: u32 = 16;
@@ -202,8 +202,8 @@ impl Neglected {
     fn rest(&self, index: usize) -> (Rational, Rational) {
         let sum = |choose: fn(Rational, Rational) -> Rational| {
             let rests = self.surfaces.iter().filter_map(|series| {
-                let (first, end) = (series.terms.get(index)?, series.ends.get(index)?);
-                Some(choose(first.clone(), first * end))
+                let (first, bound) = (series.terms.get(index)?, series.tail_bounds.get(index)?);
+                Some(choose(first.clone(), first * bound))
             });
             unreduced_sum(rests)
         };
