@@ -10,7 +10,7 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, common_denominator, integer};
 
-/// Half of those of double precision.
+/// The most binary digits of a shortener: half of the 53 of an `f64`.
 const MOST_DIGITS: u64 = 26;
 
 /// Σ weight · C · x^exponent, where C is the coefficient of the gap's term with that index.

@@ -336,7 +336,7 @@ impl<'a> Candidate<'a> {
         Candidate { part, local, digits, source, missed, before: (0, 0) }
     }
 
-    /// Those that are zero in all numbers.
+    /// How many leading digits are zero in all numbers.
     fn spent_digits(&self) -> u64 {
         self.digits.saturating_sub(self.local.length())
     }

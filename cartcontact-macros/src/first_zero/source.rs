@@ -32,7 +32,7 @@ pub(crate) struct Source<'a> {
 /// The polynomial over a part that is not the whole.
 struct Near<'a> {
     part: Part,
-    /// As many digits are zero in all numbers.
+    /// How many leading digits are zero in all numbers.
     spent: u64,
     wider: Source<'a>,
     known: RefCell<Growing>,
@@ -105,7 +105,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// As many as are zero in all numbers.
+    /// How many leading digits are zero in all numbers.
     pub(crate) fn spent_digits(&self) -> u64 {
         self.near.as_ref().map_or(0, |near| near.spent)
     }

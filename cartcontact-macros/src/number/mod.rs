@@ -31,7 +31,7 @@ pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigI
     Rational::new(numerator.into(), denominator.into())
 }
 
-/// Of fractions; the longest comes first, as the others are likely to divide it.
+/// The least common denominator; the longest is taken first, as the others are likely to divide it.
 pub(crate) fn common_denominator<'a>(fractions: impl Iterator<Item = &'a Rational>) -> BigInt {
     common_multiple(fractions.map(Rational::denom).collect())
 }
