@@ -172,7 +172,8 @@ impl Joined {
         Some(numerators)
     }
 
-    /// Of the fraction with short parts that a residue stands for: Euclid's algorithm, until the rest is short.
+    /// The denominator of the fraction with short parts that a residue stands for: Euclid's algorithm, until the rest is
+    /// short.
     fn denominator(&self, residue: BigInt) -> BigInt {
         let (mut last, mut rest) = (self.modulus.clone(), residue.abs());
         let (mut last_factor, mut factor) = (BigInt::zero(), BigInt::one());
@@ -197,7 +198,7 @@ impl Joined {
 /// One more prime.
 struct Step<'a> {
     modulus: &'a BigInt,
-    /// Of the modulus, modulo the prime.
+    /// The inverse of the modulus, modulo the prime.
     inverse: u64,
     prime: u64,
 }
@@ -267,7 +268,7 @@ fn reduce(value: &BigInt, prime: u64) -> u64 {
     if value.is_negative() && residue > 0 { prime - residue } else { residue }
 }
 
-/// Of a number that the prime does not divide, by Fermat's theorem.
+/// The inverse of a number that the prime does not divide, by Fermat's theorem.
 fn inverse(number: u64, prime: u64) -> u64 {
     power_modulo(number, prime - 2, prime)
 }

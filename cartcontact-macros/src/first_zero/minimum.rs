@@ -77,7 +77,7 @@ const FEWEST_BITS: u64 = 16;
 const SPARE_BITS: u64 = 16;
 
 impl<'a> Minimum<'a> {
-    /// Of a polynomial from that source, with what its curvature is at least, in units of 2^-digits.
+    /// The search in a polynomial from that source, with what its curvature is at least, in units of 2^-digits.
     pub(crate) fn new(part: &'a Part, source: &Source<'a>, curvature: BigInt, digits: u64) -> Self {
         let bracket = Bracket { lower: BigInt::zero(), upper: BigInt::one(), bits: 0 };
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }

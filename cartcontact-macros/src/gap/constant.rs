@@ -15,7 +15,7 @@ pub(crate) struct Standing {
     is_first: bool,
 }
 
-/// The only one, if there is one, of an expression that has been evaluated.
+/// The only term without r of an expression that has been evaluated; nothing if there is none, or several.
 pub(crate) fn standing(
     written: &Expression,
     is_of_bodies: bool,

@@ -53,9 +53,9 @@ type Powers = LikeTerms<Rational, Rational>;
 
 /// A gap with constant surfaces on a range that ends inside all of them.
 pub(crate) struct Neglected {
-    /// Those that no term of a series is added to.
+    /// The powers of the gap that no term of a series is added to.
     others: Powers,
-    /// Their exponents, and what they are at the end of the range.
+    /// Their exponents, and their terms at the end of the range.
     others_at_end: Vec<(f64, f64)>,
     surfaces: Vec<Series>,
     /// For j = 1, 2, ..., as many as the highest order asks for.
