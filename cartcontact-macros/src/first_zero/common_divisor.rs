@@ -81,8 +81,8 @@ struct Image {
     loss: usize,
 }
 
-/// What is made of the primitive polynomial with these images, whose leading coefficient divides a number, once it is
-/// found right; nothing if there is no common divisor.
+/// Joins the images modulo one prime after the other to a primitive polynomial, whose leading coefficient divides
+/// `leading`, until `result` accepts it, and returns what that makes of it; nothing if there is no common divisor.
 fn from_images(
     leading: &BigInt,
     image: &dyn Fn(u64) -> Option<Image>,
@@ -152,7 +152,8 @@ impl Joined {
         unchanged
     }
 
-    /// The result as fractions with short numerators and one short denominator, which are returned, if it is that.
+    /// The numerators of the result divided by its leading coefficient, as fractions with one denominator; nothing if
+    /// that is not short.
     fn fractions(&self) -> Option<Vec<BigInt>> {
         let mut denominator = BigInt::one();
         for coefficient in &self.coefficients {

@@ -83,7 +83,8 @@ impl<'a> Minimum<'a> {
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }
     }
 
-    /// As many bits of the point as were enough for the last minimum are likely to be enough; zero if there was none.
+    /// What the minimum says, which is sought from `first` on, in units of 2^-16 of the part. As many bits of a point as
+    /// were `enough` for the last minimum are likely to be so again; zero if there was none.
     pub(crate) fn roots(
         mut self,
         first: u64,

@@ -29,8 +29,8 @@ use crate::number::{Rational, floor, integer};
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;
-/// J − N/2: m and M are next to each other unless the range ends near a rim, and beside fractional exponents, which
-/// multiply the degree of a proof, there is room for some orders.
+/// J − N/2, the terms behind the order that are summed: enough for m and M to be close unless the range ends near a rim,
+/// and so few that fractional exponents, which multiply the degree of a proof, leave room for some orders.
 const TERMS_AHEAD: u32 = 8;
 /// Binary digits kept of a coefficient: the surfaces of a joint share far fewer.
 const DIGITS: u64 = 256;
@@ -181,7 +181,8 @@ impl Neglected {
         kept
     }
 
-    /// The bounds of E and −E, without one that is nowhere positive: the other implies that it is below Φ_N.
+    /// The bounds of E and −E, but for one that is nowhere positive: it is below the share of Φ_N where that is positive,
+    /// which the other implies.
     fn sides(&self, order: u32, tolerance: &Rational) -> Vec<Side> {
         let (mut over, mut under) = (Powers::default(), Powers::default());
         let (first, last) = (order / 2, order / 2 + TERMS_AHEAD);
