@@ -10,7 +10,7 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, common_denominator, integer};
 
-/// Half of those of double precision.
+/// The most binary digits of a shortener: half of the 53 of an `f64`.
 const MOST_DIGITS: u64 = 26;
 /// Exponents of two decimals have the index 20 or less if they are multiples of 0.05.
 const HIGHEST_ROOT: u32 = 20;

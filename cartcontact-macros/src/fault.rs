@@ -15,7 +15,7 @@ use crate::reading::literal;
 /// Of two faults the higher is reported: it remains if the other is mended, or is the reason for it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Rank {
-    /// Nobody knows whether there is one.
+    /// The proof was given up: nobody knows whether the range ends.
     Undecided,
     /// What an order neglects.
     Truncation,

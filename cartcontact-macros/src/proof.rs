@@ -2,10 +2,10 @@
 //!
 //! It is exactly where the approach grows with the contact radius a, that is, where the gap exceeds its own mean over
 //! the contact disc: pressures are then non-negative and the surfaces stay apart outside. With the gap a sum of
-//! C r^n, the slope of the approach is
+//! C rⁿ, the slope of the approach is
 //!
 //! ```text
-//! delta0'(a) = sum 2 C n a^(n-1)/(n+2)
+//! δ₀′(a) = Σ 2 C n aⁿ⁻¹/(n+2)
 //! ```
 //!
 //! If its lowest term is positive, the geometry is admissible up to the first zero of this sum and no further; a zero
@@ -22,7 +22,7 @@ use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::number::{self, Rational};
 
-/// Where delta0'(a) is known to be positive.
+/// Where δ₀′(a) is known to be positive.
 #[derive(PartialEq, Eq)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) enum Proof {
@@ -42,7 +42,7 @@ pub(crate) enum Wanted<'a> {
     UpToSomewhere,
 }
 
-/// Proves that delta0'(a) > 0, or says where that fails.
+/// Proves that δ₀′(a) > 0, or says where that fails.
 pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, Fault> {
     if let Some(first) = gap.terms.first()
         && first.coefficient.certain_sign() == Some(Sign::NotPositive)

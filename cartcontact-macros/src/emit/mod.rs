@@ -289,7 +289,7 @@ fn bounded_generics(item: &Item, names: &Names) -> Generics {
 /// What quadrature has to know of the terms.
 fn quadrature_hints(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
-    let highest = terms.last().map(|term| crate::number::literal(&term.exponent));
+    let highest = terms.last().map(|term| literal(&term.exponent));
     let truth = quote!(::core::primitive::bool);
     let is_smooth = terms.iter().all(|term| term.exponent.is_integer());
     let has_only_positive = match coefficients.of_uncertain_sign() {

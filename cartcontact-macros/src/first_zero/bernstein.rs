@@ -15,9 +15,9 @@ use crate::first_zero::powers::Powers;
 /// 379-419, doi 10.1016/j.cagd.2012.03.001).
 pub(crate) struct Bernstein {
     numbers: Numbers,
-    /// In units.
+    /// The numbers are less than so many units from the true ones.
     error: i128,
-    /// Numbers whose sign is not certain are zero.
+    /// Whether numbers whose sign the error leaves open are zero.
     is_exact: bool,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct SignChanges {
 }
 
 impl Bernstein {
-    /// Rounding the powers adds less than two units, and leaving some of them out less than a third.
+    /// Rounding the powers adds less than two units to their error, and leaving some of them out less than one more.
     pub(crate) fn new(powers: &Powers, is_exact: bool) -> Self {
         Bernstein { numbers: powers.bernstein(), error: powers.error + 3, is_exact }
     }
@@ -158,10 +158,11 @@ pub(crate) struct Cluster {
 }
 
 impl Cluster {
-    /// A piece as long as the estimates differ, from offset/2^bits on and 2^(2-bits) long: enough if it is other roots
-    /// that keep them apart, which are as far away as the part is long or farther.
+    /// A piece as long as the estimates differ, from offset/2^bits on and 2^(2-bits) long: enough if they differ because
+    /// of roots outside the part only, which are as far away as it is long or farther.
     ///
-    /// They would keep them apart by about 2^-width, so that a much closer agreement has another reason.
+    /// Roots as far away as the whole interval is long make a difference of about 2^-width of a part of this width; if
+    /// the estimates agree much better, they differ for another reason.
     pub(crate) fn short_piece(&self, width: u64) -> Option<(BigInt, u64)> {
         if self.agreement > 2 * width + 16 { None } else { self.piece(self.agreement) }
     }

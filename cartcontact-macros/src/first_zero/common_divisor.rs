@@ -81,8 +81,8 @@ struct Image {
     loss: usize,
 }
 
-/// What is made of the primitive polynomial with these images, whose leading coefficient divides a number, once it is
-/// found right; nothing if there is no common divisor.
+/// Joins the images modulo one prime after the other to a primitive polynomial, whose leading coefficient divides
+/// `leading`, until `result` accepts it, and returns what that makes of it; nothing if there is no common divisor.
 fn from_images(
     leading: &BigInt,
     image: &dyn Fn(u64) -> Option<Image>,
@@ -152,7 +152,8 @@ impl Joined {
         unchanged
     }
 
-    /// The result as fractions with short numerators and one short denominator, which are returned, if it is that.
+    /// The numerators of the result divided by its leading coefficient, as fractions with one denominator; nothing if
+    /// that is not short.
     fn fractions(&self) -> Option<Vec<BigInt>> {
         let mut denominator = BigInt::one();
         for coefficient in &self.coefficients {
@@ -172,7 +173,8 @@ impl Joined {
         Some(numerators)
     }
 
-    /// Of the fraction with short parts that a residue stands for: Euclid's algorithm, until the rest is short.
+    /// The denominator of the fraction with short parts that a residue stands for: Euclid's algorithm, until the rest is
+    /// short.
     fn denominator(&self, residue: BigInt) -> BigInt {
         let (mut last, mut rest) = (self.modulus.clone(), residue.abs());
         let (mut last_factor, mut factor) = (BigInt::zero(), BigInt::one());
@@ -197,7 +199,7 @@ impl Joined {
 /// One more prime.
 struct Step<'a> {
     modulus: &'a BigInt,
-    /// Of the modulus, modulo the prime.
+    /// The inverse of the modulus, modulo the prime.
     inverse: u64,
     prime: u64,
 }
@@ -267,7 +269,7 @@ fn reduce(value: &BigInt, prime: u64) -> u64 {
     if value.is_negative() && residue > 0 { prime - residue } else { residue }
 }
 
-/// Of a number that the prime does not divide, by Fermat's theorem.
+/// The inverse of a number that the prime does not divide, by Fermat's theorem.
 fn inverse(number: u64, prime: u64) -> u64 {
     power_modulo(number, prime - 2, prime)
 }

@@ -109,7 +109,7 @@ impl FirstRoot {
             *constant = -power.numer();
         }
         let shared = common_divisor(&self.polynomial, &IntegerPolynomial::new(coefficients));
-        shared.degree() > 0 && sign_at(&shared, lower, *exponent) != sign_at(&shared, upper, *exponent)
+        shared.degree() > 0 && shared.sign_at(lower, *exponent) != shared.sign_at(upper, *exponent)
     }
 
     /// Makes the interval shorter, at least by half or nearly; at points with no more digits than it takes.
@@ -223,10 +223,4 @@ impl Line<'_> {
         let scale = (self.whole.exponent - self.exponent) as u64;
         (slope < BigInt::zero()).then(|| offset - (value << scale) / slope)
     }
-}
-
-/// The sign at offset * 2^exponent.
-fn sign_at(polynomial: &IntegerPolynomial, offset: &BigInt, exponent: i64) -> Ordering {
-    let bits = exponent.min(0).unsigned_abs();
-    polynomial.value_at(&(offset << exponent.max(0)), bits).cmp(&BigInt::zero())
 }

@@ -20,7 +20,7 @@ pub(crate) struct CoefficientTable {
     pub(crate) digits: i64,
 }
 
-/// From 0 to 1, in words behind the point, or more by 1.
+/// A number from 0 to 1, in the words behind its binary point, or 1 more than that.
 pub(crate) struct Abscissa {
     words: Vec<u64>,
     exceeds_one: bool,
@@ -31,7 +31,7 @@ const WORD: u64 = u64::BITS as u64;
 const FORMED: usize = 2;
 
 impl Abscissa {
-    /// offset/2^bits, which is less than 1, or that more than 1.
+    /// offset/2^bits, which is less than 1, or 1 more than that.
     pub(crate) fn new(offset: &BigInt, bits: u64, exceeds_one: bool) -> Self {
         Abscissa { words: fraction(offset, bits), exceeds_one }
     }

@@ -68,6 +68,12 @@ impl IntegerPolynomial {
         })
     }
 
+    /// The sign at offset · 2^exponent.
+    pub(crate) fn sign_at(&self, offset: &BigInt, exponent: i64) -> Ordering {
+        let bits = exponent.min(0).unsigned_abs();
+        self.value_at(&(offset << exponent.max(0)), bits).cmp(&BigInt::zero())
+    }
+
     /// The sign at a fraction, by Horner's rule with all terms brought to the power of its denominator.
     pub(crate) fn sign_at_fraction(&self, fraction: &Rational) -> Ordering {
         let (mut value, mut unit) = (BigInt::zero(), BigInt::one());

@@ -19,6 +19,7 @@ use num_traits::{One, Signed, Zero};
 
 use crate::first_zero::part::Part;
 use crate::first_zero::source::Source;
+use crate::number::shifted;
 
 /// What the minimum says about the roots in a part.
 #[derive(PartialEq, Eq)]
@@ -76,13 +77,14 @@ const FEWEST_BITS: u64 = 16;
 const SPARE_BITS: u64 = 16;
 
 impl<'a> Minimum<'a> {
-    /// Of a polynomial from that source, with what its curvature is at least, in units of 2^-digits.
+    /// The search in a polynomial from that source, with what its curvature is at least, in units of 2^-digits.
     pub(crate) fn new(part: &'a Part, source: &Source<'a>, curvature: BigInt, digits: u64) -> Self {
         let bracket = Bracket { lower: BigInt::zero(), upper: BigInt::one(), bits: 0 };
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }
     }
 
-    /// As many bits of the point as were enough for the last minimum are likely to be enough; zero if there was none.
+    /// What the minimum says, which is sought from `first` on, in units of 2^-16 of the part. As many bits of a point as
+    /// were `enough` for the last minimum are likely to be so again; zero if there was none.
     pub(crate) fn roots(
         mut self,
         first: u64,
@@ -121,8 +123,8 @@ impl<'a> Minimum<'a> {
     /// What the value and the slope at a point say. The slope is squared, so that it takes half as many digits.
     fn roots_beside(&self, point: &Point, value: &Approximate, enough: &mut u64) -> Option<Roots> {
         let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(value.digits));
-        let steepest = scaled(&(slope.number.abs() + slope.error), value.digits - slope.digits);
-        let curvature = scaled(&self.curvature, value.digits - self.digits as i64);
+        let steepest = shifted(&(slope.number.abs() + slope.error), value.digits - slope.digits);
+        let curvature = shifted(&self.curvature, value.digits - self.digits as i64);
         if value.number <= -BigInt::from(value.error) {
             return Some(point.first_root(&(value.error - &value.number), &steepest, &curvature));
         }
@@ -190,8 +192,8 @@ impl<'a> Minimum<'a> {
         }
         let longest = ((2 * reach + 4) as u64).min(2 * point.bits + 8).max(FEWEST_BITS);
         let bits = bits_on_the_way(enough, point.bits.max(reach as u64), longest);
-        let step = scaled(&slope.number, bits as i64 + finer) / curvature;
-        let offset = scaled(&point.offset, bits as i64 - point.bits as i64) - step;
+        let step = shifted(&slope.number, bits as i64 + finer) / curvature;
+        let offset = shifted(&point.offset, bits as i64 - point.bits as i64) - step;
         self.steady = reach.min(point.bits as i64);
         let next = Point { offset, bits };
         self.bracket.has(&next).then_some(next)
@@ -228,7 +230,7 @@ impl Bracket {
     fn middle(&self) -> Point {
         let length = (&self.upper - &self.lower).bits() as i64;
         let bits = (self.bits as i64 - length + ROOM).max(FEWEST_BITS as i64);
-        let offset = scaled(&(&self.lower + &self.upper), bits - self.bits as i64 - 1);
+        let offset = shifted(&(&self.lower + &self.upper), bits - self.bits as i64 - 1);
         Point { offset, bits: bits as u64 }
     }
 }
@@ -261,11 +263,6 @@ fn bits_on_the_way(enough: u64, reached: u64, longest: u64) -> u64 {
 
 /// The bits by which the bracket is longer than the unit that its middle is rounded to.
 const ROOM: i64 = 4;
-
-/// Times 2^steps, rounded down.
-fn scaled(number: &BigInt, steps: i64) -> BigInt {
-    if steps < 0 { number >> -steps } else { number << steps }
-}
 
 #[cfg(test)]
 mod tests {

@@ -27,10 +27,10 @@ pub(crate) use end::End;
 use integer_polynomial::{IntegerPolynomial, from_terms};
 use search::{TooIntricate, first_root};
 
-/// Of the polynomial, and of the power g of its variable: together they bound the time that a proof takes. Enough for all
-/// integer exponents up to 1024.
+/// The highest degree of q, and the largest numerator of g: together they bound the time that a proof takes. Enough for
+/// all integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;
-/// Of the power g: exponents of three decimals.
+/// The largest denominator of g: enough for exponents of three decimals.
 const MAXIMUM_DENOMINATOR: u32 = 1000;
 
 /// The smallest r > 0 at which a sum of coefficient * r^exponent is zero, if there is one.

@@ -97,13 +97,9 @@ mod tests {
         let polynomial = IntegerPolynomial::new([1000, -30, 0, 1].map(BigInt::from).into());
         let outline = Outline::new(&polynomial);
         for exponent in -4..12 {
-            let sign_at = |power: i32| {
-                let (up, down) = (power.max(0), power.min(0).unsigned_abs());
-                polynomial.value_at(&(BigInt::one() << up), down.into()).cmp(&BigInt::zero())
-            };
-            let values = [sign_at(exponent), sign_at(exponent + 1)];
-            let positive = outline.stays_positive_between_powers(exponent.into());
-            assert!(!positive || values == [Ordering::Greater; 2]);
+            let signs = [exponent, exponent + 1].map(|end| polynomial.sign_at(&BigInt::one(), end));
+            let positive = outline.stays_positive_between_powers(exponent);
+            assert!(!positive || signs == [Ordering::Greater; 2]);
         }
         assert!(outline.stays_positive_between_powers(-4) && outline.stays_positive_between_powers(11));
     }

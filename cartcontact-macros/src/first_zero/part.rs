@@ -19,6 +19,7 @@ use crate::first_zero::fixed_point::Numbers;
 use crate::first_zero::horner::CoefficientTable;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::powers::{GUARD, Powers};
+use crate::number::shifted;
 
 /// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
 #[derive(Clone)]
@@ -85,20 +86,14 @@ impl<'a> Whole<'a> {
 
     /// The sign at the lower end of a part, or at its upper one.
     pub(crate) fn sign_at(&self, part: &Part, end: u32) -> Ordering {
-        let exponent = self.exponent - part.bits as i64;
-        let offset = part.end(end) << exponent.max(0);
-        self.polynomial.value_at(&offset, exponent.min(0).unsigned_abs()).cmp(&BigInt::zero())
+        self.polynomial.sign_at(&part.end(end), self.exponent - part.bits as i64)
     }
 
     /// The coefficients, of which the longest has so many binary digits; what is below these is cut.
     pub(crate) fn coefficients(&self, digits: i64) -> Vec<BigInt> {
         let coefficients = self.polynomial.coefficients().iter().zip(0_i64..);
-        let with_digits =
-            coefficients.map(|(coefficient, power)| match self.exponent * power + digits - self.top {
-                missing @ 0.. => coefficient << missing,
-                excess => coefficient >> -excess,
-            });
-        with_digits.collect()
+        let missing = |power: i64| self.exponent * power + digits - self.top;
+        coefficients.map(|(coefficient, power)| shifted(coefficient, missing(power))).collect()
     }
 
     /// The coefficients with so many digits or more, for values at points.

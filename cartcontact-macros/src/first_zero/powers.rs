@@ -29,6 +29,7 @@ use num_traits::Zero;
 
 use crate::first_zero::fixed_point::{Numbers, binomials};
 use crate::first_zero::taylor::expand;
+use crate::number::shifted;
 
 /// Σ c_j x^j over the interval from 0 to 1.
 pub(crate) struct Powers {
@@ -43,7 +44,8 @@ pub(crate) struct Powers {
 pub(crate) const GUARD: u64 = 60;
 /// A lower degree would save nothing.
 const LEAST_DEGREE: u64 = 4;
-/// 24 digits for the bound of what is left out, and 12 for its being a sum with errors of its own.
+/// By so many bits a power that is left out is less than 2^-d: 24 for the bound of η, which is the sum of all of them,
+/// and 12 as these are up to 1024, and have errors of their own.
 const NEGLIGIBLE: u64 = 36;
 
 impl Powers {
@@ -59,9 +61,8 @@ impl Powers {
     /// coefficients is part of the error of that change; less than one unit is what leaving some of them out adds.
     pub(crate) fn cut(&self, digits: u64) -> Powers {
         let guard = self.degree() + GUARD;
-        let excess = (self.guard + digits) as i64 - guard as i64;
-        let cut = |number: &BigInt| if excess < 0 { number << -excess } else { number >> excess };
-        let numbers = self.numbers.iter().map(cut).collect();
+        let missing = guard as i64 - (self.guard + digits) as i64;
+        let numbers = self.numbers.iter().map(|number| shifted(number, missing)).collect();
         let error = ((self.error + 1) >> digits.min(126)) + 1;
         Powers { numbers, guard, error }
     }
@@ -79,7 +80,8 @@ impl Powers {
         Powers { numbers: expand(&self.numbers, start, bits, width), ..self }
     }
 
-    /// Without the highest powers, if they are negligible; they must be right to 2^(guard−d−26) in all behind every d.
+    /// Without the highest powers, if they are negligible. For every d, the errors of those above d must add up to less
+    /// than 2^(guard−d−26).
     pub(crate) fn without_negligible(&self) -> Option<Powers> {
         let mut degree = self.degree();
         while degree > LEAST_DEGREE

@@ -101,7 +101,7 @@ struct Candidate<'a> {
 enum Around<'a> {
     /// An interval that has all of them.
     Piece(Candidate<'a>),
-    /// One that it takes so many digits to know about.
+    /// Perhaps one: the candidate with so many digits will tell.
     Unclear(u64),
     Nothing,
 }
@@ -246,9 +246,9 @@ impl<'a> Search<'a> {
 
     /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has so many sign changes.
     ///
-    /// A cluster of k roots makes values of the size of the width to the power k, and the smallest number in front is
-    /// one from among them. Both must be counted with the same powers, so that the front is computed anew if these have
-    /// not enough digits.
+    /// Around k roots values shrink by k bits with every halving, from about the smallest number of the front on: that is
+    /// how many digits the piece takes. The changes of both must be counted with the same powers, so that the front is
+    /// computed anew if its powers have fewer digits.
     fn piece(&self, front: &Candidate<'a>, offset: &BigInt, bits: u64, count: usize) -> Around<'a> {
         let part = front.part.within(offset, bits, bits - 2);
         let (is_first, is_last) = (offset.is_zero(), (offset + 4_u32).bits() > bits);
@@ -336,7 +336,7 @@ impl<'a> Candidate<'a> {
         Candidate { part, local, digits, source, missed, before: (0, 0) }
     }
 
-    /// Those that are zero in all numbers.
+    /// How many leading digits are zero in all numbers.
     fn spent_digits(&self) -> u64 {
         self.digits.saturating_sub(self.local.length())
     }

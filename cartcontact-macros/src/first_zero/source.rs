@@ -19,6 +19,7 @@ use num_bigint::BigInt;
 use crate::first_zero::horner::{Abscissa, CoefficientTable};
 use crate::first_zero::part::{Part, Whole};
 use crate::first_zero::powers::Powers;
+use crate::number::shifted;
 
 /// Where a polynomial over a part is taken from.
 #[derive(Clone)]
@@ -31,7 +32,7 @@ pub(crate) struct Source<'a> {
 /// The polynomial over a part that is not the whole.
 struct Near<'a> {
     part: Part,
-    /// As many digits are zero in all numbers.
+    /// How many leading digits are zero in all numbers.
     spent: u64,
     wider: Source<'a>,
     known: RefCell<Growing>,
@@ -104,7 +105,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// As many as are zero in all numbers.
+    /// How many leading digits are zero in all numbers.
     pub(crate) fn spent_digits(&self) -> u64 {
         self.near.as_ref().map_or(0, |near| near.spent)
     }
@@ -163,7 +164,7 @@ impl<'a> Source<'a> {
                 (value, unit + digits - finer)
             }
         };
-        if unit < digits { value << (digits - unit) } else { value >> (unit - digits) }
+        shifted(&value, digits - unit)
     }
 }
 

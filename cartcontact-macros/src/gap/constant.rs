@@ -5,7 +5,7 @@ use crate::gap::evaluate::Evaluator;
 use crate::number::{Rational, decimal};
 use crate::reading::literal;
 use crate::reading::name::unraw;
-use crate::reading::syntax::{Expression, Kind};
+use crate::reading::syntax::{Expression, Kind, Summand};
 
 /// A term of the outermost sum without r.
 pub(crate) struct Standing {
@@ -15,7 +15,7 @@ pub(crate) struct Standing {
     is_first: bool,
 }
 
-/// The only one, if there is one, of an expression that has been evaluated.
+/// The only term without r of an expression that has been evaluated; nothing if there is none, or several.
 pub(crate) fn standing(
     written: &Expression,
     is_of_bodies: bool,
@@ -26,29 +26,40 @@ pub(crate) fn standing(
         // Of a body that is nothing but a constant, nothing would be left.
         Kind::Sum(bodies) if is_of_bodies => {
             let sums = bodies.iter().filter(|body| matches!(body.expression.kind, Kind::Sum(_)));
-            sums.for_each(|body| collect((false, true, &body.expression), &mut terms));
+            sums.for_each(|body| collect(Term::whole(&body.expression), &mut terms));
         }
-        _ => collect((false, true, written), &mut terms),
+        _ => collect(Term::whole(written), &mut terms),
     }
-    let &[(subtracted, is_first, expression)] = terms.as_slice() else { return None };
+    let &[Term { subtracted, is_first, expression }] = terms.as_slice() else { return None };
     let value = evaluator.known_coefficient(expression)?;
     let value = if subtracted { value.negated() } else { value };
     let is_plain = matches!(expression.kind, Kind::Number(_) | Kind::Name(_));
     Some(Standing { value, is_plain, is_first })
 }
 
-/// Whether it is subtracted, whether it is the first, and what it is.
-type Term<'a> = (bool, bool, &'a Expression);
+/// A term of a sum, or all that is written.
+struct Term<'a> {
+    subtracted: bool,
+    is_first: bool,
+    expression: &'a Expression,
+}
+
+impl<'a> Term<'a> {
+    fn whole(expression: &'a Expression) -> Self {
+        Term { subtracted: false, is_first: true, expression }
+    }
+}
 
 /// The terms without r, also of sums that stand in parentheses as if without.
-fn collect<'a>((subtracted, is_first, expression): Term<'a>, terms: &mut Vec<Term<'a>>) {
-    match &expression.kind {
-        Kind::Sum(summands) if !subtracted => {
-            for (index, summand) in summands.iter().enumerate() {
-                collect((summand.subtracted, is_first && index == 0, &summand.expression), terms);
+fn collect<'a>(term: Term<'a>, terms: &mut Vec<Term<'a>>) {
+    match &term.expression.kind {
+        Kind::Sum(summands) if !term.subtracted => {
+            for (index, Summand { subtracted, expression }) in summands.iter().enumerate() {
+                let is_first = term.is_first && index == 0;
+                collect(Term { subtracted: *subtracted, is_first, expression }, terms);
             }
         }
-        _ if !mentions_r(expression) => terms.push((subtracted, is_first, expression)),
+        _ if !mentions_r(term.expression) => terms.push(term),
         _ => {}
     }
 }

@@ -15,7 +15,7 @@ const MAXIMUM_PRODUCTS: usize = 1 << 14;
 /// The same where coefficients depend on fields: sums in them are not multiplied out, so they grow several times over
 /// with each square. Up to here they take about as long as as many terms.
 const MAXIMUM_SIZE: usize = 1 << 10;
-/// Of a sum that begins with r^(1/4) or a higher power, more would have no power that a gap may have.
+/// A sum that begins with r^(1/4) or a higher power has no power that a gap may have beyond it.
 const HIGHEST_POWER_OF_A_SUM: u32 = 4096;
 
 /// Terms by exponent; no coefficient is zero.
@@ -158,8 +158,8 @@ impl Polynomial {
         }
     }
 
-    /// Of the coefficients, if all of them are numbers: multiplied as integers these have no common factors to look
-    /// for, which takes most of the time of multiplying out.
+    /// The common denominator of the coefficients, if all of them are numbers: multiplied as integers these have no
+    /// common factors to look for, which takes most of the time of multiplying out.
     fn common_denominator(&self) -> Option<Rational> {
         let numbers = self.terms().iter().map(|(_, monomial)| monomial.coefficient.as_constant());
         let numbers: Vec<_> = numbers.collect::<Option<_>>()?;

@@ -23,16 +23,16 @@ use crate::gap::rim::rim;
 use crate::gap::surface::{Surface, binomial_ratio};
 use crate::number::{Rational, floor};
 
-/// Behind the binary point, of sums of a whole series; where u^J is less, 1/(1 − u) is near F.
+/// Binary digits that a sum of a whole series has behind its point; where u^J has none there, 1/(1 − u) is near F.
 const DIGITS: u64 = 512;
-/// Of F.
+/// Binary digits kept of a bound of F.
 const FEW_DIGITS: u64 = 64;
 
 /// A weighted surface: w c_j for j = 1, 2, ...
 pub(super) struct Series {
     pub(super) terms: Vec<Rational>,
-    /// For each term, what lies with 1 on either side of the F that begins with it.
-    pub(super) ends: Vec<Rational>,
+    /// For each term, a bound of the factor F of the tail that begins with it; the other bound is 1.
+    pub(super) tail_bounds: Vec<Rational>,
 }
 
 /// The range reaches the rim of a surface, given here.
@@ -50,31 +50,31 @@ impl Series {
         let terms = surface.series(count as u32).ok()?;
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
         let geometric = (Rational::one() - &u).recip();
-        let ends = if u.is_positive() {
+        let tail_bounds = if u.is_positive() {
             let geometric = ceil(&geometric);
             let least =
                 |of_sum: Option<Rational>| of_sum.unwrap_or_else(|| geometric.clone()).min(geometric.clone());
-            ends(&u).map(least).take(count).collect()
+            tail_bounds(&u).map(least).take(count).collect()
         } else {
             vec![floor(&geometric, FEW_DIGITS); count]
         };
-        Some(Ok(Series { terms, ends }))
+        Some(Ok(Series { terms, tail_bounds }))
     }
 }
 
 /// F from the sum of the series, or more, for J = 0, 1, ...; nothing where u^J has no digits.
-fn ends(u: &Rational) -> impl Iterator<Item = Option<Rational>> {
+fn tail_bounds(u: &Rational) -> impl Iterator<Item = Option<Rational>> {
     let shifted = |value: &Rational, digits: u64| (value.numer() << digits) / value.denom();
     let step = shifted(u, DIGITS);
     let mut term: BigInt = &step >> 1;
     // Roots and terms are rounded down.
     let mut left = (BigInt::one() << DIGITS) - shifted(&(Rational::one() - u), 2 * DIGITS).sqrt();
     (1_u32..).map(move |j| {
-        let end = (!term.is_zero()).then(|| ceil(&Rational::new_raw(left.clone(), term.clone())));
+        let bound = (!term.is_zero()).then(|| ceil(&Rational::new_raw(left.clone(), term.clone())));
         left -= &term;
         let ratio = binomial_ratio(j);
         term = ((&term * &step * ratio.numer()) >> DIGITS) / ratio.denom();
-        end
+        bound
     })
 }
 

@@ -75,9 +75,10 @@ mod tests {
     use quote::format_ident;
 
     use super::*;
+    use crate::tests::exact;
 
     fn number(text: &str) -> Coefficient {
-        Coefficient::constant(crate::reading::literal::number(text).unwrap())
+        Coefficient::constant(exact(text))
     }
 
     fn surface(radius: &str, conic_constant: &str) -> Surface {

@@ -29,12 +29,12 @@ use crate::number::{Rational, floor, integer};
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;
-/// J − N/2: m and M are next to each other unless the range ends near a rim, and beside fractional exponents, which
-/// multiply the degree of a proof, there is room for some orders.
+/// J − N/2, the terms behind the order that are summed: enough for m and M to be close unless the range ends near a rim,
+/// and so few that fractional exponents, which multiply the degree of a proof, leave room for some orders.
 const TERMS_AHEAD: u32 = 8;
-/// Of the coefficients, binary: the surfaces of a joint share far fewer.
+/// Binary digits kept of a coefficient: the surfaces of a joint share far fewer.
 const DIGITS: u64 = 256;
-/// Of powers of ρ for estimates.
+/// Binary digits kept of the powers of ρ for estimates.
 const FEW_DIGITS: u64 = 64;
 /// How many radii a bound is estimated at before it is proved.
 const SAMPLES: u32 = 16;
@@ -53,9 +53,9 @@ type Powers = LikeTerms<Rational, Rational>;
 
 /// A gap with constant surfaces on a range that ends inside all of them.
 pub(crate) struct Neglected {
-    /// Those that no term of a series is added to.
+    /// The powers of the gap that no term of a series is added to.
     others: Powers,
-    /// Their exponents, and what they are at the end of the range.
+    /// Their exponents, and their terms at the end of the range.
     others_at_end: Vec<(f64, f64)>,
     surfaces: Vec<Series>,
     /// For j = 1, 2, ..., as many as the highest order asks for.
@@ -74,8 +74,15 @@ struct Sum {
     with_own: Rational,
     /// ρ^(2j), for estimates.
     scale: Rational,
-    /// `below`, `above`, `own` and `with_own` times that.
-    at_end: [f64; 4],
+    at_end: AtEnd,
+}
+
+/// The numbers of a sum times its scale: the terms at the end of the range.
+struct AtEnd {
+    below: f64,
+    above: f64,
+    own: f64,
+    with_own: f64,
 }
 
 /// A bound of E, or of −E, and what it is to be multiplied with if it is compared with ε Φ_N.
@@ -174,7 +181,8 @@ impl Neglected {
         kept
     }
 
-    /// The bounds of E and −E, without one that is nowhere positive: the other implies that it is below Φ_N.
+    /// The bounds of E and −E, but for one that is nowhere positive: it is below the share of Φ_N where that is positive,
+    /// which the other implies.
     fn sides(&self, order: u32, tolerance: &Rational) -> Vec<Side> {
         let (mut over, mut under) = (Powers::default(), Powers::default());
         let (first, last) = (order / 2, order / 2 + TERMS_AHEAD);
@@ -195,8 +203,8 @@ impl Neglected {
     fn rest(&self, index: usize) -> (Rational, Rational) {
         let sum = |choose: fn(Rational, Rational) -> Rational| {
             let rests = self.surfaces.iter().filter_map(|series| {
-                let (first, end) = (series.terms.get(index)?, series.ends.get(index)?);
-                Some(choose(first.clone(), first * end))
+                let (first, bound) = (series.terms.get(index)?, series.tail_bounds.get(index)?);
+                Some(choose(first.clone(), first * bound))
             });
             unreduced_sum(rests)
         };
@@ -215,10 +223,10 @@ impl Neglected {
             let (mut least, mut most, mut power) = (0.0, 0.0, 1.0);
             for (index, sum) in self.sums.iter().enumerate() {
                 power *= x * x;
-                gap += power * if index < first { sum.at_end[3] } else { sum.at_end[2] };
+                gap += power * if index < first { sum.at_end.with_own } else { sum.at_end.own };
                 let [below, above] = match index {
                     _ if index == last => [below, above],
-                    _ if (first..last).contains(&index) => [sum.at_end[0], sum.at_end[1]],
+                    _ if (first..last).contains(&index) => [sum.at_end.below, sum.at_end.above],
                     _ => continue,
                 };
                 least += power * below;
@@ -251,8 +259,13 @@ impl Sum {
         let (below, above) = (floor(&sum, DIGITS), -floor(&-&sum, DIGITS));
         let with_own = own.as_ref().map_or_else(|| below.clone(), |own| floor(&(own + sum), DIGITS));
         let own = own.unwrap_or_else(Rational::zero);
-        let at_end = [&below, &above, &own, &with_own];
-        let at_end = at_end.map(|value| (value * scale).to_f64().unwrap_or(f64::NAN));
+        let at_end = |value: &Rational| (value * scale).to_f64().unwrap_or(f64::NAN);
+        let at_end = AtEnd {
+            below: at_end(&below),
+            above: at_end(&above),
+            own: at_end(&own),
+            with_own: at_end(&with_own),
+        };
         Sum { below, above, own, with_own, scale: scale.clone(), at_end }
     }
 }

@@ -20,7 +20,7 @@ impl Float {
     /// A positive number, within 2⁻¹²⁷ of it.
     pub(crate) fn of(value: &Rational) -> Option<Self> {
         let (numerator, denominator) = (value.numer(), value.denom());
-        // Of 128 or 129 digits.
+        // Of 129 or 130 digits.
         let shift = 129 + denominator.bits() as i64 - numerator.bits() as i64;
         let quotient = match shift {
             0.. => (numerator << shift) / denominator,
@@ -64,8 +64,8 @@ impl Float {
 
     /// value^(`q`/`k`) within 2⁻¹¹⁰, for k up to 2¹².
     ///
-    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It begins with ten digits at
-    /// least; of an error e it leaves k e²/2.
+    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It begins with ten decimal
+    /// digits at least; of an error e it leaves k e²/2.
     pub(crate) fn root(value: &Rational, (q, k): (u32, u32)) -> Option<Self> {
         let inverse = Self::of(&value.recip())?.power(q);
         let mut root = Self::power_of_two(-inverse.log2() / f64::from(k));

@@ -31,7 +31,7 @@ pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigI
     Rational::new(numerator.into(), denominator.into())
 }
 
-/// Of fractions; the longest comes first, as the others are likely to divide it.
+/// The least common denominator; the longest is taken first, as the others are likely to divide it.
 pub(crate) fn common_denominator<'a>(fractions: impl Iterator<Item = &'a Rational>) -> BigInt {
     common_multiple(fractions.map(Rational::denom).collect())
 }
@@ -68,6 +68,11 @@ pub(crate) fn literal(value: &Rational) -> Literal {
 /// for the compiler to read than its tokens one by one.
 pub(crate) fn code(numbers: impl Debug) -> TokenStream {
     format!("{numbers:?}").parse().unwrap_or_default()
+}
+
+/// An integer times 2^steps, rounded down.
+pub(crate) fn shifted(number: &BigInt, steps: i64) -> BigInt {
+    if steps < 0 { number >> -steps } else { number << steps }
 }
 
 const TOO_LONG: &str = "a number may have at most 1000 digits; round it";
@@ -188,6 +193,13 @@ mod tests {
             assert!(below <= value && value - &below <= unit * below.abs() && below.numer().bits() <= 134);
         }
         assert_eq!(floor(&fraction(3, 4), 20), fraction(3, 4));
+    }
+
+    #[test]
+    fn shifts_round_down() {
+        let shifts =
+            [(-5, -1), (5, -1), (-5, 2), (7, 0)].map(|(number, steps)| shifted(&number.into(), steps));
+        assert_eq!(shifts, [-3, 2, -20, 7].map(BigInt::from));
     }
 
     #[test]

@@ -43,8 +43,8 @@ impl Rational {
     /// The exact value of a finite number.
     pub(crate) fn from_float(value: f64) -> Option<Self> {
         let bits = value.abs().to_bits();
-        let (fraction, exponent) = (bits & (MANTISSA - 1), (bits / MANTISSA) as i32);
-        let mantissa = BigInt::from(if exponent == 0 { fraction } else { fraction + MANTISSA });
+        let (fraction, exponent) = (bits & (IMPLIED_BIT - 1), (bits / IMPLIED_BIT) as i32);
+        let mantissa = BigInt::from(if exponent == 0 { fraction } else { fraction + IMPLIED_BIT });
         let size = Rational::from_integer(mantissa) * Rational::power_of_two(exponent.max(1) - 1075);
         value.is_finite().then(|| if value < 0.0 { -size } else { size })
     }
@@ -110,8 +110,8 @@ impl Rational {
     }
 }
 
-/// Of the fraction of an `f64`, 2^52.
-const MANTISSA: u64 = 1 << 52;
+/// The implied leading bit of the significand of an `f64`, 2^52.
+const IMPLIED_BIT: u64 = 1 << 52;
 
 impl ToPrimitive for Rational {
     /// Of the integer part.

@@ -64,12 +64,8 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 names.push(name);
             }
             Some((name, equals, value)) if bodies::is_one(&name, &of_other_names) => {
-                if let Some(message) = bodies::other_name(&name, &of_other_names) {
-                    diagnostics.report(name.span(), message);
-                }
                 names.push(name.clone());
-                let place = equals.unwrap_or(name.span());
-                bodies.push((name, parse::expression(value, place, diagnostics)));
+                bodies.push(bodies::read((name, equals, value), &of_other_names, diagnostics));
             }
             Some((name, equals, value)) => {
                 attribute.set(&name, equals.unwrap_or(name.span()), value, &entry, diagnostics);

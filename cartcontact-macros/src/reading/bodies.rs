@@ -1,9 +1,10 @@
 //! The two bodies of a gap, `upper = ...` and `lower = ...`, and what is meant as these.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::entry::Entry;
+use crate::reading::parse;
 use crate::reading::syntax::{Expression, Kind, Summand};
 
 /// The name of a body, and the one of `upper` and `lower` that is meant by it.
@@ -31,13 +32,26 @@ pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName> {
     named.into_iter().zip(free).collect()
 }
 
+/// The body that an option stands for, whose name may be another.
+pub(super) fn read(
+    (name, equals, value): (Ident, Option<Span>, TokenStream),
+    of_other_names: &[OtherName],
+    diagnostics: &mut Diagnostics,
+) -> (Ident, Expression) {
+    if let Some(message) = other_name(&name, of_other_names) {
+        diagnostics.report(name.span(), message);
+    }
+    let expression = parse::expression(value, equals.unwrap_or(name.span()), diagnostics);
+    (name, expression)
+}
+
 /// Whether this is the name of a body, or meant as that.
 pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName]) -> bool {
     name == "upper" || name == "lower" || other_name(name, of_other_names).is_some()
 }
 
 /// What to say about a name that is meant as that of a body.
-pub(super) fn other_name(name: &Ident, of_other_names: &[OtherName]) -> Option<String> {
+fn other_name(name: &Ident, of_other_names: &[OtherName]) -> Option<String> {
     let (_, meant) = of_other_names.iter().find(|(other, _)| other == name)?;
     Some(format!(
         "`{name}` is not an option; the two bodies of a gap are called `upper` and `lower`; write `{meant} =`"

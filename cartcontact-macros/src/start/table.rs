@@ -2,12 +2,13 @@
 //!
 //! Rows of four numbers in single precision stand for quarters of octaves; 256 of them, 4 KiB, span 64 octaves.
 //!
-//! **The window.** A gap as wide as its radius, Φ(ℓ) = ℓ, is a slope at which no thin layer is any more, and one of a
-//! thousandth is hardly a gap: for a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ), with something to
-//! spare. Gaps that open more suddenly have room at both ends; of others the flattest contacts are outside. There, the radius
-//! is iterated.
-//! Symbols have one table in [units of their own](crate::start::own_units), if they do no more than set these. Its window lies mostly
-//! below y = 1, because higher terms are mostly corrections.
+//! **The window.** Where the gap is as wide as the radius, Φ(ℓ) = ℓ, a layer is no longer thin; where it is a thousandth
+//! of it, the surfaces hardly part. For a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ), with
+//! something to spare. Gaps that open more suddenly have room at both ends; of others the flattest contacts are outside.
+//! There, the radius is iterated.
+//!
+//! Symbols have one table in [units of their own](crate::start::own_units), if they do no more than set these. Its window
+//! lies mostly below y = 1, because higher terms are mostly corrections.
 
 use core::ops::Range as Indices;
 

@@ -1,22 +1,19 @@
-//! Geometries whose range is known because the roots of delta0' were planted.
+//! Geometries whose range is known because the roots of δ₀′ were planted.
 
 use std::time::{Duration, Instant};
 
 use num_traits::Zero;
 use proc_macro2::Span;
 
+use super::exact;
+use super::random::{Random, SEED};
 use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, integer};
 use crate::proof::{Proof, Wanted, prove};
-use crate::reading::literal;
 
-/// The coefficients of a factor of delta0', in ascending order.
+/// The coefficients of a factor of δ₀′, in ascending order.
 type Factor = Vec<Rational>;
-
-fn exact(text: &str) -> Rational {
-    literal::number(text).unwrap()
-}
 
 /// Vanishes at `at`, positive below.
 fn root(at: &str) -> Factor {
@@ -55,7 +52,7 @@ fn written(terms: &[(&str, &str)]) -> Gap {
     gap(terms.iter().map(|(exponent, coefficient)| (exact(exponent), exact(coefficient))))
 }
 
-/// The gap with delta0'(a) = 2 a q(a^step).
+/// The gap with δ₀′(a) = 2 a q(a^step).
 fn with_slope(q: &[Rational], step: &str) -> Gap {
     gap(q.iter().enumerate().map(|(power, value)| {
         let exponent = integer(2) + exact(step) * integer(power);
@@ -124,7 +121,7 @@ fn a_touching_root_ends_the_range() {
     assert!(everywhere(&planted(&[pair("2.5", "1e-30")])));
 }
 
-/// delta0' = 2 a (1 - a/2 + 1e-600 a^64): the range ends about 4e-581 beyond 2, or as much before it.
+/// δ₀′ = 2 a (1 - a/2 + 1e-600 a^64): the range ends about 4e-581 beyond 2, or as much before it.
 #[test]
 fn a_root_next_to_the_end_of_the_range_is_told_apart() {
     for (sign, holds) in [(1, true), (-1, false)] {
@@ -159,16 +156,12 @@ fn ends_of_all_magnitudes_are_found() {
 
 #[test]
 fn random_roots_are_found() {
-    let mut state = 1_u32;
-    let mut random = |below: u32| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 16) % below
-    };
+    let mut random = Random(SEED);
     for _ in 0..60 {
-        let roots: Vec<u32> = (0..1 + random(8)).map(|_| 1 + random(30)).collect();
+        let roots: Vec<usize> = (0..1 + random.below(8)).map(|_| 1 + random.below(30)).collect();
         let real = roots.iter().map(|at| root(&format!("{at}e-1")));
-        let pairs =
-            (0..random(4)).map(|_| pair(&format!("{}e-1", 1 + random(30)), &format!("1e-{}", random(40))));
+        let pairs = (0..random.below(4))
+            .map(|_| pair(&format!("{}e-1", 1 + random.below(30)), &format!("1e-{}", random.below(40))));
         let pairs = pairs.collect::<Vec<_>>();
         let gap = planted(&real.chain(pairs).collect::<Vec<_>>());
         let first = Rational::new((*roots.iter().min().unwrap()).into(), 10.into());
@@ -176,7 +169,7 @@ fn random_roots_are_found() {
     }
 }
 
-/// delta0' = 2 a (2 (10 a - 1)^2 - a^64): two roots 1e-33 apart (Mignotte).
+/// δ₀′ = 2 a (2 (10 a - 1)^2 - a^64): two roots 1e-33 apart (Mignotte).
 fn nearly_touching() -> Gap {
     let mut q = vec![Rational::zero(); 65];
     q[..3].clone_from_slice(&[exact("2"), exact("-40"), exact("200")]);
@@ -184,7 +177,7 @@ fn nearly_touching() -> Gap {
     with_slope(&q, "1")
 }
 
-/// delta0' = 2 a (2 (1e20 a - 1)^2 + a^64): a minimum of 1e-1280 that is never 0.
+/// δ₀′ = 2 a (2 (1e20 a - 1)^2 + a^64): a minimum of 1e-1280 that is never 0.
 fn nearly_touching_from_above() -> Gap {
     let mut q = vec![Rational::zero(); 65];
     q[..3].clone_from_slice(&[exact("2"), exact("-4e20"), exact("2e40")]);
@@ -192,7 +185,7 @@ fn nearly_touching_from_above() -> Gap {
     with_slope(&q, "1")
 }
 
-/// delta0' = 2 a ((1e20 x - 1)^2 - x^48) with x = a^0.1: a root at 1e-20 (1 - 1e-480), and another one next to it.
+/// δ₀′ = 2 a ((1e20 x - 1)^2 - x^48) with x = a^0.1: a root at 1e-20 (1 - 1e-480), and another one next to it.
 fn nearly_touching_at_a_number() -> Gap {
     let mut q = product(&vec![vec![exact("1"), exact("-1e20")]; 2]);
     q.resize(49, Rational::zero());
@@ -207,7 +200,7 @@ fn a_root_next_to_a_number_is_told_apart() {
     assert!(holds_up_to(&gap, &below(-478)) && !holds_up_to(&gap, &below(-480)) && !up_to(&gap, "1e-200"));
 }
 
-/// delta0' = 2 a ((1 - 1e100 a)^3 - a^64): three roots within 1e-2233.
+/// δ₀′ = 2 a ((1 - 1e100 a)^3 - a^64): three roots within 1e-2233.
 fn cluster_of_three() -> Gap {
     let mut q = product(&vec![vec![exact("1"), exact("-1e100")]; 3]);
     q.resize(65, Rational::zero());
@@ -215,7 +208,7 @@ fn cluster_of_three() -> Gap {
     with_slope(&q, "1")
 }
 
-/// delta0' = 2 a ((1e9 a - 1)^4 + a^64): two pairs of roots 1e-144 apart, all within 1e-140.
+/// δ₀′ = 2 a ((1e9 a - 1)^4 + a^64): two pairs of roots 1e-144 apart, all within 1e-140.
 fn cluster_of_four() -> Gap {
     let mut q = product(&vec![vec![exact("1"), exact("-1e9")]; 4]);
     q.resize(65, Rational::zero());
@@ -223,7 +216,7 @@ fn cluster_of_four() -> Gap {
     with_slope(&q, "1")
 }
 
-/// delta0' = 2 a (T_64(2 a - 1) + 1 + 1e-40) with Chebyshev's polynomial: 32 minima just above 0.
+/// δ₀′ = 2 a (T_64(2 a - 1) + 1 + 1e-40) with Chebyshev's polynomial: 32 minima just above 0.
 fn chebyshev_from_above() -> Gap {
     let (mut last, mut next) = (vec![integer(1)], vec![integer(-1), integer(2)]);
     for _ in 1..64 {
@@ -235,7 +228,7 @@ fn chebyshev_from_above() -> Gap {
     with_slope(&next, "1")
 }
 
-/// delta0' = 2 a (∏ (a − c)² + 1e-1000), with 32 c that are 1e-9 apart: minima of 1e-1000 in a cluster.
+/// δ₀′ = 2 a (∏ (a − c)² + 1e-1000), with 32 c that are 1e-9 apart: minima of 1e-1000 in a cluster.
 fn squares_from_above() -> Gap {
     let twice = (0..64).map(|index| root(&format!("1.0000000{:02}", index / 2)));
     let mut q = product(&twice.collect::<Vec<_>>());

@@ -15,8 +15,14 @@ use quote::quote;
 
 use crate::diagnostics::Diagnostics;
 use crate::geometry::{Geometry, geometry};
+use crate::number::Rational;
 use crate::proof::Proof;
-use crate::reading::{attribute, item};
+use crate::reading::{attribute, item, literal};
+
+/// What a literal stands for.
+pub(crate) fn exact(text: &str) -> Rational {
+    literal::number(text).unwrap()
+}
 
 fn run(attribute: TokenStream, item: TokenStream) -> Result<Geometry, Vec<String>> {
     let mut diagnostics = Diagnostics::default();

@@ -3,14 +3,10 @@
 use num_traits::Zero;
 use proc_macro2::Span;
 
-use super::{on_ball, on_unit, shown};
+use super::{exact, on_ball, on_unit, shown};
 use crate::gap::coefficient::Coefficient;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, integer};
-
-fn exact(text: &str) -> Rational {
-    crate::reading::literal::number(text).unwrap()
-}
 
 fn order(text: &str) -> u32 {
     on_unit(text).unwrap().truncation.unwrap().order
@@ -143,7 +139,6 @@ fn the_smallest_order_is_found() {
     }
 }
 
-/// Whatever the options for the surfaces, as none of them helps.
 /// Where the terms have different signs, an order may be within a tolerance and the next one not.
 #[test]
 fn no_order_below_the_smallest_is_within() {
@@ -174,6 +169,7 @@ fn fractional_powers_may_stand_beside_surfaces() {
     assert!(messages.len() == 1 && messages[0].contains("beside these exponents"), "{messages:?}");
 }
 
+/// Whatever the options for the surfaces, as none of them helps.
 #[test]
 fn a_gap_that_falls_is_the_fault() {
     for (gap, rule) in [

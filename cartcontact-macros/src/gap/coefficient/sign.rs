@@ -17,33 +17,33 @@ pub(crate) enum Sign {
 impl Coefficient {
     /// Nothing if the sign depends on the fields.
     pub(crate) fn certain_sign(&self) -> Option<Sign> {
-        self.sign(|is_positive| is_positive)
+        self.sign(false)
     }
 
     /// The sign that goes with positive fields, as those are which measure something; nothing if it depends on their values.
     pub(crate) fn usual_sign(&self) -> Option<Sign> {
-        self.sign(|_| true)
+        self.sign(true)
     }
 
-    /// The sign if those fields are positive of which `is_positive` says so, from whether they are declared to be.
-    fn sign(&self, is_positive: fn(bool) -> bool) -> Option<Sign> {
-        let mut signs = self.products.iter().map(|product| product.sign(is_positive));
+    /// The sign if all fields are positive, or those that are declared to be.
+    fn sign(&self, all_positive: bool) -> Option<Sign> {
+        let mut signs = self.products.iter().map(|product| product.sign(all_positive));
         let first = signs.next()??;
         signs.all(|sign| sign == Some(first)).then_some(first)
     }
 }
 
 impl Product {
-    fn sign(&self, is_positive: fn(bool) -> bool) -> Option<Sign> {
+    fn sign(&self, all_positive: bool) -> Option<Sign> {
         let mut negative = self.number.is_negative();
         for (atom, exponent) in self.powers.iter() {
             if !exponent.is_integer() || exponent.numer().is_even() {
                 continue;
             }
             match atom {
-                Atom::Field { is_positive: is_declared, .. } if is_positive(*is_declared) => {}
+                Atom::Field { is_positive, .. } if all_positive || *is_positive => {}
                 Atom::Field { .. } => return None,
-                Atom::Sum(inner) => negative ^= inner.sign(is_positive)? == Sign::NotPositive,
+                Atom::Sum(inner) => negative ^= inner.sign(all_positive)? == Sign::NotPositive,
             }
         }
         Some(if negative { Sign::NotPositive } else { Sign::NotNegative })
