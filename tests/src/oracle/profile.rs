@@ -59,10 +59,14 @@ impl Profile {
         Self { terms: terms.iter().map(|&(c, n)| Term::of(double(c), double(n))).collect() }
     }
 
-    /// The gap of the pairs (C, n), which stand for exactly these decimals.
+    /// The gap of the pairs (C, n), which stand for exactly these decimals or quotients of decimals, as `7/3`.
     #[must_use]
     pub fn of_decimals(terms: &[(&str, &str)]) -> Self {
-        Self { terms: terms.iter().map(|&(c, n)| Term::of(decimal(c), decimal(n))).collect() }
+        let number = |text: &str| match text.split_once('/') {
+            Some((dividend, divisor)) => decimal(dividend) / decimal(divisor),
+            None => decimal(text),
+        };
+        Self { terms: terms.iter().map(|&(c, n)| Term::of(number(c), number(n))).collect() }
     }
 
     /// Φ(r).
