@@ -1,15 +1,11 @@
 //! Pressure fields: beside filling the same memory, and beside the printed formulas at every point.
-//!
-//! The ratios printed at the end are those of the shortest of many runs, in turns with those of filling the
-//! memory.
 
 mod scenes;
 
 use std::hint::black_box;
 use std::num::NonZeroUsize;
-use std::time::{Duration, Instant};
 
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use gauss_quad::GaussLegendre;
 use scenes::{Patellofemoral, contact, pressure_as_printed};
 
@@ -46,41 +42,6 @@ fn field(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Prints how many times as long as filling the memory the fields take, and the printed formulas as the
-/// fields.
-fn print_ratios() {
-    println!("\ntimes x radii   fill, us   field, us   ratio");
-    let contact = contact(Patellofemoral);
-    let mut per_value = f64::INFINITY;
-    for (rows, columns) in SHAPES {
-        let (times, radii) = (steps(rows, END.0), steps(columns, END.1));
-        let mut values = vec![0.0; rows * columns];
-        let mut shortest = [Duration::MAX; 2];
-        for _ in 0..200 {
-            shortest[0] = shortest[0].min(timed(|| black_box(&mut values[..]).fill(black_box(1.5))));
-            shortest[1] = shortest[1].min(timed(|| {
-                black_box(contact.pressure_field(black_box(&times), black_box(&radii), &mut values)).is_ok()
-            }));
-        }
-        let [fill, field] = shortest.map(|time| time.as_secs_f64() * 1e6);
-        println!("{rows:5} x {columns:4} {fill:13.1} {field:11.1} {:7.2}", field / fill);
-        per_value = per_value.min(field / values.len() as f64);
-    }
-    if let Some(rule) = printed_rule() {
-        let (times, radii) = (steps(100, END.0), steps(100, 7.0));
-        let mut values = vec![0.0; times.len() * radii.len()];
-        let printed = (0..5).map(|_| timed(|| fill_as_printed(&rule, &times, &radii, &mut values))).min();
-        let printed = printed.unwrap_or_default().as_secs_f64() * 1e6 / values.len() as f64;
-        println!("as printed, per value: {:.0} times as long as the quickest field", printed / per_value);
-    }
-}
-
-fn timed<R>(work: impl FnOnce() -> R) -> Duration {
-    let start = Instant::now();
-    black_box(work());
-    start.elapsed()
-}
-
 fn printed_rule() -> Option<GaussLegendre> {
     NonZeroUsize::new(16).map(GaussLegendre::new)
 }
@@ -100,12 +61,4 @@ fn steps(count: usize, end: f64) -> Vec<f64> {
 }
 
 criterion_group!(benches, field);
-
-fn main() {
-    benches();
-    Criterion::default().configure_from_args().final_summary();
-    // Not when cargo only tests that benchmarks run.
-    if std::env::args().any(|argument| argument == "--bench") {
-        print_ratios();
-    }
-}
+criterion_main!(benches);
