@@ -9,7 +9,7 @@ use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, gap_profile};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
-use scenes::{LOAD, Paraboloid, Patellofemoral, RATE, STIFFNESS, contact, pressure_at};
+use scenes::{FORCE, Paraboloid, Patellofemoral, RATE, STIFFNESS, contact, pressure_at};
 
 /// [`Paraboloid`] with a second term that counts for nothing.
 #[gap_profile(0.025 * r^2 + 1e-40 * r^4)]
@@ -78,7 +78,7 @@ fn histories(group: &mut Group<'_>) {
             ("t = 200 s", &|| pressure_at(&joint, 200.0, 3.0)),
         ],
     );
-    if let Ok(undrained) = loaded(0.0, Constant(LOAD)) {
+    if let Ok(undrained) = loaded(0.0, Constant(FORCE)) {
         pair(
             group,
             "drainage",
@@ -88,7 +88,7 @@ fn histories(group: &mut Group<'_>) {
             ],
         );
     }
-    if let Ok(unknown) = loaded(RATE, Unknown(LOAD)) {
+    if let Ok(unknown) = loaded(RATE, Unknown(FORCE)) {
         pair(
             group,
             "straight load",
@@ -163,7 +163,7 @@ type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
 /// Loads that rise every 10 s up to 1000 s and 10 000 s, in a medium that forgets in 20 s.
 fn rising_loads() -> Result<(Joint<Knots>, Joint<Knots>), Fault> {
     let rising = |count: u32| {
-        let knots = (0..count).map(|k| (10.0 * f64::from(k), LOAD * (1.0 + f64::from(k + k % 2) / 1000.0)));
+        let knots = (0..count).map(|k| (10.0 * f64::from(k), FORCE * (1.0 + f64::from(k + k % 2) / 1000.0)));
         PiecewiseLinear::new(knots.collect())
     };
     Ok((loaded(0.05, rising(100)?)?, loaded(0.05, rising(1000)?)?))
