@@ -12,14 +12,21 @@ use cartcontact::load::Load;
 use cartcontact::{Contact, GapProfile, Scalar};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, Blunt, BluntBall, FlatBall, FourTerm, Paraboloid, Patellofemoral, RATE, RoundBall, ThreeFields,
-    ThreeTerm, by_hand, contact, load_integrals, run_time, times,
+    Ball, Blunt, BluntBall, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE, RoundBall,
+    ThreeFields, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
 fn targets<T: Scalar, P>(profile: P) -> (P, Vec<T>, Vec<T>) {
     let targets = load_integrals();
     let radii = vec![T::zero(); targets.len()];
+    (profile, targets, radii)
+}
+
+/// The same of a profile that has all their radii.
+fn solvable<T: Scalar, P: GapProfile<T>>(profile: P) -> (P, Vec<T>, Vec<T>) {
+    let (profile, targets, radii) = targets(profile);
+    assert!(targets.iter().all(|&target| profile.radius(target).is_ok()), "{NO_RESULT}");
     (profile, targets, radii)
 }
 
@@ -41,7 +48,7 @@ fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(
     (profile, arguments, values)
 }
 
-#[library_benchmark(setup = targets::<f64, _>)]
+#[library_benchmark(setup = solvable::<f64, _>)]
 #[bench::one_term(Paraboloid)]
 #[bench::one_term_of_any_power(BluntBall)]
 #[bench::two_terms(Patellofemoral)]
@@ -56,7 +63,7 @@ fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
 }
 
-#[library_benchmark(setup = targets::<f32, _>)]
+#[library_benchmark(setup = solvable::<f32, _>)]
 #[bench::two_terms(Patellofemoral)]
 fn radius_f32<P: GapProfile<f32>>(given: Given<P, f32>) -> Given<P, f32> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
@@ -68,7 +75,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
     each(given, |(), target| by_hand::radius(target))
 }
 
-#[library_benchmark(setup = targets::<f64, _>)]
+#[library_benchmark(setup = solvable::<f64, _>)]
 #[bench::one_term(Paraboloid)]
 #[bench::one_term_of_any_power(BluntBall)]
 #[bench::two_terms(Patellofemoral)]
@@ -84,8 +91,11 @@ fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, 
 }
 
 /// A contact with times and places for its radii.
-fn at_times<L>(contact: Contact<f64, Patellofemoral, L>) -> Given<Contact<f64, Patellofemoral, L>, f64> {
+fn at_times<L: Load<f64>>(
+    contact: Contact<f64, Patellofemoral, L>,
+) -> Given<Contact<f64, Patellofemoral, L>, f64> {
     let times = times();
+    assert!(times.iter().all(|&time| contact.at(time).is_ok()), "{NO_RESULT}");
     let radii = vec![0.0; times.len()];
     (contact, times, radii)
 }
@@ -126,7 +136,13 @@ fn pressure_kernel<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, a| profile.pressure_kernel(a, 3.0))
 }
 
-#[library_benchmark]
+/// A contact that has the pressure asked for.
+fn loaded_at_200<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> Contact<f64, P, L> {
+    assert!(contact.at(200.0).is_ok(), "{NO_RESULT}");
+    contact
+}
+
+#[library_benchmark(setup = loaded_at_200)]
 #[bench::constant_load(contact(Patellofemoral))]
 #[bench::fractional_powers(contact(Blunt))]
 #[bench::a_field(contact(Ball { radius: 20.0 }))]
@@ -144,8 +160,9 @@ struct Field<L> {
 }
 
 /// 100 times and 100 radii, some of them outside the contact.
-fn empty<L>(contact: Contact<f64, Patellofemoral, L>) -> Field<L> {
-    let steps = |end: f64| (0..100).map(|k| end * f64::from(k) / 99.0).collect();
+fn empty<L: Load<f64>>(contact: Contact<f64, Patellofemoral, L>) -> Field<L> {
+    let steps = |end: f64| (0..100).map(|k| end * f64::from(k) / 99.0).collect::<Vec<_>>();
+    assert!(contact.pressure_field(&steps(400.0), &steps(9.0), &mut [0.0; 10_000]).is_ok(), "{NO_RESULT}");
     Field { contact, times: steps(400.0), radii: steps(9.0), values: vec![0.0; 10_000] }
 }
 

@@ -61,7 +61,10 @@ pub(crate) struct Blunt;
 pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 
 /// The profile of [`Patellofemoral`], known at run time only.
-pub(crate) type RunTime = Polynomial<f64, [(f64, f64); 2]>;
+pub(crate) type RunTime<T = f64> = Polynomial<T, [(T, T); 2]>;
+
+/// Why benchmarks look at what they are about to measure.
+pub(crate) const NO_RESULT: &str = "the time that an error takes is no result";
 
 pub(crate) const FORCE: f64 = 100.0;
 pub(crate) const RATE: f64 = 0.0015;
@@ -71,19 +74,25 @@ pub(crate) const STIFFNESS: f64 = 0.375;
 ///
 /// Never: the constants are valid.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-pub(crate) fn run_time() -> RunTime {
-    Polynomial::new(TERMS).expect("a valid profile")
+pub(crate) fn run_time<T: Scalar>() -> RunTime<T> {
+    Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))).expect("a valid profile")
 }
 
 /// The paper's scene: 100 N on the patellofemoral joint.
 ///
+pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
+    loaded(profile, RATE, load::Constant(FORCE))
+}
+
+/// A contact of the paper's layers with a rate of the memory of its own.
+///
 /// # Panics
 ///
-/// Never: the constants are valid.
+/// If one of the three is not valid.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
-    let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
-    Contact::new(profile, medium, load::Constant(FORCE)).expect("a valid contact")
+pub(crate) fn loaded<P: GapProfile<f64>, L: Load<f64>>(profile: P, rate: f64, load: L) -> Contact<f64, P, L> {
+    let medium = Medium::from_constants(STIFFNESS, rate).expect("a valid medium");
+    Contact::new(profile, medium, load).expect("a valid contact")
 }
 
 /// The paper's joint under a load that rises through 100 knots, every second piece of it level.
@@ -98,9 +107,7 @@ pub(crate) type HundredKnots = Contact<f64, Patellofemoral, PiecewiseLinear<f64,
 pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
     let knots =
         (0..100).map(|k| (2.0 * f64::from(k), FORCE * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
-    let medium = Medium::from_constants(STIFFNESS, rate).expect("a valid medium");
-    Contact::new(Patellofemoral, medium, PiecewiseLinear::new(knots).expect("a valid load"))
-        .expect("a valid contact")
+    loaded(Patellofemoral, rate, PiecewiseLinear::new(knots).expect("a valid load"))
 }
 
 /// One pressure, cold: nothing is kept from an earlier call.
