@@ -57,8 +57,7 @@ fn pressure_relaxes_like_the_load_at_a_constant_approach() -> Result<(), Contact
             assert!(relative_error(now.radius(), first.radius(), f64::EPSILON) <= 2.0, "{case:?}");
             for r in [0.0, 2.0, 4.0] {
                 let expected = first.pressure(r) * (-CHI * t).exp();
-                // The exponential multiplies the rounding of its exponent, here and in the load.
-                let allowed = budget::PRESSURE.double * edge(first.radius(), r) + 2.0 * folds;
+                let allowed = budget::PRESSURE.double * edge(first.radius(), r) + budget::FOLD * folds;
                 let error = relative_error(now.pressure(r), expected, f64::EPSILON);
                 assert!(error <= allowed, "{case:?}, {t}, {r}: {error:.1} of {allowed:.1} ε");
             }

@@ -41,10 +41,6 @@ struct Turning<T> {
     d: T,
 }
 
-/// So many times its condition a radius may be off as one of positive terms is: J is a difference, and its slope less than
-/// the fourfold value by which that of positive terms divides errors of J.
-const OF_DIFFERENCES: f64 = 2.0;
-
 const KINDS: [OfTwoFields; 5] = [
     of_two_fields!(|c, d| Oblate { c, d }),
     of_two_fields!(|c, d| Rimmed { c, d }),
@@ -64,7 +60,7 @@ fn radii_are_exact_up_to_their_condition() {
             let (terms, profile) = (kind.double)(c, d);
             let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
             let found = profile.radius(load_integral).unwrap_or(f64::NAN);
-            let condition = OF_DIFFERENCES * of_radius(&*profile, &of_sizes(&terms), found);
+            let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&*profile, &of_sizes(&terms), found);
             let place = (index, c, d, share);
             errors.add(found, exact_radius(&terms, load_integral), condition, &place);
 
@@ -75,7 +71,7 @@ fn radii_are_exact_up_to_their_condition() {
             let found = f64::from(profile.radius(load_integral).unwrap_or(f32::NAN));
             let terms: Vec<(f64, f64)> = terms.into_iter().map(|(c, n)| (c.into(), n.into())).collect();
             let same = Polynomial::new(&terms[..]).unwrap_or_else(|error| unreachable!("{error}"));
-            let condition = OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
+            let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
             errors_of_single.add(found, exact_radius(&terms, load_integral.into()), condition, &place);
         }
     }

@@ -11,6 +11,7 @@ use super::precision::Precision;
 use super::scene::Scene;
 use super::solver::{Loaded, contact, solver};
 use super::wide::Wide;
+use crate::budget;
 use crate::condition::edge;
 use crate::quadrature::Graded;
 
@@ -162,7 +163,7 @@ impl<T: Precision> Examination<'_, T> {
         let found = now.radius().value();
         let condition = condition::of_radius(&here);
         let is_mixed = self.scene.terms.iter().any(|(c, _)| *c < T::zero());
-        let of_radius = if is_mixed { condition * condition::MIXED_SIGNS } else { condition };
+        let of_radius = if is_mixed { condition * budget::RADIUS_OF_DIFFERENCES } else { condition };
         self.measure(Quantity::Radius, found, a, of_radius);
         if !(found > 0.0 && found.is_finite()) {
             self.findings
@@ -216,8 +217,7 @@ impl<T: Precision> Examination<'_, T> {
             (Quantity::LoadIntegral, profile.load_integral(a), exact.load_integral),
             (Quantity::LogKernel, profile.log_kernel(a), exact.log_kernel),
         ];
-        // The table is for six terms; every further one is rounded once more.
-        let length = (self.scene.terms.len() as f64 / 6.0).max(1.0);
+        let length = (self.scene.terms.len() as f64 / budget::TERMS).max(1.0);
         for (quantity, found, Sum { value, size }) in sums {
             self.measure(quantity, found.value(), value, Sum { value, size }.condition() * length);
         }
