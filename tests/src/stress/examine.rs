@@ -10,6 +10,7 @@ use super::history::History;
 use super::precision::Precision;
 use super::scene::Scene;
 use super::solver::{Loaded, contact, solver};
+use super::usable;
 use super::wide::Wide;
 use crate::budget;
 use crate::condition::edge;
@@ -31,26 +32,22 @@ pub struct Depth {
 pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
     let profile = match solver(scene) {
         Ok(profile) => profile,
-        Err(error) => {
-            if is_usable(scene) {
-                findings.fault(Fault::Refused, &error);
-            }
-            return findings.count(Tally::Refused);
-        }
+        Err(error) => return turned_away(&error, usable::is_geometry(&scene.terms), findings),
     };
-    // Medium and load are checked by tests of their own; scenes that leave the format are none.
-    let Ok(contact) = contact(scene, &*profile) else { return findings.count(Tally::Refused) };
+    let contact = match contact(scene, &*profile) {
+        Ok(contact) => contact,
+        Err(error) => return turned_away(&error, usable::is_contact(scene), findings),
+    };
     let examination = Examination { scene, contact, exact: exact(scene), findings };
     examination.run(depth);
 }
 
-/// Whether the coefficients of a scene have all their digits, and are not all zero.
-fn is_usable<T: Precision>(scene: &Scene<T>) -> bool {
-    let has_digits = scene.terms.iter().all(|(c, n)| {
-        let least = T::LEAST * (n.value() + 2.0).powi(2) / n.value().min(1.0) * 2.0;
-        c.is_finite() && (c.is_zero() || c.value().abs() >= least)
-    });
-    has_digits && scene.terms.iter().any(|(c, _)| !c.is_zero())
+/// A scene that there is no contact of, which is a fault if it is usable.
+fn turned_away(error: &dyn core::fmt::Display, is_usable: bool, findings: &mut dyn Findings) {
+    if is_usable {
+        findings.fault(Fault::Refused, error);
+    }
+    findings.count(Tally::Refused);
 }
 
 fn exact<T: Precision>(scene: &Scene<T>) -> History {
