@@ -355,7 +355,8 @@ impl<T: Precision> Examination<'_, T> {
         }
         let scale = expected.abs().max(Wide::of(T::LEAST));
         let error = ((Wide::of(found) - expected) / scale).value().abs() / T::EPSILON;
-        self.findings.error(quantity, error / condition / T::allowed(quantity.allowance()));
+        let share = error / condition / T::allowed(quantity.allowance());
+        self.findings.error(quantity, if share.is_nan() { f64::INFINITY } else { share });
     }
 }
 
