@@ -1,8 +1,9 @@
 //! The one table of allowed errors.
 //!
 //! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it,
-//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε, so that a
-//! relative error in units of ε may be compared with the same number.
+//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε: a test that
+//! compares relative errors in units of ε with an entry, as the stress campaign does, enforces the table up to a factor
+//! of 2.
 //!
 //! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
 //! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here:
