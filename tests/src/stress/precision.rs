@@ -26,11 +26,6 @@ pub trait Precision: Scalar {
         Self::rounded(2_f64.powi(k))
     }
 
-    /// How it is written in reports.
-    fn shown(self) -> f64 {
-        self.value()
-    }
-
     /// The generated solver of a geometry.
     fn solver(case: &Case) -> &'static dyn GapProfile<Self>;
 
