@@ -37,7 +37,7 @@ fn assert_much_was_examined(ledger: &Ledger, report: &Report) {
     for region in Region::ALL {
         let [solved, unsolved, refused, in_units] = ledger.tallies[region as usize];
         let all = solved + unsolved + refused;
-        let place = format_args!("{}, {}", ledger.format, region.name());
+        let place = format_args!("{}, {}", ledger.format.name(), region.name());
         assert!(solved > 0 && solved as f64 >= least_share(region) * all as f64, "{place}\n{report}");
         assert!(region == Region::Subnormal || 2 * in_units >= solved, "{place}\n{report}");
         for quantity in Quantity::ALL.into_iter().filter(|&quantity| !is_deep(quantity)) {
@@ -54,7 +54,12 @@ fn assert_much_was_examined(ledger: &Ledger, report: &Report) {
     {
         let count: u64 = ledger.errors.iter().map(|row| row[quantity as usize].count).sum();
         let solved: u64 = ledger.tallies.iter().map(|row| row[Tally::Solved as usize]).sum();
-        assert!(count as f64 >= share * solved as f64, "{}, {}\n{report}", ledger.format, quantity.symbol());
+        assert!(
+            count as f64 >= share * solved as f64,
+            "{}, {}\n{report}",
+            ledger.format.name(),
+            quantity.symbol()
+        );
     }
 }
 
