@@ -1,15 +1,12 @@
 //! Many scenes with one question each: another patient is another geometry, other layers and another load.
 
+mod scenes;
+
 use std::hint::black_box;
 
-use cartcontact::{Contact, Layer, Medium, gap_profile, load::Constant};
+use cartcontact::{Contact, Layer, Medium, load::Constant};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-
-/// A sphere of its own radius in a plane.
-#[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3))]
-struct Ball {
-    radius: f64,
-}
+use scenes::{Ball, NO_RESULT};
 
 /// What differs from patient to patient: radius, thickness, shear modulus, permeability and load.
 type Patient = [f64; 5];
@@ -29,7 +26,7 @@ fn patients() -> Vec<Patient> {
     (0..1024).map(patient).collect()
 }
 
-type Joint = Contact<f64, Ball, Constant<f64>>;
+type Joint = Contact<f64, Ball<f64>, Constant<f64>>;
 
 fn joint(&[radius, thickness, shear_modulus, permeability, load]: &Patient) -> Option<Joint> {
     let layer = Layer { thickness, shear_modulus, permeability };
@@ -46,10 +43,7 @@ fn study(patient: &Patient) -> Option<f64> {
 
 fn scenes_of_patients(criterion: &mut Criterion) {
     let patients = patients();
-    assert!(
-        patients.iter().all(|patient| study(patient).is_some()),
-        "the time that an error takes is no result"
-    );
+    assert!(patients.iter().all(|patient| study(patient).is_some()), "{NO_RESULT}");
     let mut group = criterion.benchmark_group("scenes");
     group.throughput(Throughput::Elements(patients.len() as u64));
     group.bench_function("Contact::new", |b| {

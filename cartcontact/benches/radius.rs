@@ -10,12 +10,12 @@ mod scenes;
 use std::hint::black_box;
 use std::time::Duration;
 
-use cartcontact::{GapProfile, Polynomial, RadiusError, Scalar};
+use cartcontact::{GapProfile, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, BluntBall, Cone, FlatBall, FourTerm, Paraboloid, Patellofemoral, RoundBall, TERMS, ThreeFields,
-    ThreeTerm, by_hand, contact, load_integrals, radius_by_roots, times,
+    Ball, BluntBall, Cone, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RoundBall, ThreeFields,
+    ThreeTerm, by_hand, contact, load_integrals, radius_by_roots, run_time, times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -76,12 +76,12 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "three terms with a field", targets, &round_ball);
     let [b, c, d] = [0.02, 1e-4, 2e-6].map(|value| black_box(T::constant(value)));
     profile(group, "three terms with three fields", targets, &ThreeFields { b, c, d });
-    if let Ok(polynomial) = Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))) {
-        profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
-    }
+    let polynomial = run_time::<T>();
+    profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
 }
 
 fn profile<T: Scalar>(group: &mut Group<'_>, name: &str, targets: &[T], profile: &impl GapProfile<T>) {
+    assert!(targets.iter().all(|&target| profile.radius(target).is_ok()), "{name}: {NO_RESULT}");
     function(group, name, targets, |target| profile.radius(target).unwrap_or(T::zero()));
     slice(group, name, targets, |targets, radii| profile.radii(targets, radii));
 }
@@ -115,6 +115,7 @@ fn slice<T: Scalar>(
 ) {
     group.throughput(Throughput::Elements(arguments.len() as u64));
     let mut values = vec![T::zero(); arguments.len()];
+    assert!(f(arguments, &mut values).is_ok(), "{name}: {NO_RESULT}");
     group.bench_function(BenchmarkId::new("slice", name), |bencher| {
         bencher.iter(|| f(black_box(arguments), black_box(&mut values)));
     });
@@ -123,8 +124,10 @@ fn slice<T: Scalar>(
 /// The throughput of a contact under a constant load, asked for many times at once and one by one.
 fn at_times(group: &mut Group<'_>, name: &str, profile: impl GapProfile<f64>) {
     let (contact, times) = (contact(profile), times());
+    assert!(times.iter().all(|&time| contact.at(time).is_ok()), "{name}: {NO_RESULT}");
     group.throughput(Throughput::Elements(times.len() as u64));
     let mut radii = vec![0.0; times.len()];
+    assert!(contact.radii(&times, &mut radii).is_ok(), "{name}: {NO_RESULT}");
     group.bench_function(BenchmarkId::new("Contact::radii", name), |bencher| {
         bencher.iter(|| contact.radii(black_box(&times), black_box(&mut radii)));
     });

@@ -15,6 +15,7 @@
 mod clock;
 mod fixed_order;
 mod march;
+#[path = "../../cartcontact/benches/scenes/printed.rs"]
 mod printed;
 mod scenes;
 

@@ -1,11 +1,19 @@
 //! The one table of allowed errors.
 //!
 //! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it,
-//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε, so that a
-//! relative error in units of ε may be compared with the same number.
+//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε: a test that
+//! compares relative errors in units of ε with an entry, as the stress campaign does, enforces the table up to a factor
+//! of 2.
 //!
 //! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
-//! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here.
+//! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here:
+//! - by what the entry itself says, and where two results are compared by 2, as either may be off by what is allowed;
+//! - for radii of gaps with terms of both signs by [`RADIUS_OF_DIFFERENCES`];
+//! - for the functions of a radius by the number of terms over [`TERMS`], where there are more;
+//! - for pressures by the greatest condition number of the radii on the way, all of which they remember;
+//! - for pressures after a load has fallen by Y/F, at most e^(χ t): of what was there so much more has drained than is left.
+//!
+//! Where a load is an exponential function of time, [`FOLD`] is added.
 //!
 //! What is `seen` is the worst error in all tests that draw the same numbers in every run. Every test fails above 1.25 times
 //! that; the test in which it was seen also fails below 0.75 times that, so that the table tells what is so.
@@ -140,6 +148,19 @@ pub const BALANCE_OF_OTHER_LOADS: Allowance = allow_as_seen(
     [Some(10.0), None],
     "as the balance, and the force of each of dozens of steps is rounded",
 );
+
+/// By this the radius of a gap with terms of both signs is multiplied, besides its condition number.
+///
+/// Its load integral is a difference, in the quick sums of the last step as well, and what that is off by counts in full,
+/// while the degree of a sum of positive terms divides it by 4 at least.
+pub const RADIUS_OF_DIFFERENCES: f64 = 2.0;
+
+/// The terms of the gaps for which the functions of a radius are in the table: every further one is rounded once more.
+pub const TERMS: f64 = 6.0;
+
+/// For every e-folding of a load that is an exponential function of time, in ε: it multiplies the rounding of its exponent,
+/// in the load and in what the test expects.
+pub const FOLD: f64 = 2.0;
 
 /// All of them.
 pub const TABLE: [Allowance; 17] = [

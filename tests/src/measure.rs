@@ -80,6 +80,10 @@ impl Errors {
     }
 
     /// Notes the error of a result whose allowance is multiplied by `condition`.
+    ///
+    /// # Panics
+    ///
+    /// If that is no number above 0, which no error would exceed.
     pub fn add(
         &mut self,
         found: f64,
@@ -88,6 +92,7 @@ impl Errors {
         place: &dyn core::fmt::Debug,
     ) {
         let expected = expected.into();
+        assert!(condition.is_finite() && condition > 0.0, "the condition of {place:?} is {condition}");
         let error = ulps(found, expected, self.epsilon) / condition;
         self.count += 1;
         if error > self.worst.0 {

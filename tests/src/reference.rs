@@ -122,22 +122,37 @@ pub fn finite_elements() -> Vec<FiniteElementRow> {
     rows(include_str!("../reference/finite_element_history.csv")).map(row).collect()
 }
 
-/// The rows below the header, cut at commas; lines that begin with `#` are comments.
-fn rows<const N: usize>(text: &str) -> impl Iterator<Item = [&str; N]> {
+/// The rows of a file below its header, cut at commas; lines that begin with `#` are comments.
+///
+/// # Panics
+///
+/// If one does not have N columns.
+pub fn rows<const N: usize>(text: &str) -> impl Iterator<Item = [&str; N]> {
     text.lines().filter(|line| !line.starts_with('#')).skip(1).map(|line| {
         let columns: Vec<&str> = line.split(',').collect();
         columns.try_into().unwrap_or_else(|columns| unreachable!("not {N} columns: {columns:?}"))
     })
 }
 
-/// `name=time:force;time:force`.
-fn knots(text: &str) -> Vec<(f64, f64)> {
+/// The knots of a load: `name=time:force;time:force`.
+///
+/// # Panics
+///
+/// If one is not such a pair of numbers.
+#[must_use]
+pub fn knots(text: &str) -> Vec<(f64, f64)> {
     let (_, knots) = text.split_once('=').unwrap_or(("", text));
     let knot = |knot: &str| knot.split_once(':').map(|(time, force)| (number(time), number(force)));
-    knots.split(';').filter_map(knot).collect()
+    knots.split(';').map(|text| knot(text).unwrap_or_else(|| unreachable!("{text} is no knot"))).collect()
 }
 
-fn number(text: &str) -> f64 {
+/// A number of a file.
+///
+/// # Panics
+///
+/// If it is none.
+#[must_use]
+pub fn number(text: &str) -> f64 {
     text.parse().unwrap_or_else(|error| unreachable!("{text}: {error}"))
 }
 

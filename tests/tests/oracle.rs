@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use tests::oracle::number::{BITS, pi, size, whole};
 use tests::oracle::quadrature::integrate;
 use tests::oracle::{Oracle, Profile, Real, decimal, digits, double};
+use tests::reference::{self, knots, number};
 
 /// The significant digits of the reference values.
 const DIGITS: usize = 25;
@@ -33,17 +34,25 @@ fn records() -> &'static [Record] {
     RECORDS.get_or_init(|| records.map(record).collect())
 }
 
-/// The rows of a file that belong to a geometry, cut at commas.
-fn rows<'a, const N: usize>(text: &'a str, name: &str) -> impl Iterator<Item = [&'a str; N]> {
-    let rows = text
-        .lines()
-        .skip(1)
-        .filter_map(|line| <[&str; N]>::try_from(line.split(',').collect::<Vec<_>>()).ok());
-    rows.filter(move |row| row[0] == name)
+/// The rows of a file with the geometries they belong to.
+fn rows<const N: usize>(text: &'static str) -> impl Iterator<Item = (&'static Record, [&'static str; N])> {
+    reference::rows(text).map(|row: [&str; N]| {
+        let record = records().iter().find(|record| record.name == row[0]);
+        (record.unwrap_or_else(|| unreachable!("{row:?} belongs to none of the geometries")), row)
+    })
 }
 
-fn input(text: &str) -> f64 {
-    text.parse().unwrap_or_else(|error| unreachable!("{text}: {error}"))
+const KERNELS: &str = include_str!("../reference/kernels.csv");
+const RADII: &str = include_str!("../reference/radius.csv");
+const CONTACTS: &str = include_str!("../reference/contact.csv");
+
+/// What is below compared row by row.
+#[test]
+fn there_is_something_to_compare() {
+    let terms: Vec<usize> = records().iter().map(|record| record.terms.len()).collect();
+    assert_eq!(terms, [1, 2, 1, 2, 1, 6, 2, 1, 2, 2, 3]);
+    let counts = [rows::<9>(KERNELS).count(), rows::<4>(RADII).count(), rows::<10>(CONTACTS).count()];
+    assert_eq!(counts, [440, 330, 132]);
 }
 
 /// All results but 27 pressure kernels are reproduced to the last digit. Those 27 lie next to the edge, where the file
@@ -52,25 +61,23 @@ fn input(text: &str) -> f64 {
 #[test]
 fn kernels_are_regenerated() {
     let mut of_forty_digits = 0;
-    for record in records() {
+    for (record, row) in rows::<9>(KERNELS) {
         let profile = &record.profile;
-        for row in rows::<9>(include_str!("../reference/kernels.csv"), record.name) {
-            let (a, r) = (double(input(row[1])), double(input(row[2])));
-            let found = [
-                profile.gap(&a),
-                profile.approach(&a),
-                profile.approach_slope(&a),
-                profile.load_integral(&a),
-                profile.log_kernel(&a),
-            ];
-            assert_eq!(found.map(|value| digits(&value, DIGITS)), row[3..8], "{row:?}");
-            let kernel = profile.pressure_kernel(&a, &r);
-            if digits(&kernel, DIGITS) != row[8] {
-                of_forty_digits += 1;
-                assert_eq!(bracket_in_forty_digits(record, row[1], row[2]), row[8], "{row:?}");
-                let error = size(kernel - decimal(row[8]));
-                assert!(error < decimal("1e-38") * profile.log_kernel(&a), "{row:?}");
-            }
+        let (a, r) = (double(number(row[1])), double(number(row[2])));
+        let found = [
+            profile.gap(&a),
+            profile.approach(&a),
+            profile.approach_slope(&a),
+            profile.load_integral(&a),
+            profile.log_kernel(&a),
+        ];
+        assert_eq!(found.map(|value| digits(&value, DIGITS)), row[3..8], "{row:?}");
+        let kernel = profile.pressure_kernel(&a, &r);
+        if digits(&kernel, DIGITS) != row[8] {
+            of_forty_digits += 1;
+            assert_eq!(bracket_in_forty_digits(record, row[1], row[2]), row[8], "{row:?}");
+            let error = size(kernel - decimal(row[8]));
+            assert!(error < decimal("1e-38") * profile.log_kernel(&a), "{row:?}");
         }
     }
     assert_eq!(of_forty_digits, 27);
@@ -82,7 +89,7 @@ fn bracket_in_forty_digits(record: &Record, a: &str, r: &str) -> String {
     // Differences may come with a bit too many, which a change of the precision only rounds away if it is one.
     let rounded =
         |x: &Real| -> Rounded { x.clone().with_precision(BITS).value().with_precision(136).value() };
-    let (a, r) = (rounded(&double(input(a))), rounded(&double(input(r))));
+    let (a, r) = (rounded(&double(number(a))), rounded(&double(number(r))));
     let power = |x: &Rounded, n: &Rounded| match i64::try_from(n.clone()) {
         Ok(whole) => x.powi(whole.into()),
         Err(_) => x.powf(n),
@@ -100,82 +107,76 @@ fn bracket_in_forty_digits(record: &Record, a: &str, r: &str) -> String {
 
 #[test]
 fn radii_are_regenerated() {
-    for record in records() {
-        let profile = &record.profile;
-        for row in rows::<4>(include_str!("../reference/radius.csv"), record.name) {
-            let stiffness = double(input(row[1])) * pi() / whole(4);
-            let radius = profile.radius(&(double(input(row[2])) / stiffness));
-            assert_eq!(digits(&radius, DIGITS), row[3], "{row:?}");
-        }
+    for (record, row) in rows::<4>(RADII) {
+        let stiffness = double(number(row[1])) * pi() / whole(4);
+        let radius = record.profile.radius(&(double(number(row[2])) / stiffness));
+        assert_eq!(digits(&radius, DIGITS), row[3], "{row:?}");
     }
 }
 
 #[test]
 fn contacts_are_regenerated() {
-    for record in records() {
-        let profile = &record.profile;
-        for row in rows::<10>(include_str!("../reference/contact.csv"), record.name) {
-            let [_, m, chi, load, t, r, expected @ ..] = row;
-            let knots: Vec<(f64, f64)> = load
-                .split(['=', ';'])
-                .filter_map(|knot| knot.split_once(':'))
-                .map(|(time, force)| (input(time), input(force)))
-                .collect();
-            let oracle = Oracle::new(profile.clone(), input(m), input(chi), &knots);
-            let t = input(t);
-            let [pressure, peak] = oracle.pressures([input(r), 0.0], t);
-            let found = [oracle.radius(t), oracle.approach(t), pressure, peak];
-            assert_eq!(found.map(|value| digits(&value, DIGITS)), expected, "{row:?}");
-        }
+    for (record, row) in rows::<10>(CONTACTS) {
+        let [_, m, chi, load, t, r, expected @ ..] = row;
+        let oracle = Oracle::new(record.profile.clone(), number(m), number(chi), &knots(load));
+        let t = number(t);
+        let [pressure, peak] = oracle.pressures([number(r), 0.0], t);
+        let found = [oracle.radius(t), oracle.approach(t), pressure, peak];
+        assert_eq!(found.map(|value| digits(&value, DIGITS)), expected, "{row:?}");
     }
 }
 
 /// Where all exponents are whole, the sums (10), (14) and (28) are rational numbers of rational radii.
 #[test]
 fn kernels_are_the_exact_rational_numbers() {
-    for record in records() {
+    let mut count = 0;
+    for (record, row) in rows::<9>(KERNELS).step_by(5) {
+        let Some(terms) = exact_terms(record) else { continue };
         let profile = &record.profile;
-        let terms: Vec<(BigRational, u16)> =
-            record.terms.iter().filter_map(|(c, n)| exact_term(c, n)).collect();
-        if terms.len() < record.terms.len() {
-            continue;
+        let (a, r) = (number(row[1]), number(row[2]));
+        let expected = exact_kernels(&terms, &exact(a), &exact(r));
+        let (a, r) = (double(a), double(r));
+        let found = [
+            profile.gap(&a),
+            profile.approach(&a),
+            profile.approach_slope(&a),
+            profile.load_integral(&a),
+            profile.log_kernel(&a),
+            profile.pressure_kernel(&a, &r),
+        ];
+        for (found, expected) in found.into_iter().zip(expected) {
+            let expected = decimal(&expected.numer().to_string()) / decimal(&expected.denom().to_string());
+            // What the pressure kernel cancels leaves 45 digits of it.
+            assert!(size(&found - &expected) <= decimal("1e-45") * expected, "{row:?}");
         }
-        for row in rows::<9>(include_str!("../reference/kernels.csv"), record.name).step_by(5) {
-            let (a, r) = (input(row[1]), input(row[2]));
-            let expected = exact_kernels(&terms, &exact(a), &exact(r));
-            let (a, r) = (double(a), double(r));
-            let found = [
-                profile.gap(&a),
-                profile.approach(&a),
-                profile.approach_slope(&a),
-                profile.load_integral(&a),
-                profile.log_kernel(&a),
-                profile.pressure_kernel(&a, &r),
-            ];
-            for (found, expected) in found.into_iter().zip(expected) {
-                let expected =
-                    decimal(&expected.numer().to_string()) / decimal(&expected.denom().to_string());
-                // What the pressure kernel cancels leaves 45 digits of it.
-                assert!(size(&found - &expected) <= decimal("1e-45") * expected, "{row:?}");
-            }
-        }
+        count += 1;
     }
+    // 8 rows each of all geometries but two.
+    assert_eq!(count, 72);
 }
 
 fn exact(x: f64) -> BigRational {
     BigRational::from_float(x).unwrap_or_else(|| unreachable!("{x} is not finite"))
 }
 
-/// C and n, if n is whole; the decimals of the file have no exponent but the last geometries' `e-…`.
-fn exact_term(c: &str, n: &str) -> Option<(BigRational, u16)> {
-    let n = input(n);
-    let exponent = (n.fract() == 0.0).then_some(n as u16)?;
-    let (mantissa, power) = c.split_once('e').unwrap_or((c, "0"));
-    let (before, after) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let numerator: BigRational = format!("{before}{after}").parse().ok()?;
-    let power = power.parse::<i32>().ok()? - i32::try_from(after.len()).ok()?;
-    let ten: BigRational = "10".parse().ok()?;
-    Some((numerator * ten.pow(power), exponent))
+/// The terms (C, n) of a geometry whose exponents are whole.
+fn exact_terms(record: &Record) -> Option<Vec<(BigRational, u16)>> {
+    let exponents: Vec<f64> = record.terms.iter().map(|(_, n)| number(n)).collect();
+    let is_whole = exponents.iter().all(|n| n.fract() == 0.0);
+    let coefficients = record.terms.iter().map(|(c, _)| exact_decimal(c));
+    is_whole.then(|| coefficients.zip(exponents.iter().map(|&n| n as u16)).collect())
+}
+
+/// A decimal of the file.
+fn exact_decimal(text: &str) -> BigRational {
+    let read = || -> Option<BigRational> {
+        let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+        let (before, after) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let numerator: BigRational = format!("{before}{after}").parse().ok()?;
+        let power = power.parse::<i32>().ok()? - i32::try_from(after.len()).ok()?;
+        Some(numerator * "10".parse::<BigRational>().ok()?.pow(power))
+    };
+    read().unwrap_or_else(|| unreachable!("{text} is no decimal"))
 }
 
 /// Φ, δ₀, δ₀′, J and L at a, and G(a, r).

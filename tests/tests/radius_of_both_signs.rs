@@ -4,7 +4,7 @@
 use cartcontact::{GapProfile, Polynomial, RadiusError, gap_profile};
 use tests::budget;
 use tests::condition::{of_radius, of_sizes};
-use tests::measure::Errors;
+use tests::measure::{Errors, relative_error};
 use tests::of_two_fields;
 use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
@@ -41,10 +41,6 @@ struct Turning<T> {
     d: T,
 }
 
-/// So many times its condition a radius may be off as one of positive terms is: J is a difference, and its slope less than
-/// the fourfold value by which that of positive terms divides errors of J.
-const OF_DIFFERENCES: f64 = 2.0;
-
 const KINDS: [OfTwoFields; 5] = [
     of_two_fields!(|c, d| Oblate { c, d }),
     of_two_fields!(|c, d| Rimmed { c, d }),
@@ -64,7 +60,7 @@ fn radii_are_exact_up_to_their_condition() {
             let (terms, profile) = (kind.double)(c, d);
             let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
             let found = profile.radius(load_integral).unwrap_or(f64::NAN);
-            let condition = OF_DIFFERENCES * of_radius(&*profile, &of_sizes(&terms), found);
+            let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&*profile, &of_sizes(&terms), found);
             let place = (index, c, d, share);
             errors.add(found, exact_radius(&terms, load_integral), condition, &place);
 
@@ -75,7 +71,7 @@ fn radii_are_exact_up_to_their_condition() {
             let found = f64::from(profile.radius(load_integral).unwrap_or(f32::NAN));
             let terms: Vec<(f64, f64)> = terms.into_iter().map(|(c, n)| (c.into(), n.into())).collect();
             let same = Polynomial::new(&terms[..]).unwrap_or_else(|error| unreachable!("{error}"));
-            let condition = OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
+            let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
             errors_of_single.add(found, exact_radius(&terms, load_integral.into()), condition, &place);
         }
     }
@@ -112,7 +108,8 @@ fn fields_of_other_signs_have_their_own_radii() {
         for load_integral in [1e-6, 1.0, 1e5] {
             let found = Oblate { c, d }.radius(load_integral).unwrap_or(f64::NAN);
             let expected = polynomial.radius(load_integral).unwrap_or(f64::NAN);
-            assert!((found / expected - 1.0).abs() <= 2.0 * f64::EPSILON, "{c}, {d}: {found}, {expected}");
+            let error = relative_error(found, expected, f64::EPSILON);
+            assert!(error <= 2.0 * budget::RADIUS.double, "{c}, {d}: {found}, {expected}");
         }
     }
     for (c, d) in [(-0.02, 1e-4), (-0.02, -1e-4), (f64::NAN, 1e-4), (0.02, f64::NAN)] {

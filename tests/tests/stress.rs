@@ -2,6 +2,7 @@
 
 use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, Layer, Medium, MediumError, Polynomial};
+use tests::budget;
 use tests::random::Stream;
 use tests::stress::campaign::{Campaign, Ledger, Report};
 use tests::stress::finding::{Quantity, Tally};
@@ -37,7 +38,7 @@ fn assert_much_was_examined(ledger: &Ledger, report: &Report) {
     for region in Region::ALL {
         let [solved, unsolved, refused, in_units] = ledger.tallies[region as usize];
         let all = solved + unsolved + refused;
-        let place = format_args!("{}, {}", ledger.format, region.name());
+        let place = format_args!("{}, {}", ledger.format.name(), region.name());
         assert!(solved > 0 && solved as f64 >= least_share(region) * all as f64, "{place}\n{report}");
         assert!(region == Region::Subnormal || 2 * in_units >= solved, "{place}\n{report}");
         for quantity in Quantity::ALL.into_iter().filter(|&quantity| !is_deep(quantity)) {
@@ -54,7 +55,12 @@ fn assert_much_was_examined(ledger: &Ledger, report: &Report) {
     {
         let count: u64 = ledger.errors.iter().map(|row| row[quantity as usize].count).sum();
         let solved: u64 = ledger.tallies.iter().map(|row| row[Tally::Solved as usize]).sum();
-        assert!(count as f64 >= share * solved as f64, "{}, {}\n{report}", ledger.format, quantity.symbol());
+        assert!(
+            count as f64 >= share * solved as f64,
+            "{}, {}\n{report}",
+            ledger.format.name(),
+            quantity.symbol()
+        );
     }
 }
 
@@ -241,12 +247,12 @@ fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
     )?;
     for time in [1e6, 1e9, 1e12] {
         let now = contact.at(time)?;
-        let drained = 200.0 / (core::f32::consts::PI * now.radius() * now.radius());
-        assert!(
-            (now.peak_pressure() / drained - 1.0).abs() < 4e-6,
-            "{time:e}: {:e}, {drained:e}",
-            now.peak_pressure()
-        );
+        let (found, radius) = (f64::from(now.peak_pressure()), f64::from(now.radius()));
+        let drained = 200.0 / (core::f64::consts::PI * radius * radius);
+        let rounding = budget::PEAK_PRESSURE.single + 2.0 * budget::CONTACT_RADIUS.single;
+        // Of a⁻² ∝ (1 + χ t)^(−1/3) the memory has the mean over the last 1/χ.
+        let allowed = rounding * f64::from(f32::EPSILON) + 1.0 / (3.0 * f64::from(time));
+        assert!((found / drained - 1.0).abs() <= allowed, "{time:e}: {found:e}, {drained:e}");
     }
     Ok(())
 }

@@ -1,14 +1,13 @@
-//! The scenes that the benchmarks share, and the paper's formulas as printed to compare with.
+//! The scenes that the benchmarks share, and what to compare with: solvers by hand, and the paper's formulas as printed.
 #![allow(dead_code, reason = "every benchmark uses a part of it")]
 
 pub(crate) mod by_hand;
+pub(crate) mod printed;
 
 use std::hint::black_box;
 
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
-use gauss_quad::GaussLegendre;
-use roots::{SimpleConvergency, find_root_newton_raphson};
 
 #[gap_profile(0.025 * r^2)]
 pub(crate) struct Paraboloid;
@@ -62,9 +61,12 @@ pub(crate) struct Blunt;
 pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 
 /// The profile of [`Patellofemoral`], known at run time only.
-pub(crate) type RunTime = Polynomial<f64, [(f64, f64); 2]>;
+pub(crate) type RunTime<T = f64> = Polynomial<T, [(T, T); 2]>;
 
-pub(crate) const LOAD: f64 = 100.0;
+/// Why benchmarks look at what they are about to measure.
+pub(crate) const NO_RESULT: &str = "the time that an error takes is no result";
+
+pub(crate) const FORCE: f64 = 100.0;
 pub(crate) const RATE: f64 = 0.0015;
 pub(crate) const STIFFNESS: f64 = 0.375;
 
@@ -72,19 +74,25 @@ pub(crate) const STIFFNESS: f64 = 0.375;
 ///
 /// Never: the constants are valid.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-pub(crate) fn run_time() -> RunTime {
-    Polynomial::new(TERMS).expect("a valid profile")
+pub(crate) fn run_time<T: Scalar>() -> RunTime<T> {
+    Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))).expect("a valid profile")
 }
 
 /// The paper's scene: 100 N on the patellofemoral joint.
 ///
+pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
+    loaded(profile, RATE, load::Constant(FORCE))
+}
+
+/// A contact of the paper's layers with a rate of the memory of its own.
+///
 /// # Panics
 ///
-/// Never: the constants are valid.
+/// If one of the three is not valid.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
-    let medium = Medium::from_constants(STIFFNESS, RATE).expect("a valid medium");
-    Contact::new(profile, medium, load::Constant(LOAD)).expect("a valid contact")
+pub(crate) fn loaded<P: GapProfile<f64>, L: Load<f64>>(profile: P, rate: f64, load: L) -> Contact<f64, P, L> {
+    let medium = Medium::from_constants(STIFFNESS, rate).expect("a valid medium");
+    Contact::new(profile, medium, load).expect("a valid contact")
 }
 
 /// The paper's joint under a load that rises through 100 knots, every second piece of it level.
@@ -97,10 +105,9 @@ pub(crate) type HundredKnots = Contact<f64, Patellofemoral, PiecewiseLinear<f64,
 /// Never with rates of up to 2: the other numbers are valid, too.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
 pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
-    let knots = (0..100).map(|k| (2.0 * f64::from(k), LOAD * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
-    let medium = Medium::from_constants(STIFFNESS, rate).expect("a valid medium");
-    Contact::new(Patellofemoral, medium, PiecewiseLinear::new(knots).expect("a valid load"))
-        .expect("a valid contact")
+    let knots =
+        (0..100).map(|k| (2.0 * f64::from(k), FORCE * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
+    loaded(Patellofemoral, rate, PiecewiseLinear::new(knots).expect("a valid load"))
 }
 
 /// One pressure, cold: nothing is kept from an earlier call.
@@ -117,6 +124,16 @@ pub(crate) fn pressure_at<P: GapProfile<f64>, L: Load<f64>>(
     contact.at(black_box(t)).expect("a solution").pressure(black_box(r))
 }
 
+/// Pressures of the paper's scene by the formulas as printed, with a rule of so many nodes.
+///
+/// # Panics
+///
+/// If there are none.
+#[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
+pub(crate) fn as_printed(nodes: usize) -> printed::Pressure {
+    printed::Pressure::with_order(nodes).expect("a rule with nodes")
+}
+
 /// 1024 load integrals spread over a load range of 1 : 1000, so that no branch is learnt by heart; they and their
 /// radii fit in the nearest cache.
 pub(crate) fn load_integrals<T: Scalar>() -> Vec<T> {
@@ -128,14 +145,6 @@ pub(crate) fn times() -> Vec<f64> {
     (0..1024).map(f64::from).collect()
 }
 
-/// J and J′ of [`Patellofemoral`], written by hand.
-pub(crate) fn load_integral(a: f64) -> (f64, f64) {
-    let (c2, c4) = (0.025 / 12.0, 1.09375e-4 / 12.0);
-    let square = a * a;
-    let fifth = square * square * a;
-    (fifth * a * (c2 + c4 * square), fifth * (6.0 * c2 + 8.0 * c4 * square))
-}
-
 /// The contact radius by the general root finder of the crate `roots`, from the one-term radius.
 ///
 /// # Panics
@@ -143,26 +152,5 @@ pub(crate) fn load_integral(a: f64) -> (f64, f64) {
 /// Never for a positive load integral.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
 pub(crate) fn radius_by_roots(target: f64) -> f64 {
-    let start = (target * 12.0 / 0.025).powf(1.0 / 6.0);
-    let mut convergency = SimpleConvergency { eps: 1e-14 * target, max_iter: 50 };
-    find_root_newton_raphson(start, |a| load_integral(a).0 - target, |a| load_integral(a).1, &mut convergency)
-        .expect("convergence")
-}
-
-/// The bracket of Eq. (26) as printed, which cancels near the edge.
-pub(crate) fn kernel_as_printed(a: f64, r: f64) -> f64 {
-    let log_kernel = |x: f64| 0.025 * x.powi(4) / 16.0 + 1.09375e-4 * x.powi(6) / 36.0;
-    let approach = 0.025 * a.powi(2) / 2.0 + 1.09375e-4 * a.powi(4) / 3.0;
-    approach * (a * a - r * r) / 4.0 + log_kernel(r) - log_kernel(a)
-}
-
-/// P(r, t) under the constant load by Eqs. (25)-(27) as printed, with a rule of `gauss-quad` over time.
-pub(crate) fn pressure_as_printed(rule: &GaussLegendre, t: f64, r: f64) -> f64 {
-    let per_stiffness = 4.0 / (std::f64::consts::PI * STIFFNESS);
-    let radius = |tau: f64| radius_by_roots(per_stiffness * LOAD * (1.0 + RATE * tau));
-    // The history of a radius covered late starts when the contact reaches it.
-    let start = ((load_integral(r).0 / (per_stiffness * LOAD) - 1.0) / RATE).max(0.0);
-    let memory =
-        rule.integrate(start, t, |tau| kernel_as_printed(radius(tau), r) * (-RATE * (t - tau)).exp());
-    STIFFNESS * (kernel_as_printed(radius(t), r) - RATE * memory)
+    printed::radius_of(target, printed::FULL).expect("convergence")
 }

@@ -1,7 +1,8 @@
 //! The ratios that are asked of this crate, from what `cargo bench` has measured: a table at its end.
 //!
 //! `cargo bench --bench summary` prints it again; `cargo bench --bench summary -- --write [FILE]` also writes it
-//! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`.
+//! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`, unless some of what was
+//! measured, perhaps by a benchmark that is no more, is more than an hour older than the rest.
 
 mod items;
 mod measurements;
@@ -14,18 +15,24 @@ use std::{env, fs};
 use measurements::Measurements;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let measurements = Measurements::read(&measurements::folder()?)?;
+    let folder = measurements::folder()?;
+    let measurements = Measurements::read(&folder)?;
     let table = table::of(&items::items(&measurements));
     println!("{table}");
-    if let Some(age) = measurements.spread_in_minutes().filter(|&minutes| minutes > 60) {
-        println!(
-            "The oldest of these measurements is {age} minutes older than the newest: run `cargo bench`."
-        );
-    }
+    let outdated = measurements.spread_in_minutes().filter(|&minutes| minutes > 60).map(|age| {
+        format!(
+            "The oldest of these measurements is {age} minutes older than the newest, so that their ratios mean \
+             little: remove {} and run `cargo bench`.",
+            folder.display()
+        )
+    });
     if let Some(file) = file_to_write() {
+        outdated.map_or(Ok(()), Err)?;
         let text = fs::read_to_string(&file)?;
         fs::write(&file, table::inserted(&text, &table)?)?;
         println!("Written to {}.", file.display());
+    } else if let Some(warning) = outdated {
+        println!("{warning}");
     }
     Ok(())
 }

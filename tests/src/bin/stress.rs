@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use tests::stress::campaign::{Campaign, Report};
+use ::tests::stress::campaign::{Campaign, Report};
 
 const USAGE: &str = "\
 usage: stress [--cases N | --seconds S] [--seed N]
@@ -24,10 +24,13 @@ const FIRST: u64 = 2080;
 /// How much longer than estimated a campaign may take; what it announces.
 const MARGIN: f64 = 1.3;
 
+/// How many cases are computed unless told.
+const CASES: u64 = 100_000;
+
 /// What was asked for.
 struct Request {
     seed: u64,
-    cases: u64,
+    cases: Option<u64>,
     seconds: Option<u64>,
     only: Option<u64>,
 }
@@ -44,8 +47,6 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    // Panics are findings: they are in the report.
-    std::panic::set_hook(Box::new(|_| {}));
     let report = request.run();
     println!("{report}");
     if report.holds() {
@@ -63,7 +64,7 @@ fn main() -> ExitCode {
 impl Request {
     /// The request of the arguments; none if they ask for help.
     fn read(mut arguments: impl Iterator<Item = String>) -> Result<Option<Self>, String> {
-        let mut request = Self { seed: 1, cases: 100_000, seconds: None, only: None };
+        let mut request = Self { seed: 1, cases: None, seconds: None, only: None };
         while let Some(name) = arguments.next() {
             if name == "--help" || name == "-h" {
                 return Ok(None);
@@ -79,11 +80,14 @@ impl Request {
             match name.as_str() {
                 "--cases" if number == 0 => return Err("`--cases` must be at least 1".to_owned()),
                 "--seconds" if number == 0 => return Err("`--seconds` must be at least 1".to_owned()),
-                "--cases" => request.cases = number,
-                "--seconds" => (request.seconds, request.cases) = (Some(number), u64::MAX),
+                "--cases" => request.cases = Some(number),
+                "--seconds" => request.seconds = Some(number),
                 "--seed" => request.seed = number,
                 _ => request.only = Some(number),
             }
+        }
+        if [request.cases, request.seconds, request.only].iter().flatten().count() > 1 {
+            return Err("give only one of `--cases`, `--seconds` and `--only`".to_owned());
         }
         Ok(Some(request))
     }
@@ -93,25 +97,38 @@ impl Request {
         if let Some(case) = self.only {
             println!("{}\nfingerprint {:#010x}", campaign.shown(case), campaign.fingerprint(case));
             let mut report = campaign.report();
-            campaign.run_closely(case, &mut report);
+            with_panics_in_the_report(|| campaign.run_closely(case, &mut report));
             return report;
         }
         let start = Instant::now();
         let announced = self.seconds.map(Duration::from_secs);
-        let first = self.cases.min(FIRST);
-        let mut report = run_all(&campaign, 0..first, announced.map(|limit| start + limit));
+        let cases = self.cases.unwrap_or(if announced.is_some() { u64::MAX } else { CASES });
+        let first = cases.min(FIRST);
+        // A time that no clock will show is no deadline.
+        let deadline = |limit| start.checked_add(limit);
+        let run = |cases, deadline| with_panics_in_the_report(|| run_all(&campaign, cases, deadline));
+        let mut report = run(0..first, announced.and_then(deadline));
         let per_case = start.elapsed().as_secs_f64() / first as f64;
-        let limit = announced
-            .unwrap_or_else(|| Duration::from_secs_f64((per_case * self.cases as f64 * MARGIN).ceil()));
-        if self.cases > first {
+        let estimate = || Duration::try_from_secs_f64((per_case * cases as f64 * MARGIN).ceil());
+        let limit = announced.unwrap_or_else(|| estimate().unwrap_or(Duration::MAX));
+        if cases > first {
             eprintln!("at most {}", shown(limit));
-            report.merge(run_all(&campaign, first..self.cases, Some(start + limit)));
+            report.merge(run(first..cases, deadline(limit)));
         }
-        if report.cases < self.cases && self.seconds.is_none() {
-            println!("stopped at the announced time, after {} of {} cases", report.cases, self.cases);
+        if report.cases < cases && announced.is_none() {
+            println!("stopped at the announced time, after {} of {cases} cases", report.cases);
         }
         report
     }
+}
+
+/// Does work whose panics are findings, so that nothing else tells of them.
+fn with_panics_in_the_report<R>(work: impl FnOnce() -> R) -> R {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(|_| {}));
+    let result = work();
+    std::panic::set_hook(usual);
+    result
 }
 
 /// Examines the cases on all cores, as many as can be begun before the deadline.
@@ -181,5 +198,28 @@ fn shown(duration: Duration) -> String {
         seconds @ 0..=99 => format!("{seconds} s"),
         seconds @ 100..=5999 => format!("{} min", seconds.div_ceil(60)),
         seconds => format!("{:.1} h", seconds as f64 / 3600.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(arguments: &str) -> Result<Option<Request>, String> {
+        Request::read(arguments.split_whitespace().map(str::to_owned))
+    }
+
+    #[test]
+    fn one_kind_of_campaign_is_asked_for() {
+        for both in ["--cases 70 --seconds 1", "--seconds 1 --cases 70", "--only 3 --cases 70"] {
+            assert!(read(both).is_err_and(|message| message.contains("only one of")), "{both}");
+        }
+        assert!(read("--cases 70 --seed 2").is_ok_and(|request| request.is_some()));
+    }
+
+    #[test]
+    fn no_time_is_too_long() {
+        let request = Request { seed: 1, cases: Some(8), seconds: Some(u64::MAX), only: None };
+        assert_eq!(request.run().cases, 8);
     }
 }

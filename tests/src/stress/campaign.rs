@@ -7,10 +7,44 @@ use super::finding::{Fault, Findings, Quantity, Tally};
 use super::precision::Precision;
 use super::region::Region;
 use super::scene::Scene;
+use crate::budget::Allowance;
 use crate::random::Stream;
 
 /// Every how many cases memory and balance are looked at as well.
 const DEEP: u64 = 97;
+
+/// In which format a case is computed.
+#[derive(Clone, Copy, Debug)]
+pub enum Format {
+    /// `f64`.
+    Double,
+    /// `f32`.
+    Single,
+}
+
+impl Format {
+    fn of(case: u64) -> Self {
+        if case % 4 == 3 { Self::Single } else { Self::Double }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Double => "f64",
+            Self::Single => "f32",
+        }
+    }
+
+    /// What the table allows, in units of ε.
+    #[must_use]
+    pub fn allowed(self, allowance: Allowance) -> f64 {
+        match self {
+            Self::Double => f64::allowed(allowance),
+            Self::Single => f32::allowed(allowance),
+        }
+    }
+}
 
 /// Scenes from a seed.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +92,8 @@ impl Faults {
 /// What was found in one format.
 #[derive(Clone, Debug)]
 pub struct Ledger {
-    /// The name of the format.
-    pub format: &'static str,
+    /// The format.
+    pub format: Format,
     /// By region and quantity.
     pub errors: [[Worst; Quantity::ALL.len()]; Region::ALL.len()],
     /// By region and fault.
@@ -83,7 +117,7 @@ impl Campaign {
     /// An empty report.
     #[must_use]
     pub fn report(&self) -> Report {
-        let ledgers = [f64::NAME, f32::NAME].map(|format| Ledger {
+        let ledgers = [Format::Double, Format::Single].map(|format| Ledger {
             format,
             errors: Default::default(),
             faults: Default::default(),
@@ -146,18 +180,6 @@ impl Campaign {
             let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
             entry.fault(Fault::Panic, &text.unwrap_or_default());
         }
-    }
-}
-
-/// In which format a case is computed.
-enum Format {
-    Double,
-    Single,
-}
-
-impl Format {
-    fn of(case: u64) -> Self {
-        if case % 4 == 3 { Self::Single } else { Self::Double }
     }
 }
 

@@ -2,9 +2,6 @@
 
 use super::exact::Kernels;
 
-/// The radius is within 2 ulp instead of 1 where terms cancel, because the sums of the last step are the quick ones.
-pub(super) const MIXED_SIGNS: f64 = 2.0;
-
 /// Σ|terms of J|/(a J′), if it is above 1: errors of J are divided by its degree and grow where its terms cancel.
 ///
 /// Infinite where J falls: rounded coefficients, which are exact here, may be those of a geometry that is not quite

@@ -143,9 +143,7 @@ impl Profile {
         let positive = self.terms.iter().filter(|(c, _)| c.is_positive());
         positive.map(logarithm).reduce(Wide::min).map_or(Wide::ZERO, Wide::exp)
     }
-}
 
-impl Profile {
     /// The radius up to `a` at which a J′ is smallest beside the sizes of the terms of J, where the gap has terms of
     /// both signs: the contact passes it in no time, and rounding moves it most.
     #[must_use]

@@ -10,7 +10,9 @@ use super::history::History;
 use super::precision::Precision;
 use super::scene::Scene;
 use super::solver::{Loaded, contact, solver};
+use super::usable;
 use super::wide::Wide;
+use crate::budget;
 use crate::condition::edge;
 use crate::quadrature::Graded;
 
@@ -30,26 +32,22 @@ pub struct Depth {
 pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
     let profile = match solver(scene) {
         Ok(profile) => profile,
-        Err(error) => {
-            if is_usable(scene) {
-                findings.fault(Fault::Refused, &error);
-            }
-            return findings.count(Tally::Refused);
-        }
+        Err(error) => return turned_away(&error, usable::is_geometry(&scene.terms), findings),
     };
-    // Medium and load are checked by tests of their own; scenes that leave the format are none.
-    let Ok(contact) = contact(scene, &*profile) else { return findings.count(Tally::Refused) };
+    let contact = match contact(scene, &*profile) {
+        Ok(contact) => contact,
+        Err(error) => return turned_away(&error, usable::is_contact(scene), findings),
+    };
     let examination = Examination { scene, contact, exact: exact(scene), findings };
     examination.run(depth);
 }
 
-/// Whether the coefficients of a scene have all their digits, and are not all zero.
-fn is_usable<T: Precision>(scene: &Scene<T>) -> bool {
-    let has_digits = scene.terms.iter().all(|(c, n)| {
-        let least = T::LEAST * (n.value() + 2.0).powi(2) / n.value().min(1.0) * 2.0;
-        c.is_finite() && (c.is_zero() || c.value().abs() >= least)
-    });
-    has_digits && scene.terms.iter().any(|(c, _)| !c.is_zero())
+/// A scene that there is no contact of, which is a fault if it is usable.
+fn turned_away(error: &dyn core::fmt::Display, is_usable: bool, findings: &mut dyn Findings) {
+    if is_usable {
+        findings.fault(Fault::Refused, error);
+    }
+    findings.count(Tally::Refused);
 }
 
 fn exact<T: Precision>(scene: &Scene<T>) -> History {
@@ -162,7 +160,7 @@ impl<T: Precision> Examination<'_, T> {
         let found = now.radius().value();
         let condition = condition::of_radius(&here);
         let is_mixed = self.scene.terms.iter().any(|(c, _)| *c < T::zero());
-        let of_radius = if is_mixed { condition * condition::MIXED_SIGNS } else { condition };
+        let of_radius = if is_mixed { condition * budget::RADIUS_OF_DIFFERENCES } else { condition };
         self.measure(Quantity::Radius, found, a, of_radius);
         if !(found > 0.0 && found.is_finite()) {
             self.findings
@@ -216,8 +214,7 @@ impl<T: Precision> Examination<'_, T> {
             (Quantity::LoadIntegral, profile.load_integral(a), exact.load_integral),
             (Quantity::LogKernel, profile.log_kernel(a), exact.log_kernel),
         ];
-        // The table is for six terms; every further one is rounded once more.
-        let length = (self.scene.terms.len() as f64 / 6.0).max(1.0);
+        let length = (self.scene.terms.len() as f64 / budget::TERMS).max(1.0);
         for (quantity, found, Sum { value, size }) in sums {
             self.measure(quantity, found.value(), value, Sum { value, size }.condition() * length);
         }
@@ -358,7 +355,8 @@ impl<T: Precision> Examination<'_, T> {
         }
         let scale = expected.abs().max(Wide::of(T::LEAST));
         let error = ((Wide::of(found) - expected) / scale).value().abs() / T::EPSILON;
-        self.findings.error(quantity, error / condition / T::allowed(quantity.allowance()));
+        let share = error / condition / T::allowed(quantity.allowance());
+        self.findings.error(quantity, if share.is_nan() { f64::INFINITY } else { share });
     }
 }
 

@@ -14,4 +14,5 @@ pub mod scene;
 mod solver;
 pub mod soundness;
 mod units;
+mod usable;
 pub mod wide;

@@ -7,8 +7,6 @@ use crate::profiles::Case;
 
 /// A format with the ends of its range.
 pub trait Precision: Scalar {
-    /// Its name.
-    const NAME: &'static str;
     /// The distance from 1 to the next number.
     const EPSILON: f64;
     /// The smallest normal number.
@@ -26,11 +24,6 @@ pub trait Precision: Scalar {
         Self::rounded(2_f64.powi(k))
     }
 
-    /// How it is written in reports.
-    fn shown(self) -> f64 {
-        self.value()
-    }
-
     /// The generated solver of a geometry.
     fn solver(case: &Case) -> &'static dyn GapProfile<Self>;
 
@@ -39,7 +32,6 @@ pub trait Precision: Scalar {
 }
 
 impl Precision for f64 {
-    const NAME: &'static str = "f64";
     const EPSILON: f64 = f64::EPSILON;
     const LEAST: f64 = f64::MIN_POSITIVE;
     const MOST: f64 = f64::MAX;
@@ -59,7 +51,6 @@ impl Precision for f64 {
 }
 
 impl Precision for f32 {
-    const NAME: &'static str = "f32";
     const EPSILON: f64 = f32::EPSILON as f64;
     const LEAST: f64 = f32::MIN_POSITIVE as f64;
     const MOST: f64 = f32::MAX as f64;

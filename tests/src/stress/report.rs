@@ -23,7 +23,7 @@ impl fmt::Display for Report {
 
 /// How many scenes were examined and how many were refused, by region.
 fn tallies(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    write!(f, "\n{}, scenes      ", ledger.format)?;
+    write!(f, "\n{}, scenes      ", ledger.format.name())?;
     for tally in Tally::ALL {
         write!(f, "{:>11}", tally.name())?;
     }
@@ -43,8 +43,8 @@ fn tallies(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 
 /// The largest errors as shares of what is allowed, by region and quantity.
 fn shares(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    write!(f, "\n{}, error/bound", ledger.format)?;
-    write!(f, "{:1$}", "", 17 - ledger.format.len() - 13)?;
+    write!(f, "\n{}, error/bound", ledger.format.name())?;
+    write!(f, "{:1$}", "", 17 - ledger.format.name().len() - 13)?;
     for quantity in Quantity::ALL {
         write!(f, "{:>5}", quantity.symbol())?;
     }
@@ -69,15 +69,14 @@ fn shares(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
 
 /// The worst error of every quantity, in units of ε, and where it is.
 fn worst(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    writeln!(f, "\n{}, worst       error/ε  allowed     values  case, region", ledger.format)?;
+    writeln!(f, "\n{}, worst       error/ε  allowed     values  case, region", ledger.format.name())?;
     for quantity in Quantity::ALL {
         let column = ledger.errors.iter().map(|row| row[quantity as usize]);
         let count: u64 = column.clone().map(|worst| worst.count).sum();
         if count == 0 {
             continue;
         }
-        let allowance = quantity.allowance();
-        let allowed = if ledger.format == "f32" { allowance.single } else { allowance.double };
+        let allowed = ledger.format.allowed(quantity.allowance());
         let greatest = Region::ALL.into_iter().zip(column).max_by(|x, y| x.1.share.total_cmp(&y.1.share));
         if let Some((region, worst)) = greatest {
             let error = worst.share * allowed;
@@ -102,7 +101,7 @@ fn exceeded(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
             writeln!(
                 f,
                 "{}, {}: {symbol} is off by {share:.3e} of its bound in case {case}",
-                ledger.format,
+                ledger.format.name(),
                 region.name()
             )?;
         }
@@ -119,7 +118,7 @@ fn faults(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 writeln!(
                     f,
                     "\n{}, {}: {} {}, the first in case {case}:\n  {about}",
-                    ledger.format,
+                    ledger.format.name(),
                     region.name(),
                     faults.count,
                     fault.name()

@@ -90,7 +90,7 @@ impl<T: Precision> Scene<T> {
     #[must_use]
     pub fn fingerprint(&self) -> u32 {
         let exponents = self.terms.iter().map(|&(_, n)| n);
-        let numbers = self.numbers().chain(exponents).chain(self.max_radius).map(Precision::shown);
+        let numbers = self.numbers().chain(exponents).chain(self.max_radius).map(T::value);
         let text: String = numbers.chain([self.inset]).map(|x| format!("{x:.6e} ")).collect();
         // FNV-1a, which no release of the compiler changes.
         format!("{:?} {text}", self.form)

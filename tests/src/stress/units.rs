@@ -5,7 +5,7 @@ use cartcontact::load::Load;
 use super::examine::{Examination, Now};
 use super::finding::{Fault, Tally};
 use super::precision::Precision;
-use super::scene::Form;
+use super::scene::{Form, Scene};
 use super::solver::{contact, solver};
 
 impl<T: Precision> Examination<'_, T> {
@@ -16,55 +16,57 @@ impl<T: Precision> Examination<'_, T> {
         let is_bound = matches!(self.scene.form, Form::Constant(_))
             || self.scene.terms.iter().any(|(c, _)| *c < T::zero());
         let lengths = if is_bound { 0 } else { 4 };
-        for (length, force, time) in [(lengths, 0, 0), (-lengths, 5, 0), (0, -7, 3)] {
-            let Some(scene) = self.scene.in_units(length, force, time) else { continue };
-            let Ok(profile) = solver(&scene) else { continue };
-            let Ok(contact) = contact(&scene, &*profile) else { continue };
-            let r = self.place(now.radius(), self.scene.inset);
-            let unit = T::power_of_two(length);
-            let pressure = T::power_of_two(force) / (unit * unit);
-            let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
-            let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
-            let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
-            let load_integral = self.contact.profile().load_integral(now.radius());
-            let (impulse, last) = (self.least_impulse(), self.contact.load().impulse(self.scene.time));
-            let intermediate = [
-                least,
-                load_integral,
-                load_integral * T::power_of_two(5 * length),
-                impulse,
-                impulse * T::power_of_two(force + time),
-                last,
-                last * T::power_of_two(force + time),
-            ];
-            let has_room = |x: &T| {
-                x.is_zero()
-                    || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
-            };
-            // Nor may a number become zero in other units.
-            let mut inputs = self.scene.numbers().zip(scene.numbers());
-            if !expected.iter().chain(&intermediate).all(has_room)
-                || !inputs.all(|(x, y)| has_room(&x) && has_room(&y) && x.is_zero() == y.is_zero())
-            {
-                continue;
+        for units in [(lengths, 0, 0), (-lengths, 5, 0), (0, -7, 3)] {
+            if let Some(scene) = self.scene.in_units(units.0, units.1, units.2) {
+                self.compare_with(now, &scene, units);
             }
-            self.findings.count(Tally::Units);
-            let found = match contact.at(scene.time) {
-                Ok(then) => [then.radius(), then.approach(), then.pressure(r * unit)],
-                Err(error) => {
-                    self.findings.fault(Fault::Refused, &error);
-                    continue;
-                }
-            };
-            if found != expected {
-                let [found, expected] = [found, expected].map(|values| values.map(Precision::shown));
-                let units = (length, force, time);
+        }
+    }
+
+    /// Compares with the same scene in other units, which are 2 to these powers of the present ones.
+    fn compare_with(&mut self, now: &Now<'_, '_, T>, scene: &Scene<T>, units: (i32, i32, i32)) {
+        let (length, force, _) = units;
+        let r = self.place(now.radius(), self.scene.inset);
+        let unit = T::power_of_two(length);
+        let pressure = T::power_of_two(force) / (unit * unit);
+        let expected = [now.radius() * unit, now.approach() * unit, now.pressure(r) * pressure];
+        if !(expected.iter().all(has_room) && self.has_room_in(scene, now.radius(), units)) {
+            return;
+        }
+        self.findings.count(Tally::Units);
+        match results(scene, r * unit) {
+            Err(error) => self.findings.fault(Fault::Refused, &error),
+            Ok(found) if found == expected => {}
+            Ok(found) => {
+                let [found, expected] = [found, expected].map(|values| values.map(T::value));
                 self.findings.fault(
                     Fault::NotInvariant,
                     &format_args!("{found:?}, not {expected:?} in units 2^{units:?}"),
                 );
             }
         }
+    }
+
+    /// Whether what goes in and what is computed on the way to a radius keep their digits here and in other units.
+    fn has_room_in(&self, scene: &Scene<T>, radius: T, (length, force, time): (i32, i32, i32)) -> bool {
+        // Nor may a number become zero in other units.
+        let mut inputs = self.scene.numbers().zip(scene.numbers());
+        let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
+        let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
+        let load_integral = self.contact.profile().load_integral(radius);
+        let (impulse, last) = (self.least_impulse(), self.contact.load().impulse(self.scene.time));
+        let impulse_unit = T::power_of_two(force + time);
+        let intermediate = [
+            least,
+            load_integral,
+            load_integral * T::power_of_two(5 * length),
+            impulse,
+            impulse * impulse_unit,
+            last,
+            last * impulse_unit,
+        ];
+        intermediate.iter().all(has_room)
+            && inputs.all(|(x, y)| has_room(&x) && has_room(&y) && x.is_zero() == y.is_zero())
     }
 
     /// The least impulse between two knots that is not zero, and zero if there is none.
@@ -74,4 +76,17 @@ impl<T: Precision> Examination<'_, T> {
         let least = impulses.filter(|impulse| !impulse.is_zero()).fold(T::infinity(), T::min);
         if least.is_finite() { least } else { T::zero() }
     }
+}
+
+/// Whether a number is zero, or so far from the ends of the range that what is made of it on the way has all its digits.
+fn has_room<T: Precision>(x: &T) -> bool {
+    x.is_zero() || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
+}
+
+/// Radius, approach and the pressure at a distance from the axis.
+fn results<T: Precision>(scene: &Scene<T>, r: T) -> Result<[T; 3], Box<dyn core::error::Error>> {
+    let profile = solver(scene)?;
+    let contact = contact(scene, &*profile)?;
+    let now = contact.at(scene.time)?;
+    Ok([now.radius(), now.approach(), now.pressure(r)])
 }

@@ -1,4 +1,5 @@
-//! The formulas as the paper prints them, with general crates for root and integral.
+//! The formulas as the paper prints them, with general crates for root and integral; the example `work_precision` has
+//! this file too.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -7,7 +8,7 @@ use std::num::NonZeroUsize;
 use gauss_quad::GaussLegendre;
 use roots::{Convergency, SearchError, find_root_newton_raphson};
 
-use crate::scenes::{FORCE, RATE, STIFFNESS};
+use super::{FORCE, RATE, STIFFNESS};
 
 /// The coefficients of r² and r⁴ in the gap.
 const C: [f64; 2] = [0.025, 1.09375e-4];
@@ -27,9 +28,13 @@ pub(crate) fn approach_slope(a: f64) -> f64 {
     a * (C[0] + C[1] * (4.0 / 3.0) * (a * a))
 }
 
-/// a(t) by Eq. (14), from the radius that the first term alone would give, until a step is below `last` mm.
+/// a(t) by Eq. (14), until a step is below `last` mm.
 pub(crate) fn radius(time: f64, last: f64) -> Result<f64, SearchError> {
-    let target = 4.0 / (PI * STIFFNESS) * FORCE * (1.0 + RATE * time);
+    radius_of(4.0 / (PI * STIFFNESS) * FORCE * (1.0 + RATE * time), last)
+}
+
+/// The radius of a load integral, from that which the first term alone would give, until a step is below `last` mm.
+pub(crate) fn radius_of(target: f64, last: f64) -> Result<f64, SearchError> {
     let start = (target * 12.0 / C[0]).powf(1.0 / 6.0);
     find_root_newton_raphson(
         start,
