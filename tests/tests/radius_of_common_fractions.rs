@@ -2,6 +2,7 @@
 
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
+use tests::condition::{of_radius, of_sizes};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::radii::assert_same_one_by_one;
@@ -35,56 +36,63 @@ struct FifthsOfFields<T> {
     d: T,
 }
 
-/// A geometry in both formats, with its terms.
+/// A geometry in both formats, with its terms as they are written and as they are computed with.
 struct Kind {
     double: &'static dyn GapProfile<f64>,
     single: &'static dyn GapProfile<f32>,
     terms: &'static [(&'static str, &'static str)],
-    /// How much worse J is conditioned than the sum of its sizes.
-    condition: fn(f64) -> f64,
+    numbers: &'static [(f64, f64)],
 }
 
-macro_rules! kind {
-    ($profile:ident, $terms:expr) => {
-        kind!($profile, $terms, |_| 1.0)
-    };
-    ($profile:ident, $terms:expr, $condition:expr) => {
-        Kind { double: &$profile, single: &$profile, terms: &$terms, condition: $condition }
+macro_rules! kinds {
+    ($($profile:ident: $terms:expr,)*) => {
+        [$(Kind {
+            double: &$profile,
+            single: &$profile,
+            terms: &$terms,
+            numbers: &$profile::TERMS,
+        }),*]
     };
 }
 
-const KINDS: [Kind; 7] = [
-    kind!(Thirds, [("0.02", "2/3"), ("1e-3", "2")]),
-    kind!(Quarters, [("0.02", "0.25"), ("1e-3", "8.75")]),
-    kind!(Fifths, [("0.02", "1.8"), ("-1e-5", "4.6")], |a| {
-        // J's terms are those of the gap times n/((n+2)(n+4)) a⁴, its slope those times n/(n+2) a³.
-        let [low, high] = [0.02 * a.powf(1.8) * 1.8 / 3.8, 1e-5 * a.powf(4.6) * 4.6 / 6.6];
-        5.8 * (low / 5.8 + high / 8.6) / (low - high)
-    }),
-    kind!(Sevenths, [("0.02", "13/7"), ("1e-3", "3")]),
-    kind!(Tenths, [("0.02", "1.1"), ("1e-3", "2.2"), ("2e-4", "3.3")]),
-    kind!(Twentieths, [("0.02", "0.35"), ("1e-3", "4.05")]),
-    kind!(Hundredths, [("0.02", "2.37"), ("1e-3", "3.5")]),
-];
+const KINDS: [Kind; 7] = kinds! {
+    Thirds: [("0.02", "2/3"), ("1e-3", "2")],
+    Quarters: [("0.02", "0.25"), ("1e-3", "8.75")],
+    Fifths: [("0.02", "1.8"), ("-1e-5", "4.6")],
+    Sevenths: [("0.02", "13/7"), ("1e-3", "3")],
+    Tenths: [("0.02", "1.1"), ("1e-3", "2.2"), ("2e-4", "3.3")],
+    Twentieths: [("0.02", "0.35"), ("1e-3", "4.05")],
+    Hundredths: [("0.02", "2.37"), ("1e-3", "3.5")],
+};
+
+impl Kind {
+    /// By what the error of a radius is multiplied.
+    fn condition(&self, a: f64) -> f64 {
+        let terms = self.numbers;
+        let is_sum = terms.iter().all(|&(c, _)| c > 0.0);
+        let of_differences = if is_sum { 1.0 } else { budget::RADIUS_OF_DIFFERENCES };
+        of_differences * of_radius(self.double, &of_sizes(terms), a)
+    }
+}
 
 #[test]
 fn radii_are_exact() {
     let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
     let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
-    for (index, kind) in KINDS.iter().enumerate() {
-        let (oracle, mut stream) = (Profile::of_decimals(kind.terms), Stream::of_case(1, index as u64));
+    for (index, kind) in (0..).zip(&KINDS) {
+        let (oracle, mut stream) = (Profile::of_decimals(kind.terms), Stream::of_case(1, index));
         for _ in 0..200 {
             let size = stream.magnitude(-1.5, 0.75);
             let load_integral = kind.double.load_integral(size);
+            let condition = kind.condition(size);
             let place = (kind.terms, load_integral);
             let expected = Exact::from(&oracle.radius(&double(load_integral)));
-            let found = kind.double.radius(load_integral).unwrap_or(f64::NAN);
-            errors.add(found, expected, (kind.condition)(found).max(1.0), &place);
+            errors.add(kind.double.radius(load_integral).unwrap_or(f64::NAN), expected, condition, &place);
 
             let single = load_integral as f32;
             let expected = Exact::from(&oracle.radius(&double(single.into())));
-            let found = f64::from(kind.single.radius(single).unwrap_or(f32::NAN));
-            errors_of_single.add(found, expected, (kind.condition)(found).max(1.0), &place);
+            let found = kind.single.radius(single).unwrap_or(f32::NAN);
+            errors_of_single.add(found.into(), expected, condition, &place);
         }
     }
     errors.check();
@@ -93,8 +101,8 @@ fn radii_are_exact() {
 
 #[test]
 fn slices_have_the_same_radii() {
-    for (index, kind) in KINDS.iter().enumerate() {
-        let mut stream = Stream::of_case(2, index as u64);
+    for (index, kind) in (0..).zip(&KINDS) {
+        let mut stream = Stream::of_case(2, index);
         let load_integrals: Vec<f64> =
             (0..500).map(|_| kind.double.load_integral(stream.magnitude(-1.5, 0.75))).collect();
         assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);

@@ -173,12 +173,13 @@ mod tests {
         largest / T::default_epsilon().value()
     }
 
-    fn pairs<T: Scalar>(x: T, n: T) -> [(Halved<T>, DoubleWord<T>); 4] {
+    fn pairs<T: Scalar>(x: T, n: T) -> [(Halved<T>, DoubleWord<T>); 5] {
         let (halved, third) = (Halved::of(x), T::constant(1.0 / 3.0));
         let [of_two, of_four] = [2.0, 4.0].map(|k| DoubleWord::sum(n, T::constant(k)));
         [
             (halved.times(Halved::of(third)), DoubleWord::product(x, third)),
             (halved.power(halved.square(), 9), DoubleWord::of(x).power(9)),
+            (halved.whole_power::<10>(halved.square()), DoubleWord::of(x).power(10)),
             (halved.sqrt(), DoubleWord::of(x).sqrt()),
             (Halved::load_integral_coefficient(x, n), DoubleWord::product(x, n).over(of_two.times(of_four))),
         ]

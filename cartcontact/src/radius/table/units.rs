@@ -154,3 +154,26 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
         power - (power * share - lost)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluate::steepness::NestedPowers;
+
+    /// Of J = a^(41/7), from seeds that are as far off as those of a table, in either direction.
+    #[test]
+    fn radii_are_powers_of_their_roots() {
+        for k in 0..1000 {
+            let load_integral = 1.0 + f64::from(k);
+            let root = load_integral.powf(1.0 / 41.0);
+            for error in [-1e-6, 1e-7, 1e-6] {
+                let seed = f64::from((root * (1.0 + error)) as f32);
+                let steepness = NestedPowers::of(seed).plus(1.0, 41.0).of_lowest_power::<41>();
+                let radius = RootOf::<_, 7>(OwnUnits).radius(seed, steepness, Target::of(load_integral));
+                // Half an ε each of both results, and what the rounding of the exponent makes.
+                let difference = radius / load_integral.powf(7.0 / 41.0) - 1.0;
+                assert!(difference.abs() < 2.0 * f64::EPSILON, "{load_integral}, {error}: {difference:e}");
+            }
+        }
+    }
+}
