@@ -9,8 +9,13 @@ use crate::evaluate::bits::nearest_integer;
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
 /// `f32` and `f64` are; so are the dual numbers of `num-dual`, with which every result carries its exact
-/// derivatives. But where nothing has drained yet, χ t = 0, second derivatives of pressures, and first ones with respect to
-/// χ where the load varies, are not those of what follows; nor are those of pressures with respect to time at a knot.
+/// derivatives, with these exceptions among those of pressures:
+///
+/// - where nothing has drained yet, χ t = 0, second derivatives, and first ones with respect to χ under a load that varies;
+/// - those with respect to time at a knot;
+/// - those with respect to a parameter that moves a user-defined force by much in a time in which the force itself hardly
+///   varies, such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, as the values alone tell how closely a force is
+///   followed. A knot where the parameter begins to act and some behind it, or a small b, make up for that.
 ///
 /// # Examples
 ///

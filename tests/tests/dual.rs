@@ -268,3 +268,41 @@ fn a_zero_before_a_power_beyond_the_format_changes_nothing() -> Result<(), Failu
     }
     Ok(())
 }
+
+/// F = 100 (1 − b e^(−t/τ)).
+struct Approaching<T> {
+    b: T,
+    tau: f64,
+}
+
+impl<T: Scalar> Load<T> for Approaching<T> {
+    fn force(&self, t: T) -> T {
+        let hundred = T::constant(100.0);
+        hundred * (T::one() - self.b * (-t / T::constant(self.tau)).exp())
+    }
+
+    fn impulse(&self, t: T) -> T {
+        let (hundred, tau) = (T::constant(100.0), T::constant(self.tau));
+        hundred * (t + self.b * tau * (-t / tau).exp_m1())
+    }
+}
+
+/// A fit may begin where a parameter does nothing yet, and the force does not vary.
+#[test]
+fn slopes_are_right_where_the_force_does_not_vary() -> Result<(), Failure> {
+    for tau in [100.0, 30.0, 10.0] {
+        let slope_and_value = peak_pressure(Approaching { b: variable(0.0), tau })?;
+        let h = 1e-3;
+        let at = |steps: f64| peak_pressure(Approaching { b: steps * h, tau });
+        let difference = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
+        let share = slope_and_value.eps / slope_and_value.re;
+        let found = relative_error(share, difference / slope_and_value.re, f64::EPSILON);
+        assert!(found <= DIFFERENCES / share.abs(), "{tau}: {share} is off by {found:.2} ε");
+    }
+    Ok(())
+}
+
+fn peak_pressure<T: Scalar>(load: Approaching<T>) -> Result<T, Failure> {
+    let medium = Medium::from_constants(T::constant(0.375), T::constant(0.0015))?;
+    Ok(Contact::new(Plain, medium, load)?.at(T::constant(200.0))?.peak_pressure())
+}

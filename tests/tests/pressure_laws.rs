@@ -100,6 +100,69 @@ fn jumps_and_kinks_are_found_where_no_knot_tells_of_them() -> Result<(), Contact
     Ok(())
 }
 
+/// A load that tells its knots, but not that it is straight between them.
+struct Announced<'a>(&'a Knots);
+
+impl Load<f64> for Announced<'_> {
+    fn force(&self, t: f64) -> f64 {
+        self.0.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.0.impulse(t)
+    }
+
+    fn force_before(&self, t: f64) -> f64 {
+        self.0.force_before(t)
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        self.0.next_knot(t)
+    }
+}
+
+/// Steps begin at a knot, not a rounding before it, where the force is still that of the ramp.
+#[test]
+fn short_ramps_end_at_their_knots() -> Result<(), ContactError> {
+    let mut errors = Errors::of(budget::PRESSURE);
+    for duration in [1e-7, 1e-6, 1e-5, 7e-4, 1e-2] {
+        for share in [0.0, 0.1, 0.4, 0.9] {
+            let start = 33.0 + share;
+            let load = through(&[(0.0, 50.0), (start, 50.0), (start + duration, 100.0)]);
+            for t in [35.1, 100.3, 550.1] {
+                let straight = contact(cases()[0], &load, 5.0, t)?;
+                let curved = contact(cases()[0], Announced(&load), 5.0, t)?;
+                let (straight, curved) = (straight.at(t)?, curved.at(t)?);
+                for r in [0.0, 2.0, 4.0, 4.95] {
+                    let edge = edge(straight.radius(), r);
+                    let place = (start, duration, t, r);
+                    errors.add(curved.pressure(r), straight.pressure(r), edge, &place);
+                }
+            }
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
+/// Also for loads that are not straight, whose steps are then shorter than any normal number.
+#[test]
+fn nothing_has_drained_in_the_first_moments() -> Result<(), ContactError> {
+    for case in cases() {
+        let contact = contact(case, Fall { force: 100.0, rate: CHI / 2.0 }, 5.0, 0.0)?;
+        let first = contact.at(0.0)?;
+        for t in [5e-324, 1e-318, 1e-310, f64::MIN_POSITIVE] {
+            let now = contact.at(t)?;
+            for r in [0.0, 2.0, 4.0] {
+                let error = relative_error(now.pressure(r), first.pressure(r), f64::EPSILON);
+                let allowed = 2.0 * budget::PRESSURE.double * edge(first.radius(), r);
+                assert!(error <= allowed, "{case:?}, {t:e}, {r}: {error:.1} of {allowed:.1} ε");
+            }
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn there_is_no_memory_without_drainage() -> Result<(), ContactError> {
     let load = through(&[(0.0, 10.0), (5.0, 100.0)]);

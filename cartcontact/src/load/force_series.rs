@@ -16,6 +16,7 @@
 use super::Load;
 use super::chebyshev::{Coefficients, DEGREE, cosine, derivative, interpolate, mean_to_the_end, sum_at};
 use crate::Scalar;
+use crate::scalar::is_plain;
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {
@@ -62,13 +63,15 @@ impl<T: Scalar> ForceSeries<T> {
         let duration = end - start;
         let forces = core::array::from_fn(|place| {
             let before_end = duration * (T::one() - T::constant(cosine(place))) * T::constant(0.5);
-            let time = end - before_end;
+            // Not a little before it, where the load may be another: the duration is rounded.
+            let time = if place == Self::START { start } else { end - before_end };
             if time < end { load.force(time) } else { load.force_before(end) }
         });
         let size = largest(&forces);
-        let variation = interpolate(forces.map(|force| force - forces[0]));
+        let mut variation = interpolate(forces.map(|force| force - forces[0]));
         let rest = variation[DEGREE - 2..].iter().fold(T::zero(), |rest, c| rest + c.abs());
         let length = length_above(&variation, size * T::default_epsilon() * T::constant(0.5));
+        let length = leave_out(&mut variation, length);
         let none = [T::zero(); DEGREE + 1];
         let folds = chi * duration;
         Self { duration, folds, forces, size, rest, length, variation, growth: none, mean_growth: none }
@@ -82,8 +85,8 @@ impl<T: Scalar> ForceSeries<T> {
     /// what a pressure gains and loses during them remains that of one history.
     fn denoised(mut self, end: T) -> Self {
         let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
-        self.length = length_above(&self.variation[..self.length], noise).max(2);
-        self.variation[self.length..].fill(T::zero());
+        let length = length_above(&self.variation[..self.length], noise).max(2);
+        self.length = leave_out(&mut self.variation, length);
         let (mut at_end, mut at_start) = (T::zero(), self.forces[Self::START] - self.last());
         for (k, &c) in self.variation.iter().enumerate() {
             at_end -= c;
@@ -306,6 +309,15 @@ fn largest<T: Scalar>(numbers: &[T]) -> T {
 /// How many coefficients there are up to the last that is more than negligible.
 fn length_above<T: Scalar>(coefficients: &[T], negligible: T) -> usize {
     coefficients.iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1)
+}
+
+/// Leaves out the values of all coefficients from `length` on, and returns how many are left: derivatives with respect to
+/// a parameter may count where the force itself hardly varies.
+fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usize {
+    for c in &mut coefficients[length..] {
+        *c -= T::constant(c.value());
+    }
+    if is_plain::<T>() { length } else { coefficients.len() }
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@
 use super::March;
 use crate::load::{ForceSeries, Load, Shortest};
 use crate::memory::stretch::Course;
+use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 
 /// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
@@ -26,7 +27,7 @@ const MOST_HALVINGS: u32 = 2048;
 struct Pace<T> {
     step: T,
     /// How short steps are at most, and those of which only a limited number is: still long enough to move the time, also
-    /// where all of it is few of its roundings.
+    /// where all of it is few of its roundings, or below the normal numbers.
     shortest: Shortest<T>,
     least: T,
     /// How many more may be shorter than the shortest.
@@ -35,7 +36,7 @@ struct Pace<T> {
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
-        let least = end * T::default_epsilon() * T::constant(4.0);
+        let least = (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal());
         let shortest = Shortest::of((duration * T::constant(1.0 / 1_048_576.0)).max(least));
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
     }
