@@ -110,13 +110,14 @@ impl<T: Scalar> Transition<T> {
     }
 
     /// Whether two ways to the same transition, at whose end the contact has some radius, differ by little more than
-    /// rounding, which counts the more the narrower the ring beyond the reach is.
-    fn agrees_with(&self, other: &Self, radius: T) -> bool {
+    /// rounding, which counts the more the narrower the ring beyond the reach is. The radius is off by so many roundings
+    /// as its `condition` says.
+    fn agrees_with(&self, other: &Self, radius: T, condition: T) -> bool {
         if radius <= self.reach {
             // Nothing was covered.
             return true;
         }
-        let edge = radius / (radius - self.reach).max(radius * T::default_epsilon());
+        let edge = radius * condition / (radius - self.reach).max(radius * T::default_epsilon());
         let tolerance = T::default_epsilon() * T::constant(64.0) * (T::constant(8.0) + edge);
         let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());
         agree(self.offset, other.offset) && agree(self.slope, other.slope)

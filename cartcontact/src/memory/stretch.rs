@@ -184,23 +184,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 // In shares of J at `top`: the deficit is a force, and over π m/4 it may be out of range.
                 let share_of_deficit = deficit / (self.contact.load_per_integral() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
-                let degree = self.degree(top, load_integral);
+                let degree = self.contact.degree(top, load_integral);
                 let radius = top * singular.abs().powf(degree.recip());
                 let on_axis = (top - radius) * T::constant(0.4);
                 Some(if singular < T::zero() { off_axis(radius, degree) } else { on_axis })
             }
             Course::Smooth(_) => {
-                let degree = self.degree(top, self.contact.profile().quick_load_integral(top));
+                let degree = self.contact.degree(top, self.contact.profile().quick_load_integral(top));
                 Some(off_axis(top, degree) * half)
             }
             Course::Linear { .. } | Course::Step => None,
         }
-    }
-
-    /// a J′/J = a⁵ δ₀′/(2 J), in an order that keeps the fifth power in range.
-    fn degree(&self, a: T, load_integral: T) -> T {
-        let square = a * a;
-        let slope = self.contact.profile().quick_approach_slope(a);
-        (a * slope * T::constant(0.5)) * (square / (load_integral / square))
     }
 }

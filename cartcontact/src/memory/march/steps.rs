@@ -118,7 +118,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             halves.advance_smooth(&halves.force_series(stop), stop);
             let mut whole = self.clone();
             whole.advance_smooth(&force, stop);
-            if whole.transition.agrees_with(&halves.transition, halves.now.radius) {
+            let radius = halves.now.radius;
+            if whole.transition.agrees_with(&halves.transition, radius, self.condition_of(radius)) {
                 *self = halves;
                 pace.double();
             } else if !pace.halve() {
@@ -126,6 +127,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 pace.give_up();
             }
         }
+    }
+
+    /// How many of its own roundings a radius is off by where the load integral is rounded: little more than none, but where
+    /// the degree of that nearly vanishes.
+    fn condition_of(&self, a: T) -> T {
+        self.contact.degree(a, self.contact.profile().quick_load_integral(a)).recip().max(T::one())
     }
 
     /// The force from now to the end of a step.
