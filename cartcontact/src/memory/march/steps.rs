@@ -91,7 +91,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 continue;
             }
             if force.is_rough() {
-                if !pace.halve() {
+                if self.advance_below_reach(&force, stop) {
+                    pace.double();
+                } else if !pace.halve() {
                     if force.is_unresolved() {
                         self.advance_through_jump(&force, stop);
                     } else {
@@ -178,6 +180,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn forces_until(&self, end: T) -> (T, T) {
         let load = self.contact.load();
         (load.force(self.now.time), load.force_before(end))
+    }
+
+    /// Continues through a step in whatever way if the contact does not come to the radii that the transition is for: then
+    /// nothing but the impulse counts.
+    fn advance_below_reach(&mut self, force: &ForceSeries<T>, end: T) -> bool {
+        let mut ahead = self.clone();
+        ahead.advance_through_jump(force, end);
+        let is_below = ahead.now.radius <= self.transition.reach;
+        if is_below {
+            *self = ahead;
+        }
+        is_below
     }
 
     /// Adds what the impulse gains in a step until its end, and returns it with what the series makes of it.
