@@ -19,8 +19,8 @@ struct Dense;
     + 1e-40*r^48, max_radius = 5)]
 struct FarApart;
 
-/// Compares everything with the same geometry as it is evaluated at run time, whose coefficients are not rounded: either
-/// has the error that is allowed.
+/// Compares everything with the same geometry as it is evaluated at run time, whose weights are formed in double words:
+/// either has the error that is allowed.
 fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
     let polynomial = Polynomial::with_max_radius(terms, 5.0).unwrap_or_else(|error| unreachable!("{error}"));
     let assert_near = |found: f64, expected: f64, allowance: Allowance, condition: f64| {

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use tests::stress::campaign::{Campaign, Report};
+use ::tests::stress::campaign::{Campaign, Report};
 
 const USAGE: &str = "\
 usage: stress [--cases N | --seconds S] [--seed N]

@@ -186,7 +186,11 @@ fn symbols_of_a_generated_geometry_are_checked() {
     let checked = |radius, limit| GapProfile::<f64>::check(&Ball { radius, limit });
     assert_eq!(checked(20.0, 10.0), Ok(()));
     for radius in [0.0, f64::NAN] {
-        refused(checked(radius, 10.0), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "");
+        refused(
+            checked(radius, 10.0),
+            |e| matches!(e, ProfileError::InvalidCoefficient { .. }),
+            &format!("radius = {radius}"),
+        );
     }
     refused(checked(f64::INFINITY, 10.0), |e| matches!(e, ProfileError::Vanishing { .. }), "radius = inf");
     refused(checked(-20.0, 10.0), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.025");
