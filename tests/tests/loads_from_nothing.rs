@@ -1,19 +1,18 @@
 //! User-defined loads that are zero for a while, or the rounding of something, before they rise: next to zero neither forces
-//! nor impulses have digits, and nothing is covered. Pressures against 30-digit integrals of Eq. (28).
+//! nor impulses have digits, and nothing is covered. Pressures against 30-digit integrals of Eq. (28), which
+//! `reference/loads_from_nothing.py` makes.
 
 use core::cell::Cell;
 use core::f64::consts::PI;
 
 use cartcontact::load::Load;
-use cartcontact::{Contact, ContactError, Medium, gap_profile};
+use cartcontact::{Contact, ContactError, Medium};
+use tests::profiles::Patellofemoral;
 
 const CHI: f64 = 0.02;
 
 /// The most forces that one pressure may take.
 const MOST_FORCES: usize = 500_000;
-
-#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
-struct Patellofemoral;
 
 /// A force and its impulse, with a knot, and how often it was asked for its force.
 struct Formula<F, I> {

@@ -1,0 +1,87 @@
+"""The peak pressures that tests/loads_from_nothing.rs expects, to 25 digits.
+
+Under a load that begins with nothing there is no first contact, and Eq. (28) leaves on the axis
+
+    P(0, t) = (2/π) ∫ Y′(τ)/a²(τ) e^(−χ (t−τ)) dτ,    Y = F + χ ∫F,    (π m/4) J(a) = Y.
+
+Needs mpmath: python3 tests/reference/loads_from_nothing.py
+"""
+
+from mpmath import exp, log1p, mp, mpf, nstr, pi, quad, sin
+
+mp.dps = 30
+CHI, M, SQUARE, FOURTH = mpf("0.02"), mpf("0.375"), mpf("0.025"), mpf("1.09375e-4")
+
+
+def radius_squared(hereditary):
+    """a² of J = (C₂ a⁶ + C₄ a⁸)/12, by Newton's method from above."""
+    target = 48 * hereditary / (pi * M)
+    square = (target / SQUARE) ** (mpf(1) / 3)
+    for _ in range(200):
+        value, slope = square**3 * (SQUARE + FOURTH * square), square**2 * (3 * SQUARE + 4 * FOURTH * square)
+        step = (value - target) / slope
+        square -= step
+        if abs(step) < square * mpf(10) ** -28:
+            return square
+    raise ArithmeticError(hereditary)
+
+
+def peak(t, force, rate, impulse, borders, chi=CHI, power=1):
+    """P(0, t) of F, F′ and ∫F, with borders where they change quickly.
+
+    Integrated over the root of the time of this power, where the integrand is smooth.
+    """
+
+    def integrand(u):
+        tau = u**power
+        hereditary = force(tau) + chi * impulse(tau)
+        change = rate(tau) + chi * force(tau)
+        return change / radius_squared(hereditary) * exp(-chi * (t - tau)) * power * u ** (power - 1)
+
+    borders = [mpf(border) ** (mpf(1) / power) for border in borders]
+    return 2 / pi * quad(integrand, borders)
+
+
+def show(name, value):
+    print(f"{name:28} {nstr(value, 25)}")
+
+
+def half_a_cosine(t):
+    t = mpf(t)
+    rise = (
+        lambda s: 100 * sin(pi * s / 2) ** 2 if s < 1 else mpf(100),
+        lambda s: 50 * pi * sin(pi * s) if s < 1 else mpf(0),
+        lambda s: 50 * (s - sin(pi * s) / pi) if s < 1 else 50 + 100 * (s - 1),
+    )
+    return peak(t, *rise, [0, t] if t <= 1 else [0, 1, t])
+
+
+def root():
+    """90 (t − 100)^0.1 at 101 s, in the time since the knot: Y′ is infinite there."""
+    force, impulse = lambda s: 90 * s ** mpf("0.1"), lambda s: 90 / mpf("1.1") * s ** mpf("1.1")
+    return peak(mpf(1), force, lambda s: 9 * s ** mpf("-0.9"), impulse, [0, 1], power=30)
+
+
+def logistic(t, steepness):
+    """90/(1 + e^(−b (t − 100))), from where it is e^(−230) of its end."""
+    t, b = mpf(t), mpf(steepness)
+    share = lambda s: 1 / (1 + exp(-b * (s - 100)))
+    impulse = lambda s: 90 / b * log1p(exp(b * (s - 100)))
+    borders = [100 + k / b for k in (-230, -120, -60, -30, -15, -8, -4, -2, -1, 0, 1, 2, 4, 8, 15, 30, 60)]
+    borders = [border for border in borders if border < t] + [t]
+    return peak(t, lambda s: 90 * share(s), lambda s: 90 * b * share(s) * (1 - share(s)), impulse, borders)
+
+
+def high_power(n):
+    impulse = lambda s: s ** (n + 1) / (n + 1)
+    return peak(mpf(1), lambda s: s**n, lambda s: n * s ** (n - 1), impulse, [0, 0.5, 0.9, 1])
+
+
+for time in ["0.5", "1", "3"]:
+    show(f"half a cosine, {time} s", half_a_cosine(time))
+show("a root, 101 s", root())
+for time in ["100", "110"]:
+    show(f"a steep logistic, {time} s", logistic(time, 8))
+show("a logistic, 101 s", logistic("101", 2))
+for exponent in [20, 30]:
+    show(f"t^{exponent}, 1 s", high_power(exponent))
