@@ -160,63 +160,85 @@ impl Staircase {
     }
 }
 
+/// What loads are drawn about: a mean force, the rate of the medium, a time, and a place and a width within it.
+#[derive(Clone, Copy)]
+struct About {
+    mean: f64,
+    chi: f64,
+    t: f64,
+    place: f64,
+    width: f64,
+}
+
 /// A load that recedes nowhere, in a medium with the rate χ, up to about a time, drawn at random.
 fn honest(stream: &mut Stream, chi: f64, t: f64) -> (&'static str, Told<Curve, Curve>) {
     let mean = stream.magnitude(-2.0, 4.0);
     let (place, width) = (stream.between(0.0, 1.0) * t, stream.magnitude(-9.0, 0.0) * t);
+    let about = About { mean, chi, t, place, width };
     match stream.below(6) {
-        0 => {
-            let height = mean * stream.magnitude(-6.0, 6.0);
-            let ln_cosh = |x: f64| x.abs() + (-2.0 * x.abs()).exp().ln_1p() - LN_2;
-            let force = move |t: f64| mean + height * (0.5 + 0.5 * ((t - place) / width).tanh());
-            let gained = move |t: f64| ln_cosh((t - place) / width) - ln_cosh(place / width);
-            ("a steep rise", told(force, move |t| mean * t + 0.5 * height * (t + width * gained(t))))
-        }
-        1 => {
-            let frequency = stream.magnitude(0.0, 5.0) / t;
-            // A swing recedes where A √(ω² + χ²) > F χ.
-            let amplitude = 0.99 * mean * chi / frequency.hypot(chi);
-            let half = move |t: f64| (frequency * t / 2.0).sin();
-            let impulse = move |t: f64| mean * t + 2.0 * amplitude * half(t) * half(t) / frequency;
-            ("a swing", told(move |t| mean + amplitude * (frequency * t).sin(), impulse))
-        }
-        2 => {
-            // F′ is at most 0.77 D over the width.
-            let depth = mean * chi * width / (1.0 + chi * width);
-            let force = move |t: f64| mean - depth / ((t - place) / width).cosh().powi(2);
-            let lost = move |t: f64| depth * width * (((t - place) / width).tanh() + (place / width).tanh());
-            ("a dip", told(force, move |t| mean * t - lost(t)))
-        }
-        3 => {
-            let slope = mean * stream.magnitude(-3.0, 3.0) / t;
-            let since = move |t: f64| (t - place).max(0.0);
-            let impulse = move |t: f64| mean * t + 0.5 * slope * since(t) * since(t);
-            ("a kink", told(move |t| mean + slope * since(t), impulse))
-        }
-        4 => {
-            let rate = chi * (1.0 - stream.magnitude(-9.0, 0.0));
-            let impulse =
-                move |t: f64| if rate > 0.0 { -mean * (-rate * t).exp_m1() / rate } else { mean * t };
-            ("a decay", told(move |t| mean * (-rate * t).exp(), impulse))
-        }
-        _ => {
-            let (mut time, mut force, mut impulse) = (0.0, mean, 0.0);
-            let mut steps = vec![(time, force, impulse)];
-            for _ in 0..stream.below(300) {
-                let duration = t * stream.magnitude(-7.0, -1.0);
-                impulse += force * duration;
-                time += duration;
-                force *= 1.0 + stream.magnitude(-9.0, 0.0);
-                steps.push((time, force, impulse));
-            }
-            let (one, other) = (Staircase { steps: steps.clone() }, Staircase { steps });
-            let impulse = move |t: f64| {
-                let (time, force, impulse) = other.step(t);
-                impulse + force * (t - time)
-            };
-            ("a staircase", told(move |t| one.step(t).1, impulse))
-        }
+        0 => ("a steep rise", steep_rise(about, stream)),
+        1 => ("a swing", swing(about, stream)),
+        2 => ("a dip", dip(about)),
+        3 => ("a kink", kink(about, stream)),
+        4 => ("a decay", decay(about, stream)),
+        _ => ("a staircase", staircase(about, stream)),
     }
+}
+
+fn steep_rise(About { mean, place, width, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+    let height = mean * stream.magnitude(-6.0, 6.0);
+    let ln_cosh = |x: f64| x.abs() + (-2.0 * x.abs()).exp().ln_1p() - LN_2;
+    let force = move |t: f64| mean + height * (0.5 + 0.5 * ((t - place) / width).tanh());
+    let gained = move |t: f64| ln_cosh((t - place) / width) - ln_cosh(place / width);
+    told(force, move |t| mean * t + 0.5 * height * (t + width * gained(t)))
+}
+
+fn swing(About { mean, chi, t, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+    let frequency = stream.magnitude(0.0, 5.0) / t;
+    // A swing recedes where A √(ω² + χ²) > F χ.
+    let amplitude = 0.99 * mean * chi / frequency.hypot(chi);
+    let half = move |t: f64| (frequency * t / 2.0).sin();
+    let impulse = move |t: f64| mean * t + 2.0 * amplitude * half(t) * half(t) / frequency;
+    told(move |t| mean + amplitude * (frequency * t).sin(), impulse)
+}
+
+fn dip(About { mean, chi, place, width, .. }: About) -> Told<Curve, Curve> {
+    // F′ is at most 0.77 D over the width.
+    let depth = mean * chi * width / (1.0 + chi * width);
+    let force = move |t: f64| mean - depth / ((t - place) / width).cosh().powi(2);
+    let lost = move |t: f64| depth * width * (((t - place) / width).tanh() + (place / width).tanh());
+    told(force, move |t| mean * t - lost(t))
+}
+
+fn kink(About { mean, t, place, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+    let slope = mean * stream.magnitude(-3.0, 3.0) / t;
+    let since = move |t: f64| (t - place).max(0.0);
+    let impulse = move |t: f64| mean * t + 0.5 * slope * since(t) * since(t);
+    told(move |t| mean + slope * since(t), impulse)
+}
+
+fn decay(About { mean, chi, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+    let rate = chi * (1.0 - stream.magnitude(-9.0, 0.0));
+    let impulse = move |t: f64| if rate > 0.0 { -mean * (-rate * t).exp_m1() / rate } else { mean * t };
+    told(move |t| mean * (-rate * t).exp(), impulse)
+}
+
+fn staircase(About { mean, t, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+    let (mut time, mut force, mut impulse) = (0.0, mean, 0.0);
+    let mut steps = vec![(time, force, impulse)];
+    for _ in 0..stream.below(300) {
+        let duration = t * stream.magnitude(-7.0, -1.0);
+        impulse += force * duration;
+        time += duration;
+        force *= 1.0 + stream.magnitude(-9.0, 0.0);
+        steps.push((time, force, impulse));
+    }
+    let (one, other) = (Staircase { steps: steps.clone() }, Staircase { steps });
+    let impulse = move |t: f64| {
+        let (time, force, impulse) = other.step(t);
+        impulse + force * (t - time)
+    };
+    told(move |t| one.step(t).1, impulse)
 }
 
 /// A number of [−1, 1] that depends on a time without any order.
