@@ -50,6 +50,14 @@ pub struct Hertzian52;
 #[derive(Clone, Copy, Debug)]
 pub struct RealPowers;
 
+/// Exponents that have all their digits neither in single nor in double precision; none of the reference geometries.
+#[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
+#[derive(Clone, Copy, Debug)]
+pub struct Decimals;
+
+/// The terms of [`Decimals`].
+pub const DECIMALS: [(&str, &str); 3] = [("0.2", "0.7"), ("0.03", "1.7"), ("2e-3", "3.1")];
+
 /// Admissible up to a limit only.
 #[gap_profile(0.025*r^2 - 1e-4*r^4, max_radius = 8.0)]
 #[derive(Clone, Copy, Debug)]

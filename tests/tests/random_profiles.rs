@@ -11,6 +11,7 @@ use tests::loads::{Knots, through};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Oracle, Profile, double, rounded};
 use tests::planted;
+use tests::profiles::{DECIMALS, Decimals};
 use tests::random::{magnitude, sum};
 
 type Terms = Vec<(f64, f64)>;
@@ -115,8 +116,6 @@ mod shapes {
     // None of these exponents, nor of those of J, has all its digits in f64.
     #[gap_profile(0.03 * r^2.3)]
     pub(super) struct Decimal;
-    #[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
-    pub(super) struct Decimals;
     #[gap_profile(1e-7 * r^17.3)]
     pub(super) struct HighDecimal;
 }
@@ -132,7 +131,7 @@ const SHAPES: [Shape; 9] = [
     (&shapes::Alternating, &[("0.04", "2"), ("-1e-3", "3"), ("5e-5", "4"), ("-4e-7", "5"), ("1e-8", "6")]),
     (&shapes::FarApart, &[("0.02", "1"), ("1e-30", "40")]),
     (&shapes::Decimal, &[("0.03", "2.3")]),
-    (&shapes::Decimals, &[("0.2", "0.7"), ("0.03", "1.7"), ("2e-3", "3.1")]),
+    (&Decimals, &DECIMALS),
     (&shapes::HighDecimal, &[("1e-7", "17.3")]),
 ];
 

@@ -1,12 +1,12 @@
 //! Single precision against double precision, at inputs that both hold exactly.
 
-use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
+use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use tests::budget;
 use tests::condition;
 use tests::kernel::{self, Kernel};
 use tests::measure::Errors;
 use tests::oracle::{Profile, double};
-use tests::profiles::Case;
+use tests::profiles::{Case, DECIMALS, Decimals};
 use tests::reference::{self, ContactRow};
 
 /// What single precision holds with all its digits.
@@ -88,12 +88,8 @@ fn solved<T: Scalar>(profile: &dyn GapProfile<T>, row: &ContactRow) -> [f64; 4] 
     solve().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{row:?}: {error}"))
 }
 
-/// Exponents that have all their digits neither in single nor in double precision.
-#[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
-struct Decimals;
-
 fn compare_decimal_powers(errors: &mut [Errors; 6]) {
-    let oracle = Profile::of_decimals(&[("0.2", "0.7"), ("0.03", "1.7"), ("2e-3", "3.1")]);
+    let oracle = Profile::of_decimals(&DECIMALS);
     for step in 0..60 {
         let a = 0.01 * 1.17_f32.powi(step);
         let r = a * (1.0 - 0.8_f32.powi(step));
