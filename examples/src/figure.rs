@@ -18,14 +18,14 @@ const PIXELS_PER_MM: f64 = 100.0;
 // Lengths on the page, in mm.
 const WIDTH: f64 = 180.0;
 pub(crate) const LEGEND_ROW: f64 = 6.0;
-pub(crate) const TITLE: f64 = 6.0;
-pub(crate) const LEFT: f64 = 13.0;
-pub(crate) const RIGHT: f64 = 3.0;
-pub(crate) const BOTTOM: f64 = 9.0;
+const TITLE: f64 = 6.0;
+const LEFT: f64 = 13.0;
+const RIGHT: f64 = 3.0;
+const BOTTOM: f64 = 9.0;
 /// 8 points.
 const TYPE_SIZE: f64 = 8.0 * 25.4 / 72.0;
 
-const LEGEND_COLUMNS: usize = 4;
+pub(crate) const LEGEND_COLUMNS: usize = 4;
 
 /// Colours that differ for any colour vision, and in grey too.
 #[derive(Clone, Copy, Debug)]
@@ -163,15 +163,7 @@ pub(crate) fn draw_legend_name(slot: &Canvas<'_>, name: &str) -> Result<(), Box<
 }
 
 fn draw_panel(area: &Canvas<'_>, panel: &Panel) -> Result<(), Box<dyn Error>> {
-    if let Some(title) = &panel.title {
-        draw_title(area, title)?;
-    }
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(pixels(if panel.title.is_some() { TITLE } else { 1.0 }))
-        .margin_left(pixels(1.0))
-        .margin_right(pixels(RIGHT))
-        .x_label_area_size(pixels(BOTTOM))
-        .y_label_area_size(pixels(LEFT - 1.0))
+    let mut chart = frame(area, panel.title.as_deref())?
         .build_cartesian_2d(0.0..panel.x_end, vertical_range(&panel.curves))?;
     plain(&mut chart.configure_mesh())
         .x_labels(5)
@@ -187,8 +179,26 @@ fn draw_panel(area: &Canvas<'_>, panel: &Panel) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// The room around a plot, with the line above it if there is one.
+pub(crate) fn frame<'a, 's>(
+    area: &'a Canvas<'s>,
+    title: Option<&str>,
+) -> Result<ChartBuilder<'a, 'static, SVGBackend<'s>>, Box<dyn Error>> {
+    if let Some(title) = title {
+        draw_title(area, title)?;
+    }
+    let mut chart = ChartBuilder::on(area);
+    chart
+        .margin_top(pixels(if title.is_some() { TITLE } else { 1.0 }))
+        .margin_left(pixels(1.0))
+        .margin_right(pixels(RIGHT))
+        .x_label_area_size(pixels(BOTTOM))
+        .y_label_area_size(pixels(LEFT - 1.0));
+    Ok(chart)
+}
+
 /// The line above a plot, centred on it.
-pub(crate) fn draw_title(area: &Canvas<'_>, title: &str) -> Result<(), Box<dyn Error>> {
+fn draw_title(area: &Canvas<'_>, title: &str) -> Result<(), Box<dyn Error>> {
     let (width, _) = area.dim_in_pixel();
     let middle = (width as i32 + pixels(LEFT - RIGHT)) / 2;
     let style = text().pos(Pos::new(HPos::Center, VPos::Center));

@@ -6,9 +6,7 @@ use std::path::Path;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::figure::{
-    BOTTOM, Canvas, Ink, LEFT, RIGHT, TITLE, draw_title, pixels, plain, save, text, thickness,
-};
+use crate::figure::{Canvas, Ink, frame, plain, save, text, thickness};
 
 /// The height of the page, in mm.
 const HEIGHT: f64 = 80.0;
@@ -56,16 +54,9 @@ impl Histogram {
     }
 
     fn draw(&self, canvas: &Canvas<'_>, densities: &[f64]) -> Result<(), Box<dyn Error>> {
-        draw_title(canvas, &self.title)?;
         let end = self.bin * densities.len() as f64;
         let top = densities.iter().fold(0.0, |top: f64, &density| top.max(density)) / (1.0 - HEADROOM);
-        let mut chart = ChartBuilder::on(canvas)
-            .margin_top(pixels(TITLE))
-            .margin_left(pixels(1.0))
-            .margin_right(pixels(RIGHT))
-            .x_label_area_size(pixels(BOTTOM))
-            .y_label_area_size(pixels(LEFT - 1.0))
-            .build_cartesian_2d(0.0..end, 0.0..top)?;
+        let mut chart = frame(canvas, Some(&self.title))?.build_cartesian_2d(0.0..end, 0.0..top)?;
         plain(&mut chart.configure_mesh())
             .disable_x_mesh()
             .x_labels(10)

@@ -9,11 +9,10 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 use plotters::prelude::*;
 
 use crate::figure::{
-    BOTTOM, Canvas, Curve, Ink, LEFT, LEGEND_ROW, RIGHT, TITLE, draw_legend_name, draw_line, draw_title,
-    legend_sample, pixels, plain, save, thickness,
+    Canvas, Curve, Ink, LEGEND_COLUMNS, LEGEND_ROW, draw_legend_name, draw_line, frame, legend_sample,
+    pixels, plain, save, thickness,
 };
 
-const LEGEND_COLUMNS: usize = 4;
 /// Half the size of a mark, in mm.
 const MARK: f64 = 0.9;
 /// The numbers along the axes are at multiples of these powers of ten.
@@ -146,14 +145,7 @@ impl ValueFormatter<f64> for Decades {
 }
 
 fn draw_panel(area: &Canvas<'_>, panel: &Panel, x: Decades, y: Decades) -> Result<(), Box<dyn Error>> {
-    draw_title(area, &panel.title)?;
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(pixels(TITLE))
-        .margin_left(pixels(1.0))
-        .margin_right(pixels(RIGHT))
-        .x_label_area_size(pixels(BOTTOM))
-        .y_label_area_size(pixels(LEFT - 1.0))
-        .build_cartesian_2d(x, y)?;
+    let mut chart = frame(area, Some(&panel.title))?.build_cartesian_2d(x, y)?;
     plain(&mut chart.configure_mesh()).x_desc(panel.x).y_desc(panel.y).draw()?;
     // The first series is on top.
     for Series { curve, mark } in panel.series.iter().rev() {
