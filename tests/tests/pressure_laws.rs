@@ -54,7 +54,8 @@ fn pressure_relaxes_like_the_load_at_a_constant_approach() -> Result<(), Contact
         for folds in [0.02, 0.6, 1.5, 4.0, 10.0, 17.3, 30.0, 36.0, 41.0, 60.0, 105.0, 400.0] {
             let t = folds / CHI;
             let now = contact.at(t)?;
-            assert!(relative_error(now.radius(), first.radius(), f64::EPSILON) <= 2.0, "{case:?}");
+            let error = relative_error(now.radius(), first.radius(), f64::EPSILON);
+            assert!(error <= 2.0 * budget::CONTACT_RADIUS.double, "{case:?}: {error}");
             for r in [0.0, 2.0, 4.0] {
                 let expected = first.pressure(r) * (-CHI * t).exp();
                 let allowed = budget::PRESSURE.double * edge(first.radius(), r) + budget::FOLD * folds;
@@ -214,10 +215,8 @@ fn time_is_measured_in_units_of_the_memory() -> Result<(), ContactError> {
             let slow = Contact::new(case.double, medium(CHI / 8.0), slow)?;
             for time in [0.01, 0.1, 2.0, 5.0].map(|time| time / CHI) {
                 let (quick, slow) = (quick.at(time)?, slow.at(8.0 * time)?);
-                assert!(
-                    relative_error(slow.radius(), quick.radius(), f64::EPSILON) <= 4.0,
-                    "{case:?}, {name}"
-                );
+                let error = relative_error(slow.radius(), quick.radius(), f64::EPSILON);
+                assert!(error <= 2.0 * budget::CONTACT_RADIUS.double, "{case:?}, {name}: {error}");
                 errors.add(
                     slow.pressure(0.2),
                     quick.pressure(0.2),

@@ -2,7 +2,7 @@
 
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
-use tests::measure::{Errors, Exact};
+use tests::measure::{Errors, Exact, ulps};
 use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 
@@ -146,7 +146,9 @@ fn the_end_of_the_range_is_inside() {
         let profile = (kind.double)(0.03);
         let end = profile.load_integral(5.0);
         let found = profile.radius_within(end, 5.0).unwrap_or(f64::NAN);
-        assert!((found - 5.0).abs() <= 2.0 * f64::EPSILON * 4.0, "{}: {found:e}", kind.exponent);
+        // J is rounded, too, which its degree divides.
+        let allowed = budget::RADIUS.double + budget::LOAD_INTEGRAL.double / 4.0;
+        assert!(ulps(found, 5.0.into(), f64::EPSILON) <= allowed, "{}: {found:e}", kind.exponent);
         let beyond = profile.radius_within(end * 1.000_001, 5.0);
         assert!(matches!(beyond, Err(RadiusError::BeyondRange { max_radius: 5.0, .. })), "{beyond:?}");
     }

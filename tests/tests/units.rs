@@ -6,6 +6,7 @@
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, gap_profile};
 use proptest::prelude::*;
+use tests::budget;
 use tests::random::{self, magnitude, sum};
 
 /// Two powers of any size.
@@ -80,6 +81,10 @@ impl Problem {
     }
 }
 
+/// In ε: the coefficients, m, the load and times are rounded one to six times on the way to other units and results up to
+/// three times on the way back; results depend on them with powers of which none is above 1.
+const CONVERSION: f64 = 5.0;
+
 const SAME: Units = Units { length: 1.0, force: 1.0, time: 1.0 };
 
 fn problems() -> impl Strategy<Value = Problem> {
@@ -113,10 +118,14 @@ proptest! {
             .map(|results| results.map(|results| results.concat()).unwrap_or_default());
         prop_assert_eq!(results.len(), 72);
         for (found, expected) in results.chunks(6).zip(expected.chunks(6)) {
-            // Pressures in units of that on the axis: next to the edge they are small differences.
-            let scales = [expected[0], expected[1]].into_iter().chain([expected[2]; 4]);
-            for ((found, expected), scale) in found.iter().zip(expected).zip(scales) {
-                prop_assert!((found - expected).abs() <= 1e-13 * scale, "{} {}", found, expected);
+            // The approach has a degree of at most 4. Pressures in units of that on the axis: next to the edge they are
+            // small differences.
+            let [radius, approach] = [budget::CONTACT_RADIUS.double, 5.0 * budget::CONTACT_APPROACH.double];
+            let scales = [(expected[0], radius), (expected[1], approach)].into_iter();
+            let scales = scales.chain([(expected[2], budget::PEAK_PRESSURE.double); 4]);
+            for ((found, expected), (scale, allowed)) in found.iter().zip(expected).zip(scales) {
+                let allowed = (2.0 * allowed + CONVERSION) * f64::EPSILON * scale;
+                prop_assert!((found - expected).abs() <= allowed, "{} {}", found, expected);
             }
         }
     }
