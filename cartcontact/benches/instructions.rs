@@ -56,7 +56,7 @@ fn assert_solved<P, T: Scalar>((_, _, radii): Given<P, T>) {
 #[bench::with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
-#[bench::polynomial(run_time())]
+#[bench::polynomial(run_time::<f64>())]
 fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
 }

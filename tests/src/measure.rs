@@ -137,6 +137,12 @@ mod tests {
     use crate::oracle::decimal;
 
     #[test]
+    #[should_panic(expected = "the condition of \"here\" is NaN")]
+    fn a_condition_is_a_number() {
+        Errors::of(crate::budget::RADIUS).add(1.0, 1.0, f64::NAN, &"here");
+    }
+
+    #[test]
     fn a_unit_in_the_last_place_is_that_of_the_binade() {
         let next = 1.5 + f64::EPSILON;
         assert_eq!(ulps(next, 1.5.into(), f64::EPSILON), 1.0);

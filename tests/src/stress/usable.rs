@@ -38,3 +38,32 @@ fn is_slope<T: Precision>(start: (T, T), end: (T, T)) -> bool {
     let slope = (end - start).abs() / (end_time - start_time);
     slope.scaled(1).value() <= T::MOST * (1.0 - 8.0 * T::EPSILON)
 }
+
+#[cfg(test)]
+mod tests {
+    use cartcontact::load::PiecewiseLinear;
+
+    use super::*;
+
+    #[test]
+    fn what_is_a_load_is_accepted_and_nothing_else() {
+        let loads: [(bool, &[(f64, f64)]); 12] = [
+            (true, &[(0.0, 100.0)]),
+            (true, &[(0.0, 0.0), (0.0, 1e300), (5.0, 5e-324), (5.0, 0.0)]),
+            (true, &[(0.0, 0.0), (1e-300, 8e7)]),
+            (false, &[]),
+            (false, &[(1.0, 100.0)]),
+            (false, &[(0.0, -1e-300)]),
+            (false, &[(0.0, f64::NAN)]),
+            (false, &[(0.0, 1.0), (f64::INFINITY, 1.0)]),
+            (false, &[(0.0, 1.0), (2.0, 1.0), (1.0, 1.0)]),
+            (false, &[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)]),
+            (false, &[(0.0, 0.0), (1e-300, 1e8)]),
+            (false, &[(0.0, 0.0), (5e-324, 1.0)]),
+        ];
+        for (is_good, knots) in loads {
+            assert_eq!(is_load(knots), is_good, "{knots:?}");
+            assert_eq!(PiecewiseLinear::new(knots).is_ok(), is_good, "{knots:?}");
+        }
+    }
+}
