@@ -187,7 +187,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_below_reach(&mut self, force: &ForceSeries<T>, end: T) -> bool {
         let mut ahead = self.clone();
         ahead.advance_through_jump(force, end);
-        let is_below = ahead.now.radius <= self.transition.reach;
+        let is_below = ahead.now.radius < self.transition.reach;
         if is_below {
             *self = ahead;
         }
