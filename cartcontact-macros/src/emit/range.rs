@@ -9,6 +9,7 @@ use super::{Names, local};
 use crate::gap::Term;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::range::Range;
+use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
 use crate::number::{integer, literal};
 use crate::proof::Proof;
@@ -60,6 +61,9 @@ fn check_of_constants(names: &Names) -> TokenStream {
 /// The end of the range, where no value of a field can make the geometry inadmissible before it.
 fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let (Names { krate, scalar }, constant) = (names, names.constant());
+    if !unchecked(geometry).is_empty() {
+        return None;
+    }
     match (&geometry.range, &geometry.proof) {
         (_, Proof::AtRunTime) => None,
         (Range::Limited(end), _) => Some(literal(end)).map(|end| quote!(#constant(#end))),
@@ -70,6 +74,11 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
             Some(quote!(#not_below_zero(#end)))
         }
     }
+}
+
+/// The surfaces of which values of fields decide whether the range ends inside.
+fn unchecked(geometry: &Geometry) -> &[Surface] {
+    geometry.truncation.as_ref().map_or(&[], |truncation| &truncation.unchecked)
 }
 
 /// The value of an expression in the fields.
@@ -137,9 +146,7 @@ impl Checked<'_> {
         };
         let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
         let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
-        let truncation = self.geometry.truncation.as_ref();
-        let unchecked = truncation.map_or(&[][..], |truncation| &truncation.unchecked);
-        let surfaces = unchecked.iter().map(|surface| {
+        let surfaces = unchecked(self.geometry).iter().map(|surface| {
             let radius = in_fields(&surface.radius, self.coefficients);
             let shape = in_fields(&surface.shape, self.coefficients);
             quote!((#radius, #shape))

@@ -17,9 +17,7 @@
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use crate::first_zero::End;
 use crate::gap::coefficient::Coefficient;
-use crate::gap::rim::rim;
 use crate::gap::surface::{Surface, binomial_ratio};
 use crate::number::{Rational, floor};
 
@@ -35,17 +33,14 @@ pub(super) struct Series {
     pub(super) tail_bounds: Vec<Rational>,
 }
 
-/// The range reaches the rim of a surface, given here.
-pub(crate) struct BeyondRim(pub(crate) End);
-
 impl Series {
-    /// Nothing if a coefficient is no number.
-    pub(super) fn new(surface: &Surface, range: &Rational, count: usize) -> Option<Result<Self, BeyondRim>> {
+    /// Nothing if a coefficient is no number, or if the range reaches the rim.
+    pub(super) fn new(surface: &Surface, range: &Rational, count: usize) -> Option<Self> {
         let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
         let relative = range / &radius;
         let u = shape * &relative * &relative;
         if u.abs() >= Rational::one() {
-            return rim(surface).map(|rim| Err(BeyondRim(rim)));
+            return None;
         }
         let terms = surface.series(count as u32).ok()?;
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
@@ -58,7 +53,7 @@ impl Series {
         } else {
             vec![floor(&geometric, FEW_DIGITS); count]
         };
-        Some(Ok(Series { terms, tail_bounds }))
+        Some(Series { terms, tail_bounds })
     }
 }
 

@@ -23,7 +23,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::first_zero;
 use crate::gap::like_terms::LikeTerms;
-use crate::gap::series::{BeyondRim, Series};
+use crate::gap::series::Series;
 use crate::gap::shape::Shape;
 use crate::number::{Rational, floor, integer};
 
@@ -92,22 +92,15 @@ struct Side {
 }
 
 impl Neglected {
-    /// What orders up to the highest neglect; nothing if a coefficient is no number.
-    pub(crate) fn new(
-        shape: &Shape,
-        radius: &Rational,
-        highest_order: u32,
-    ) -> Option<Result<Self, BeyondRim>> {
+    /// What orders up to the highest neglect; nothing if a coefficient is no number, or if the range reaches a rim.
+    pub(crate) fn new(shape: &Shape, radius: &Rational, highest_order: u32) -> Option<Self> {
         let mut others = Powers::default();
         for (exponent, monomial) in shape.powers.terms() {
             others.add(exponent.clone(), monomial.coefficient.as_constant()?);
         }
         let mut surfaces = Vec::new();
         for surface in &shape.surfaces {
-            match Series::new(surface, radius, count(highest_order))? {
-                Ok(series) => surfaces.push(series),
-                Err(beyond) => return Some(Err(beyond)),
-            }
+            surfaces.push(Series::new(surface, radius, count(highest_order))?);
         }
         let (square, mut scale) = (radius * radius, Rational::one());
         let sums = (0..count(highest_order)).map(|index| {
@@ -116,7 +109,7 @@ impl Neglected {
         });
         let sums = sums.collect();
         let others_at_end = others.iter().map(|(exponent, value)| at_end(radius, exponent, value)).collect();
-        Some(Ok(Neglected { others, others_at_end, surfaces, sums, highest_order, radius: radius.clone() }))
+        Some(Neglected { others, others_at_end, surfaces, sums, highest_order, radius: radius.clone() })
     }
 
     /// Whether |E| ≤ ε Φ on the whole range.

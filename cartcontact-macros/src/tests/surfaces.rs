@@ -200,6 +200,36 @@ fn a_gap_that_falls_is_the_fault() {
     }
 }
 
+/// Fields elsewhere do not change where a range ends.
+#[test]
+fn a_range_that_reaches_a_rim_whatever_the_fields_are_is_refused() {
+    for (text, rule) in [
+        (
+            "sphere(10) + radius^2*r^2, order = 4, max_radius = 12",
+            "below r = 10, where the series of a surface ends; write at most `9.999999`",
+        ),
+        ("radius*sphere(10) - r^4, order = 4, max_radius = 10", "below r = 10"),
+        ("sphere(10) + radius*r^2, order = 4, max_radius = 12, tolerance = 0.1", "below r = 10"),
+        ("sphere(radius), order = 4, max_radius = radius, positive", "below the r with |1 + k| r^2 = R^2"),
+        ("sphere(radius), order = 4, max_radius = 2*radius", "write a smaller one"),
+        ("conic(2*radius + 2, -5), order = 4, max_radius = radius + 1", "write a smaller one"),
+        ("conic(1, radius - 1), order = 4, max_radius = radius^-0.5", "write a smaller one"),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
+    for (text, count) in [
+        ("sphere(10) + radius^2*r^2, order = 4, max_radius = 9.999999", 0),
+        ("sphere(radius), order = 4, max_radius = 0.9*radius, positive", 0),
+        ("sphere(radius) + sphere(10), order = 4, max_radius = 9", 1),
+        ("sphere(10), order = 4, max_radius = radius", 1),
+        ("conic(10, -1) + sphere(radius), order = 4", 0),
+    ] {
+        let unchecked = on_ball(text).unwrap().truncation.unwrap().unchecked;
+        assert_eq!(unchecked.len(), count, "{text}");
+    }
+}
+
 /// What stands behind `option`, up to the next comma or backtick.
 fn value_of<'a>(option: &str, text: &'a str) -> Option<&'a str> {
     let value = text.split_once(option)?.1;
