@@ -103,6 +103,27 @@ fn fields_are_symbols() {
 }
 
 #[test]
+fn documentation_is_in_the_language() {
+    for (text, line) in [
+        ("r^(7/3) - 1e-7*r^12, max_radius = 1/3", "Φ(r)   = r^(7/3) − 1e-7 r¹²"),
+        ("r^2.5 + radius^(1/3) * r^(8/3)", "Φ(r)   = r^2.5 + (radius^(1/3)) r^(8/3)"),
+        (
+            "sphere(radius), order = 4, max_radius = 6, positive",
+            "up to 6 mm, if the series of all surfaces go",
+        ),
+        ("sphere(radius), order = 4, max_radius = radius/2, positive", "used up to `radius/2` mm."),
+    ] {
+        let item = quote!(
+            struct Ball {
+                radius: f64,
+            }
+        );
+        let expansion = crate::expand(text.parse().unwrap(), item).to_string();
+        assert!(expansion.contains(line), "{text}: {expansion}");
+    }
+}
+
+#[test]
 fn raw_names_are_names() {
     let item = quote!(
         struct Ball {
