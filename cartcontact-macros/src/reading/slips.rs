@@ -1,7 +1,7 @@
 //! What people write, out of habit from other languages, in place of the grammar: reported, with what to write.
 
 use num_traits::One;
-use proc_macro2::{Ident, Spacing, TokenTree};
+use proc_macro2::{Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::decimal;
@@ -19,8 +19,34 @@ impl Parser<'_> {
         self.rest = rest;
         let place = Extent::between(first.span().into(), second.span().into());
         self.previous = place;
-        self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
+        self.diagnostics.report(place, "a power is written with `^`, not `**`, as in `r^2`");
         true
+    }
+
+    /// Whether a second number stands behind the first, without an operator; `1/mm` is a unit.
+    pub(super) fn is_number_next(&self) -> bool {
+        let is_number = |token: &TokenTree| number(&token.to_string()).is_ok();
+        matches!(self.rest, [next @ TokenTree::Literal(_), ..] if is_number(next)) && !self.is_unit_next()
+    }
+
+    /// What is wrong with `1 000`, whose first digits have been read.
+    pub(super) fn spaced_number(&mut self, first: &Literal) -> Expression {
+        let start = self.previous;
+        let mut digits = first.to_string();
+        while self.is_number_next()
+            && let [next, ..] = self.rest
+        {
+            digits += &next.to_string();
+            self.take_token();
+        }
+        let message = if number(&digits).is_ok() {
+            format!(
+                "a number is written without spaces, as in `{digits}`; for a product write `*`, as in `2 * r`"
+            )
+        } else {
+            "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
+        };
+        self.fault(Extent::between(start, self.previous), message)
     }
 
     /// Reads over an `x` between two operands.

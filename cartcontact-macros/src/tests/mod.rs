@@ -90,6 +90,8 @@ fn fields_are_symbols() {
     assert_eq!(ball.proof, Proof::AtRunTime);
     for (text, rule) in [
         ("r^2 + radius", "remove `+ radius`"),
+        ("r^2 - radius", "remove `- radius`"),
+        ("(r - radius)^3", "write `+ radius^3` behind"),
         ("(r + radius)^2", "write `- radius^2` behind"),
         ("(r + 1)^2/(2*radius)", "write `- 1/(2 * radius)` behind"),
         ("2*(r^2 + radius - 1)", "behind"),
