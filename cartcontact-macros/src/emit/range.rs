@@ -11,7 +11,7 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::range::Range;
 use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
-use crate::number::{integer, literal};
+use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
 use crate::reading::item::{Field, Item};
 use crate::reading::name::unraw;
@@ -66,7 +66,15 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
     }
     match (&geometry.range, &geometry.proof) {
         (_, Proof::AtRunTime) => None,
-        (Range::Limited(end), _) => Some(literal(end)).map(|end| quote!(#constant(#end))),
+        (Range::Limited(end), proof) => {
+            let is_end_of_proof = *proof == Proof::OnRange || geometry.truncation.is_some();
+            let single = end.to_f32().and_then(|end| Rational::from_float(end.into()));
+            let rounds_up = single.is_some_and(|single| single > *end);
+            let function = names.generated("not_above");
+            let function = if is_end_of_proof && rounds_up { function } else { constant };
+            let end = literal(end);
+            Some(quote!(#function(#end)))
+        }
         (Range::Unbounded, _) => Some(quote!(<#scalar as #krate::Scalar>::infinity())),
         (Range::Symbolic(_), Proof::OnRange) => None,
         (Range::Symbolic(end), Proof::AllRadii { .. }) => {

@@ -125,6 +125,23 @@ fn documentation_is_in_the_language() {
     }
 }
 
+/// 0.9338592 and 0.1 are larger in single precision, 0.7 is not; of `r^2` every range is proved.
+#[test]
+fn ends_of_proofs_are_rounded_down_where_a_format_may_round_them_up() {
+    let item = quote!(
+        struct Knee;
+    );
+    for (text, expected) in [
+        ("0.001*r^2 - 86e-5*r^4, max_radius = 0.9338592", true),
+        ("0.001*r^2 - 86e-5*r^4, max_radius = 0.7", false),
+        ("sphere(0.101), order = 4, max_radius = 0.1", true),
+        ("r^2, max_radius = 0.1", false),
+    ] {
+        let expansion = crate::expand(text.parse().unwrap(), item.clone()).to_string();
+        assert_eq!(expansion.contains("not_above"), expected, "{text}");
+    }
+}
+
 #[test]
 fn raw_names_are_names() {
     let item = quote!(
