@@ -162,8 +162,18 @@ fn fractional_powers_may_stand_beside_surfaces() {
     let gap = "sphere(10) + 0.01*r^2.3, order = auto, tolerance = 1e-3, max_radius = 5";
     assert!(bound(gap) <= exact("1e-3"));
     assert!(bound("sphere(10) + 0.01*r^2.35, order = 4, max_radius = 5") < exact("0.05"));
-    let unknown = on_unit("sphere(10) + 0.01*r^2.351, order = 4, max_radius = 5").unwrap();
-    assert!(unknown.truncation.unwrap().error.is_none());
+    for (exponent, order, is_bounded) in [
+        ("2.5", 128, true),
+        ("2.3", 86, true),
+        ("2.3", 88, false),
+        ("2.35", 34, true),
+        ("2.35", 36, false),
+        ("2.37", 4, false),
+        ("2.351", 4, false),
+    ] {
+        let gap = format!("sphere(10) + 0.01*r^{exponent}, order = {order}, max_radius = 5");
+        assert_eq!(on_unit(&gap).unwrap().truncation.unwrap().error.is_some(), is_bounded, "{gap}");
+    }
     let messages = on_unit("sphere(10) + 0.01*r^2.351, order = 4, tolerance = 0.1, max_radius = 5");
     let messages = messages.err().unwrap();
     assert!(messages.len() == 1 && messages[0].contains("beside these exponents"), "{messages:?}");
