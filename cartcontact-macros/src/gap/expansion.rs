@@ -238,7 +238,7 @@ fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
             let (shown, largest) = rim.decimals();
             (format!("r = {shown}"), largest)
         }
-        None => ("the r with |1 + k| r^2 = R^2".to_owned(), None),
+        None => ("the r with |1 + k| r^2 = R^2 (r = R for a sphere)".to_owned(), None),
     };
     let rule = format!("max_radius must lie below {end}, where the series of a surface ends");
     let fault = Fault::from((extent, rule)).ranked(Rank::Rim).otherwise("write a smaller one");

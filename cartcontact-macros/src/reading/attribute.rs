@@ -51,8 +51,8 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
             attribute.miss_option(&entry);
             match entry.option() {
                 Some((name, _, _)) if similar(&name).is_some() => {}
-                Some((name, _, _)) if attribute.gap.is_none() => {
-                    attribute.name_gap(&name, &entry, diagnostics)
+                Some((name, _, _)) if attribute.gap.is_none() && !bodies::is_one(&name, &of_other_names) => {
+                    attribute.name_gap(&name, &entry, diagnostics);
                 }
                 _ => attribute.fail_at(&entry),
             }

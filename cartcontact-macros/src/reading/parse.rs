@@ -313,7 +313,10 @@ impl<'a> Parser<'a> {
 
 /// The arguments in other brackets, or without any, where they are no longer than one token.
 fn without_parentheses(token: &TokenTree, behind: &[TokenTree]) -> Vec<TokenTree> {
-    let goes_on = |next: &TokenTree| ['*', '/', '^'].iter().any(|operator| is_punct(next, *operator));
+    let goes_on = |next: &TokenTree| match next {
+        TokenTree::Punct(operator) => "*/^".contains(operator.as_char()),
+        _ => true,
+    };
     match token {
         TokenTree::Group(group) => group.stream().into_iter().collect(),
         _ if behind.first().is_some_and(goes_on) => Vec::new(),

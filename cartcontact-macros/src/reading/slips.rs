@@ -33,16 +33,18 @@ impl Parser<'_> {
     pub(super) fn spaced_number(&mut self, first: &Literal) -> Expression {
         let start = self.previous;
         let mut digits = first.to_string();
+        let mut are_thousands = (1..=3).contains(&digits.len());
         while self.is_number_next()
             && let [next, ..] = self.rest
         {
-            digits += &next.to_string();
+            let next = next.to_string();
+            are_thousands &=
+                is_whole(&digits) && next.split('.').next().is_some_and(|group| group.len() == 3);
+            digits += &next;
             self.take_token();
         }
-        let message = if number(&digits).is_ok() {
-            format!(
-                "a number is written without spaces, as in `{digits}`; for a product write `*`, as in `2 * r`"
-            )
+        let message = if are_thousands {
+            format!("a number is written without spaces; write `{digits}`")
         } else {
             "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
         };
@@ -152,6 +154,10 @@ impl Parser<'_> {
         };
         self.fault(Extent::between(receiver.extent, member.span().into()), message)
     }
+}
+
+fn is_whole(digits: &str) -> bool {
+    digits.chars().all(|digit| digit.is_ascii_digit())
 }
 
 pub(super) fn is_times(name: &Ident) -> bool {

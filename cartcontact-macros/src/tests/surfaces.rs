@@ -220,7 +220,10 @@ fn a_range_that_reaches_a_rim_whatever_the_fields_are_is_refused() {
         ),
         ("radius*sphere(10) - r^4, order = 4, max_radius = 10", "below r = 10"),
         ("sphere(10) + radius*r^2, order = 4, max_radius = 12, tolerance = 0.1", "below r = 10"),
-        ("sphere(radius), order = 4, max_radius = radius, positive", "below the r with |1 + k| r^2 = R^2"),
+        (
+            "sphere(radius), order = 4, max_radius = radius, positive",
+            "below the r with |1 + k| r^2 = R^2 (r = R for a sphere)",
+        ),
         ("sphere(radius), order = 4, max_radius = 2*radius", "write a smaller one"),
         ("conic(2*radius + 2, -5), order = 4, max_radius = radius + 1", "write a smaller one"),
         ("conic(1, radius - 1), order = 4, max_radius = radius^-0.5", "write a smaller one"),
