@@ -81,6 +81,19 @@ fn the_bound_holds_and_is_sharp_near_the_rim() {
     }
 }
 
+/// A hyperboloid of radius R and k = −2 falls by √(R² + r²) − R.
+#[test]
+fn the_bound_holds_and_is_sharp_near_the_rim_of_a_hyperboloid() {
+    for (radius, range, fall) in [("4", "3", "1"), ("120", "119", "49")] {
+        for order in [2, 4, 8, 32, 64, 128] {
+            let bound = bound(&format!("conic({radius}, -2), order = {order}, max_radius = {range}"));
+            let total = exact(fall);
+            let ratio = (&total - partial_sum(radius, "-2", &exact(range), 2..=order)).abs() / total;
+            assert!(bound >= ratio && bound <= &ratio * exact("1.03"), "{range} {order}: {bound} {ratio}");
+        }
+    }
+}
+
 /// The largest ratio lies inside the range, and the terms of the hyperboloid alternate.
 #[test]
 fn the_bound_covers_the_whole_range() {
