@@ -244,7 +244,8 @@ struct Sphere {
 #[test]
 fn a_range_ends_inside_its_surfaces() {
     let (wide, narrow) = (Sphere { radius: 20.0 }, Sphere { radius: 10.0 });
-    assert_eq!([wide.max_radius(), narrow.max_radius()], [12.0, 0.0]);
+    let ends: [f64; 2] = [wide.max_radius(), narrow.max_radius()];
+    assert_eq!(ends, [12.0, 0.0]);
     let load_integral: f64 = narrow.load_integral(5.0);
     refused(narrow.radius(load_integral), |e| matches!(e, RadiusError::BeyondRange { .. }), "");
     let socket = |radius, k| GapProfile::<f64>::check(&Socket { radius, k });
