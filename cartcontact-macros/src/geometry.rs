@@ -4,7 +4,7 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::fault::{Change, Fault};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
-use crate::gap::constant::{Standing, standing};
+use crate::gap::constant::Standing;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::expansion::{self, Expanded, Truncation};
 use crate::gap::options::Options;
@@ -36,7 +36,7 @@ pub(crate) fn geometry(
     let mut evaluator = Evaluator::new(item, diagnostics);
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
-    let standing = if complete { standing(written, attribute.is_of_bodies, &mut evaluator) } else { None };
+    let standing = complete.then(|| Standing::of(written, attribute.is_of_bodies, &mut evaluator));
     let limit = attribute.max_radius.as_ref();
     let range = declared_range(limit, &mut evaluator);
     let options = Options::read(attribute, &mut evaluator);

@@ -3,7 +3,8 @@
 // Generated code reaches everything through this: a wrong path to the crate then is one error.
 pub use crate as root;
 pub use crate::admissibility::{
-    check_coefficients, check_constants, check_positive, checked_range, inside_surfaces, not_below_zero,
+    check_coefficients, check_constants, check_positive, checked_range, inside_surfaces, not_above,
+    not_below_zero,
 };
 pub use crate::evaluate::exponent::{Exponent, whole_terms};
 pub use crate::evaluate::horner::{

@@ -38,6 +38,19 @@ fn compare_reference_rows(errors: &mut [Errors; 6]) {
     }
 }
 
+/// The largest range that is accepted, whose end rounds up in single precision.
+#[gap_profile(0.001 * r^2 - 86e-5 * r^4, max_radius = 0.9338592)]
+struct Turning;
+
+#[test]
+fn a_range_ends_in_single_precision_where_it_was_proved() {
+    let (single, double): (f32, f64) = (Turning.max_radius(), Turning.max_radius());
+    assert_eq!(double, Turning::MAX_RADIUS);
+    assert!(
+        f64::from(single) <= double && f64::from(single) > double * (1.0 - 3.0 * f64::from(f32::EPSILON))
+    );
+}
+
 #[test]
 fn radii_in_single_precision_agree_with_double() {
     let mut errors = Errors::of_single(budget::RADIUS);

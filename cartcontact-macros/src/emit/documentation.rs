@@ -9,7 +9,7 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::expansion::Truncation;
 use crate::gap::range::Range;
 use crate::geometry::Geometry;
-use crate::number::{Rational, decimal, integer};
+use crate::number::{Rational, decimal, integer, operand};
 use crate::proof::Proof;
 use crate::reading::item::Item;
 use crate::start::Start;
@@ -142,7 +142,7 @@ fn power(variable: &str, exponent: &Rational) -> String {
         return String::new();
     }
     if !exponent.is_integer() {
-        return format!("{variable}^{}", decimal(exponent));
+        return format!("{variable}^{}", operand(exponent));
     }
     let digits = exponent.to_string();
     let raised = digits.chars().map(|digit| match digit {
@@ -167,7 +167,9 @@ fn admissibility(item: &Item, geometry: &Geometry) -> String {
         }
         (Proof::AllRadii { by }, Some(end)) => {
             let by = reason(item, geometry, by);
-            format!("Admissible for every contact radius ({by}); used up to {end} mm.")
+            let unchecked = geometry.truncation.as_ref().is_some_and(|series| !series.unchecked.is_empty());
+            let inside = if unchecked { ", if the series of all surfaces go so far" } else { "" };
+            format!("Admissible for every contact radius ({by}); used up to {end} mm{inside}.")
         }
         (Proof::OnRange, Some(end)) => format!("Proved admissible for contact radii up to {end} mm."),
         (_, end) => {

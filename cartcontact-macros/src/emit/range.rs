@@ -9,8 +9,9 @@ use super::{Names, local};
 use crate::gap::Term;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::range::Range;
+use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
-use crate::number::{integer, literal};
+use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
 use crate::reading::item::{Field, Item};
 use crate::reading::name::unraw;
@@ -60,9 +61,20 @@ fn check_of_constants(names: &Names) -> TokenStream {
 /// The end of the range, where no value of a field can make the geometry inadmissible before it.
 fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let (Names { krate, scalar }, constant) = (names, names.constant());
+    if !unchecked(geometry).is_empty() {
+        return None;
+    }
     match (&geometry.range, &geometry.proof) {
         (_, Proof::AtRunTime) => None,
-        (Range::Limited(end), _) => Some(literal(end)).map(|end| quote!(#constant(#end))),
+        (Range::Limited(end), proof) => {
+            let is_end_of_proof = *proof == Proof::OnRange || geometry.truncation.is_some();
+            let single = end.to_f32().and_then(|end| Rational::from_float(end.into()));
+            let rounds_up = single.is_some_and(|single| single > *end);
+            let function = names.generated("not_above");
+            let function = if is_end_of_proof && rounds_up { function } else { constant };
+            let end = literal(end);
+            Some(quote!(#function(#end)))
+        }
         (Range::Unbounded, _) => Some(quote!(<#scalar as #krate::Scalar>::infinity())),
         (Range::Symbolic(_), Proof::OnRange) => None,
         (Range::Symbolic(end), Proof::AllRadii { .. }) => {
@@ -70,6 +82,11 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
             Some(quote!(#not_below_zero(#end)))
         }
     }
+}
+
+/// The surfaces of which values of fields decide whether the range ends inside.
+fn unchecked(geometry: &Geometry) -> &[Surface] {
+    geometry.truncation.as_ref().map_or(&[], |truncation| &truncation.unchecked)
 }
 
 /// The value of an expression in the fields.
@@ -137,9 +154,7 @@ impl Checked<'_> {
         };
         let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
         let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
-        let truncation = self.geometry.truncation.as_ref();
-        let unchecked = truncation.map_or(&[][..], |truncation| &truncation.unchecked);
-        let surfaces = unchecked.iter().map(|surface| {
+        let surfaces = unchecked(self.geometry).iter().map(|surface| {
             let radius = in_fields(&surface.radius, self.coefficients);
             let shape = in_fields(&surface.shape, self.coefficients);
             quote!((#radius, #shape))

@@ -30,7 +30,7 @@ impl End {
         self.root.compare_to_power(radius, self.numerator, self.denominator)
     }
 
-    /// The end for a message, and the largest decimal of seven digits whose nearest `f64` lies below it.
+    /// The end for a message, and the largest decimal of seven digits that lies below it, as its nearest `f64` does.
     ///
     /// The radius lies in (mantissa, mantissa + 1] units of the seventh digit: six digits are rounded from there.
     pub(crate) fn decimals(&mut self) -> (String, Option<String>) {

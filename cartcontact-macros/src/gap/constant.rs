@@ -7,46 +7,64 @@ use crate::reading::literal;
 use crate::reading::name::unraw;
 use crate::reading::syntax::{Expression, Kind, Summand};
 
-/// A term of the outermost sum without r.
+/// What stands without r in a gap as it is written.
 pub(crate) struct Standing {
-    value: Coefficient,
-    /// Whether it is written as a number or a name, and so as it is shown.
-    is_plain: bool,
-    is_first: bool,
+    is_of_bodies: bool,
+    /// Nothing if there is none, or several.
+    only: Option<OnlyTerm>,
 }
 
-/// The only term without r of an expression that has been evaluated; nothing if there is none, or several.
-pub(crate) fn standing(
-    written: &Expression,
-    is_of_bodies: bool,
-    evaluator: &mut Evaluator<'_>,
-) -> Option<Standing> {
-    let mut terms = Vec::new();
-    match &written.kind {
-        // Of a body that is nothing but a constant, nothing would be left.
-        Kind::Sum(bodies) if is_of_bodies => {
-            let sums = bodies.iter().filter(|body| matches!(body.expression.kind, Kind::Sum(_)));
-            sums.for_each(|body| collect(Term::whole(&body.expression), &mut terms));
+/// The only term without r of the outermost sum.
+struct OnlyTerm {
+    value: Coefficient,
+    place: Place,
+    /// Whether it is written as a number or a name, and so as it is shown.
+    is_plain: bool,
+}
+
+/// Where a term stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    First,
+    Behind,
+    /// It is all of a body, of which nothing would be left without it.
+    Alone,
+}
+
+impl Standing {
+    /// That of an expression which has been evaluated.
+    pub(crate) fn of(written: &Expression, is_of_bodies: bool, evaluator: &mut Evaluator<'_>) -> Self {
+        let mut terms = Vec::new();
+        match &written.kind {
+            Kind::Sum(bodies) if is_of_bodies => {
+                for Summand { expression, .. } in bodies {
+                    let is_sum = matches!(expression.kind, Kind::Sum(_));
+                    let place = if is_sum { Place::First } else { Place::Alone };
+                    collect(Term { subtracted: false, place, expression }, &mut terms);
+                }
+            }
+            _ => collect(Term { subtracted: false, place: Place::First, expression: written }, &mut terms),
         }
-        _ => collect(Term::whole(written), &mut terms),
+        let mut terms = terms.into_iter().filter_map(|term| term.evaluated(evaluator));
+        let only = terms.next().filter(|_| terms.next().is_none());
+        Standing { is_of_bodies, only }
     }
-    let &[Term { subtracted, is_first, expression }] = terms.as_slice() else { return None };
-    let value = evaluator.known_coefficient(expression)?;
-    let value = if subtracted { value.negated() } else { value };
-    let is_plain = matches!(expression.kind, Kind::Number(_) | Kind::Name(_));
-    Some(Standing { value, is_plain, is_first })
 }
 
 /// A term of a sum, or all that is written.
 struct Term<'a> {
     subtracted: bool,
-    is_first: bool,
+    place: Place,
     expression: &'a Expression,
 }
 
-impl<'a> Term<'a> {
-    fn whole(expression: &'a Expression) -> Self {
-        Term { subtracted: false, is_first: true, expression }
+impl Term<'_> {
+    /// Nothing of one that is zero.
+    fn evaluated(&self, evaluator: &mut Evaluator<'_>) -> Option<OnlyTerm> {
+        let value = evaluator.known_coefficient(self.expression).filter(|value| !value.is_zero())?;
+        let value = if self.subtracted { value.negated() } else { value };
+        let is_plain = matches!(self.expression.kind, Kind::Number(_) | Kind::Name(_));
+        Some(OnlyTerm { value, place: self.place, is_plain })
     }
 }
 
@@ -55,8 +73,8 @@ fn collect<'a>(term: Term<'a>, terms: &mut Vec<Term<'a>>) {
     match &term.expression.kind {
         Kind::Sum(summands) if !term.subtracted => {
             for (index, Summand { subtracted, expression }) in summands.iter().enumerate() {
-                let is_first = term.is_first && index == 0;
-                collect(Term { subtracted: *subtracted, is_first, expression }, terms);
+                let place = if index == 0 { term.place } else { Place::Behind };
+                collect(Term { subtracted: *subtracted, place, expression }, terms);
             }
         }
         _ if !mentions_r(term.expression) => terms.push(term),
@@ -79,13 +97,17 @@ fn mentions_r(expression: &Expression) -> bool {
 /// What to say about the constant `value` of a gap, of which `standing` may be all.
 pub(super) fn message(value: &Coefficient, standing: Option<&Standing>) -> String {
     let (sign, size) = signed(value);
-    let remedy = match standing.filter(|standing| standing.value == *value) {
-        Some(Standing { is_plain: false, .. }) => "remove this term".to_owned(),
-        Some(Standing { is_first: true, .. }) if sign == '+' => format!("remove `{size}`"),
+    let only = standing.and_then(|standing| standing.only.as_ref()).filter(|only| only.value == *value);
+    let remedy = match only {
+        Some(OnlyTerm { place: Place::Alone, .. }) => "a flat body is `0`, as in `lower = 0`".to_owned(),
+        Some(OnlyTerm { is_plain: false, .. }) => "remove this term".to_owned(),
+        Some(OnlyTerm { place: Place::First, .. }) if sign == '+' => format!("remove `{size}`"),
         Some(_) => format!("remove `{sign} {size}`"),
         None => {
             let opposite = if sign == '+' { '-' } else { '+' };
-            format!("write `{opposite} {size}` behind the gap to take it away")
+            let whole =
+                if standing.is_some_and(|standing| standing.is_of_bodies) { "a body" } else { "the gap" };
+            format!("write `{opposite} {size}` behind {whole} to take it away")
         }
     };
     format!("the gap must vanish at r = 0; a constant only shifts the approach: {remedy}")
@@ -97,8 +119,12 @@ fn signed(value: &Coefficient) -> (char, String) {
         Some(number) => (if number.is_negative() { '-' } else { '+' }, exactly(&number.abs())),
         None => {
             let text = value.to_string().replace('·', " * ");
-            let is_term = !text.starts_with('-') && !text.contains(" + ") && !text.contains(" - ");
-            ('+', if is_term { text } else { format!("({text})") })
+            let is_sum = text.contains(" + ") || text.contains(" - ");
+            match text.strip_prefix('-') {
+                _ if is_sum => ('+', format!("({text})")),
+                Some(size) => ('-', size.to_owned()),
+                None => ('+', text),
+            }
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::gap::polynomial::Polynomial;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::Rational;
-use crate::reading::item::{Field, Item, Meaning};
+use crate::reading::item::{Field, Item, Meaning, Place};
 use crate::reading::name::unraw;
 use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
 
@@ -17,15 +17,15 @@ use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
 pub(crate) struct Evaluator<'a> {
     item: &'a Item,
     diagnostics: &'a mut Diagnostics,
-    /// Whether r may be meant by a name that is like it.
-    knows_r: bool,
+    /// What may be meant by a name.
+    place: Place,
     /// Fields whose type has been reported.
     mistyped: Vec<Ident>,
 }
 
 impl<'a> Evaluator<'a> {
     pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, knows_r: true, mistyped: Vec::new() }
+        Evaluator { item, diagnostics, place: Place::Gap, mistyped: Vec::new() }
     }
 
     /// What a gap is worth as far as it can be evaluated, and whether that is all.
@@ -43,7 +43,7 @@ impl<'a> Evaluator<'a> {
 
     /// An expression without r, such as a radius.
     pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
-        let coefficient = self.without_r(expression)?.as_coefficient();
+        let coefficient = self.shape_at(Place::Coefficient, expression)?.as_coefficient();
         if coefficient.is_none() {
             self.diagnostics.report(
                 expression.extent,
@@ -55,18 +55,18 @@ impl<'a> Evaluator<'a> {
 
     /// A number, which `rule` asks for.
     pub(crate) fn number(&mut self, expression: &Expression, rule: &str) -> Option<Rational> {
-        let number = self.without_r(expression)?.as_coefficient().and_then(|value| value.as_constant());
+        let shape = self.shape_at(Place::Number, expression)?;
+        let number = shape.as_coefficient().and_then(|value| value.as_constant());
         if number.is_none() {
             self.diagnostics.report(expression.extent, rule);
         }
         number
     }
 
-    /// The value of an expression in which r has no place.
-    fn without_r(&mut self, expression: &Expression) -> Option<Shape> {
-        let outside = core::mem::replace(&mut self.knows_r, false);
+    fn shape_at(&mut self, place: Place, expression: &Expression) -> Option<Shape> {
+        let outside = core::mem::replace(&mut self.place, place);
         let value = self.shape(expression);
-        self.knows_r = outside;
+        self.place = outside;
         value
     }
 
@@ -100,7 +100,7 @@ impl<'a> Evaluator<'a> {
             Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
             Meaning::Unknown if !self.item.is_struct => None,
             Meaning::Unknown => {
-                let remedy = self.item.remedy(name, self.knows_r);
+                let remedy = self.item.remedy(name, self.place);
                 self.fault(extent, format!("`{name}` is unknown; {remedy}"))
             }
             Meaning::WrongType(place) => {

@@ -3,15 +3,16 @@
 //! `order = auto` takes the smallest order whose neglected terms are within the tolerance. An order without a surface
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
 
+use num_traits::One;
+
 use crate::diagnostics::Extent;
 use crate::fault::{Fault, Rank};
-use crate::first_zero::End;
 use crate::gap::MAXIMUM_EXPONENT;
 use crate::gap::coefficient::Coefficient;
 use crate::gap::options::{Options, Order};
 use crate::gap::polynomial::{Monomial, Polynomial};
 use crate::gap::range::Range;
-use crate::gap::series::BeyondRim;
+use crate::gap::rim::{rim, share_of_rim};
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::gap::truncation::{HIGHEST_ORDER, Neglected};
@@ -50,11 +51,11 @@ pub(crate) fn expand(
     };
     let highest = request.highest_order();
     let expansion = Expansion { shape, range, limit, place };
-    let truncation = match (expansion.neglected(highest), tolerance) {
-        (Ok(neglected), _) => expansion.bounded(&request, &neglected),
-        (Err(Unbounded::BeyondRim(fault)), _) => Err(fault),
-        (Err(Unbounded::AtRunTime(reason)), Some((_, place))) => return Err((*place, reason).into()),
-        (Err(Unbounded::AtRunTime(_)), None) => Ok(expansion.unbounded(highest)),
+    let truncation = match (expansion.unchecked(), expansion.neglected(highest), tolerance) {
+        (Err(beyond_rim), _, _) => Err(beyond_rim),
+        (Ok(_), Ok(neglected), _) => expansion.bounded(&request, &neglected),
+        (Ok(_), Err(reason), Some((_, place))) => return Err((*place, reason).into()),
+        (Ok(unchecked), Err(_), None) => Ok(Truncation { order: highest, error: None, unchecked }),
     };
     let order = truncation.as_ref().map_or(highest, |truncation| truncation.order);
     let powers = expanded(shape, order);
@@ -122,13 +123,6 @@ impl Request<'_> {
     }
 }
 
-/// Why there is no bound of what is neglected.
-enum Unbounded {
-    BeyondRim(Fault),
-    /// It depends on values that are known only at run time, or there is no range or no gap.
-    AtRunTime(&'static str),
-}
-
 /// Surfaces that are expanded, and the range on which; `limit` is where its end was written, `place` where the order.
 struct Expansion<'a> {
     shape: &'a Shape,
@@ -163,27 +157,31 @@ impl Expansion<'_> {
         }
     }
 
-    fn unbounded(&self, order: u32) -> Truncation {
+    /// The surfaces of which the fields decide whether the range ends inside, if it reaches the rim of no other.
+    fn unchecked(&self) -> Result<Vec<Surface>, Fault> {
+        let (Some(end), Some(limit)) = (self.range.end(), self.limit) else { return Ok(Vec::new()) };
         let mut unchecked = Vec::new();
-        if self.limit.is_some() {
-            unchecked.extend(self.shape.surfaces.iter().filter(|surface| !surface.shape.is_zero()).cloned());
+        for surface in &self.shape.surfaces {
+            match share_of_rim(surface, &end) {
+                None => unchecked.push(surface.clone()),
+                Some(share) if share < Rational::one() => {}
+                Some(_) => return Err(beyond_rim(limit, surface)),
+            }
         }
-        Truncation { order, error: None, unchecked }
+        Ok(unchecked)
     }
 
-    /// What orders up to the highest neglect.
-    fn neglected(&self, highest: u32) -> Result<Neglected, Unbounded> {
-        let (radius, limit) = match (self.range, self.limit) {
-            (Range::Limited(radius), Some(limit)) => (radius, limit),
-            (Range::Symbolic(_), _) => return Err(Unbounded::AtRunTime(RANGE_OF_FIELDS)),
-            _ => return Err(Unbounded::AtRunTime(NO_RANGE)),
+    /// What orders up to the highest neglect; the reason if that is not known when the program is compiled.
+    fn neglected(&self, highest: u32) -> Result<Neglected, &'static str> {
+        let radius = match self.range {
+            Range::Limited(radius) => radius,
+            Range::Symbolic(_) => return Err(RANGE_OF_FIELDS),
+            Range::Unbounded => return Err(NO_RANGE),
         };
         if self.shape.powers.terms().iter().any(|(exponent, _)| !is_of_a_gap(exponent)) {
-            return Err(Unbounded::AtRunTime(NOT_A_GAP));
+            return Err(NOT_A_GAP);
         }
-        let neglected = Neglected::new(self.shape, radius, highest);
-        let neglected = neglected.ok_or(Unbounded::AtRunTime(GAP_OF_FIELDS))?;
-        neglected.map_err(|BeyondRim(rim)| Unbounded::BeyondRim(beyond_rim(limit, rim)))
+        Neglected::new(self.shape, radius, highest).ok_or(GAP_OF_FIELDS)
     }
 
     fn too_low(&self, order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<Fault, Fault> {
@@ -233,9 +231,16 @@ const GAP_OF_FIELDS: &str = "a tolerance is proved when the program is compiled,
 const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compiled, and max_radius depends on fields; \
                                write a number there";
 
-fn beyond_rim(extent: Extent, mut rim: End) -> Fault {
-    let (shown, largest) = rim.decimals();
-    let rule = format!("max_radius must lie below r = {shown}, where the series of a surface ends");
+/// A range that reaches the rim of this surface whatever values the fields may have.
+fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
+    let (end, largest) = match rim(surface) {
+        Some(mut rim) => {
+            let (shown, largest) = rim.decimals();
+            (format!("r = {shown}"), largest)
+        }
+        None => ("the r with |1 + k| r^2 = R^2 (r = R for a sphere)".to_owned(), None),
+    };
+    let rule = format!("max_radius must lie below {end}, where the series of a surface ends");
     let fault = Fault::from((extent, rule)).ranked(Rank::Rim).otherwise("write a smaller one");
     match largest {
         Some(largest) => fault.or_max_radius("write at most `", largest),

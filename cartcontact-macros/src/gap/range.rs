@@ -28,6 +28,14 @@ impl Range {
         }
         number::nearest(&radius).and_then(Rational::from_float).map(Self::Limited).ok_or(UNREPRESENTABLE)
     }
+
+    pub(crate) fn end(&self) -> Option<Coefficient> {
+        match self {
+            Self::Unbounded => None,
+            Self::Limited(radius) => Some(Coefficient::constant(radius.clone())),
+            Self::Symbolic(radius) => Some(radius.clone()),
+        }
+    }
 }
 
 const NOT_POSITIVE: &str = "max_radius must be greater than 0; leave it out if the gap has no end";

@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use crate::first_zero::{End, first_zero};
+use crate::gap::coefficient::Coefficient;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, integer, nearest};
 use crate::reading::literal;
@@ -11,6 +12,13 @@ use crate::reading::literal;
 pub(crate) fn rim(surface: &Surface) -> Option<End> {
     let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
     first_zero(&[(integer(0), &radius * &radius), (integer(2), -shape.abs())]).ok()?
+}
+
+/// |κ| (ρ/R)² at a radius ρ, below 1 inside of the rim; nothing where a field decides.
+pub(super) fn share_of_rim(surface: &Surface, radius: &Coefficient) -> Option<Rational> {
+    let square = radius.power(&integer(2)).ok()?;
+    let inverse_square = surface.radius.power(&integer(-2)).ok()?;
+    surface.shape.multiply(&square).multiply(&inverse_square).as_constant().map(|share| share.abs())
 }
 
 /// A decimal, or the largest of seven digits that lies within all rims if it does not.

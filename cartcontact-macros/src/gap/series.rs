@@ -7,19 +7,25 @@
 //! ```
 //!
 //! and as b_(j+1) = 1/π ∫ t^j √((1−t)/t) dt from 0 to 1, F(u) is a mean of values of 1/(1 − u t). So it grows with u,
-//! from or to F(0) = 1, and lies between 1 and 1/(1 − u). Where that is far from F, near a rim, the sum of the whole
-//! series is a better bound:
+//! from or to F(0) = 1, it is convex, and it lies between 1 and 1/(1 − u). Where that is far from F, near a rim, there
+//! are better upper bounds. For u > 0 the sum of the whole series,
 //!
 //! ```text
 //! b_(J+1) u^(J+1) F(u) = 1 − √(1 − u) − Σ b_j u^j,    j ≤ J
 //! ```
+//!
+//! and for u < 0, with the mean m = b_(J+2)/b_(J+1) of t, the chord of 1/(1 − u t) from t = 0 to 1:
+//!
+//! ```text
+//! F(u) ≤ 1 − m + m/(1 − u)
+//! ```
+//!
+//! Inside of the range F lies below its own chord, F(u r²/ρ²) ≤ 1 + (F(u) − 1) r²/ρ².
 
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use crate::first_zero::End;
 use crate::gap::coefficient::Coefficient;
-use crate::gap::rim::rim;
 use crate::gap::surface::{Surface, binomial_ratio};
 use crate::number::{Rational, floor};
 
@@ -31,34 +37,35 @@ const FEW_DIGITS: u64 = 64;
 /// A weighted surface: w c_j for j = 1, 2, ...
 pub(super) struct Series {
     pub(super) terms: Vec<Rational>,
-    /// For each term, a bound of the factor F of the tail that begins with it; the other bound is 1.
-    pub(super) tail_bounds: Vec<Rational>,
+    /// For each term, what the factor F of the tail that begins with it is not above at the end of the range.
+    pub(super) tails_at_end: Vec<Rational>,
+    /// What none of these factors is below in the range.
+    pub(super) least_tail: Rational,
 }
 
-/// The range reaches the rim of a surface, given here.
-pub(crate) struct BeyondRim(pub(crate) End);
-
 impl Series {
-    /// Nothing if a coefficient is no number.
-    pub(super) fn new(surface: &Surface, range: &Rational, count: usize) -> Option<Result<Self, BeyondRim>> {
+    /// Nothing if a coefficient is no number, or if the range reaches the rim.
+    pub(super) fn new(surface: &Surface, range: &Rational, count: usize) -> Option<Self> {
         let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
         let relative = range / &radius;
         let u = shape * &relative * &relative;
         if u.abs() >= Rational::one() {
-            return rim(surface).map(|rim| Err(BeyondRim(rim)));
+            return None;
         }
         let terms = surface.series(count as u32).ok()?;
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
         let geometric = (Rational::one() - &u).recip();
-        let tail_bounds = if u.is_positive() {
+        let tails_at_end = if u.is_positive() {
             let geometric = ceil(&geometric);
             let least =
                 |of_sum: Option<Rational>| of_sum.unwrap_or_else(|| geometric.clone()).min(geometric.clone());
             tail_bounds(&u).map(least).take(count).collect()
         } else {
-            vec![floor(&geometric, FEW_DIGITS); count]
+            let chord = |j: u32| Rational::one() + binomial_ratio(j) * (&geometric - Rational::one());
+            (1..).map(|j| ceil(&chord(j))).take(count).collect()
         };
-        Some(Ok(Series { terms, tail_bounds }))
+        let least_tail = floor(&geometric, FEW_DIGITS).min(Rational::one());
+        Some(Series { terms, tails_at_end, least_tail })
     }
 }
 

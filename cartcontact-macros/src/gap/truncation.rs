@@ -8,7 +8,7 @@
 //!
 //! so that E alone needs bounds. Its series is summed up to r^(2J), with e_j = Σ w c_j over the surfaces with their
 //! weights w; what is behind that ([`crate::gap::series`]) is Σ w c_(J+1) F r^(2J+2), and with m and M on either side of
-//! Σ w c_(J+1) F in the range,
+//! Σ w c_(J+1) F in the range, linear in r²,
 //!
 //! ```text
 //! m r^(2J+2) ≤ E(r) − Σ e_j r^(2j) ≤ M r^(2J+2),    N < 2j ≤ 2J
@@ -23,7 +23,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::first_zero;
 use crate::gap::like_terms::LikeTerms;
-use crate::gap::series::{BeyondRim, Series};
+use crate::gap::series::Series;
 use crate::gap::shape::Shape;
 use crate::number::{Rational, floor, integer};
 
@@ -31,7 +31,7 @@ use crate::number::{Rational, floor, integer};
 pub(crate) const HIGHEST_ORDER: u32 = 128;
 /// J − N/2, the terms behind the order that are summed: enough for m and M to be close unless the range ends near a rim,
 /// and so few that fractional exponents, which multiply the degree of a proof, leave room for some orders.
-const TERMS_AHEAD: u32 = 8;
+const TERMS_AHEAD: u32 = 7;
 /// Binary digits kept of a coefficient: the surfaces of a joint share far fewer.
 const DIGITS: u64 = 256;
 /// Binary digits kept of the powers of ρ for estimates.
@@ -85,6 +85,13 @@ struct AtEnd {
     with_own: f64,
 }
 
+/// A bound of what follows the terms of the series that are summed, relative to the power of r that follows them.
+struct Rest {
+    at_centre: Rational,
+    /// What is added to it on the way to the end of the range, in proportion to r².
+    rise: Rational,
+}
+
 /// A bound of E, or of −E, and what it is to be multiplied with if it is compared with ε Φ_N.
 struct Side {
     powers: Powers,
@@ -92,22 +99,15 @@ struct Side {
 }
 
 impl Neglected {
-    /// What orders up to the highest neglect; nothing if a coefficient is no number.
-    pub(crate) fn new(
-        shape: &Shape,
-        radius: &Rational,
-        highest_order: u32,
-    ) -> Option<Result<Self, BeyondRim>> {
+    /// What orders up to the highest neglect; nothing if a coefficient is no number, or if the range reaches a rim.
+    pub(crate) fn new(shape: &Shape, radius: &Rational, highest_order: u32) -> Option<Self> {
         let mut others = Powers::default();
         for (exponent, monomial) in shape.powers.terms() {
             others.add(exponent.clone(), monomial.coefficient.as_constant()?);
         }
         let mut surfaces = Vec::new();
         for surface in &shape.surfaces {
-            match Series::new(surface, radius, count(highest_order))? {
-                Ok(series) => surfaces.push(series),
-                Err(beyond) => return Some(Err(beyond)),
-            }
+            surfaces.push(Series::new(surface, radius, count(highest_order))?);
         }
         let (square, mut scale) = (radius * radius, Rational::one());
         let sums = (0..count(highest_order)).map(|index| {
@@ -116,7 +116,7 @@ impl Neglected {
         });
         let sums = sums.collect();
         let others_at_end = others.iter().map(|(exponent, value)| at_end(radius, exponent, value)).collect();
-        Some(Ok(Neglected { others, others_at_end, surfaces, sums, highest_order, radius: radius.clone() }))
+        Some(Neglected { others, others_at_end, surfaces, sums, highest_order, radius: radius.clone() })
     }
 
     /// Whether |E| ≤ ε Φ on the whole range.
@@ -190,9 +190,12 @@ impl Neglected {
             over.add(integer(2 * j), sum.above.clone());
             under.add(integer(2 * j), -&sum.below);
         }
-        let (below, above) = self.rest(last as usize);
-        over.add(integer(2 * last + 2), above);
-        under.add(integer(2 * last + 2), -below);
+        let [below, above] = self.rest(last as usize);
+        let square = &self.radius * &self.radius;
+        over.add(integer(2 * last + 2), above.at_centre);
+        over.add(integer(2 * last + 4), -floor(&(-above.rise / &square), DIGITS));
+        under.add(integer(2 * last + 2), -below.at_centre);
+        under.add(integer(2 * last + 4), -floor(&(below.rise / &square), DIGITS));
         let sides = [(over, Rational::one() - tolerance), (under, Rational::one() + tolerance)];
         let sides =
             sides.into_iter().filter(|(powers, _)| powers.iter().any(|(_, value)| value.is_positive()));
@@ -200,23 +203,35 @@ impl Neglected {
     }
 
     /// m and M, where the first term that is not summed has this index.
-    fn rest(&self, index: usize) -> (Rational, Rational) {
-        let sum = |choose: fn(Rational, Rational) -> Rational| {
-            let rests = self.surfaces.iter().filter_map(|series| {
-                let (first, bound) = (series.terms.get(index)?, series.tail_bounds.get(index)?);
-                Some(choose(first.clone(), first * bound))
-            });
-            unreduced_sum(rests)
-        };
-        (floor(&sum(Rational::min), DIGITS), -floor(&-sum(Rational::max), DIGITS))
+    fn rest(&self, index: usize) -> [Rest; 2] {
+        let (mut least, mut most) = (Vec::new(), Vec::new());
+        for series in &self.surfaces {
+            let (Some(first), Some(at_end)) = (series.terms.get(index), series.tails_at_end.get(index))
+            else {
+                continue;
+            };
+            let constant = Rest { at_centre: first * &series.least_tail, rise: Rational::zero() };
+            let chord = Rest { at_centre: first.clone(), rise: first * (at_end - Rational::one()) };
+            let [lower, upper] = if first.is_negative() { [chord, constant] } else { [constant, chord] };
+            least.push(lower);
+            most.push(upper);
+        }
+        let sum = |of: &[Rest], part: fn(&Rest) -> &Rational| unreduced_sum(of.iter().map(part).cloned());
+        let [at_centre, rise]: [fn(&Rest) -> &Rational; 2] = [|rest| &rest.at_centre, |rest| &rest.rise];
+        let below = |part| floor(&sum(&least, part), DIGITS);
+        let above = |part| -floor(&-sum(&most, part), DIGITS);
+        [
+            Rest { at_centre: below(at_centre), rise: below(rise) },
+            Rest { at_centre: above(at_centre), rise: above(rise) },
+        ]
     }
 
     /// The smallest ε at some radii, in `f64`: not a bound, but near the smallest. Infinite where there is none.
     fn estimate(&self, order: u32) -> f64 {
         let (first, last) = ((order / 2) as usize, (order / 2 + TERMS_AHEAD) as usize);
-        let (below, above) = self.rest(last);
         let scale = self.sums.get(last).map_or_else(Rational::zero, |next| next.scale.clone());
-        let [below, above] = [below, above].map(|value| (value * &scale).to_f64().unwrap_or(f64::NAN));
+        let at_scale = |value: Rational| (value * &scale).to_f64().unwrap_or(f64::NAN);
+        let rests = self.rest(last).map(|rest| [at_scale(rest.at_centre), at_scale(rest.rise)]);
         let ratio = |sample: u32| {
             let x = f64::from(sample) / f64::from(SAMPLES);
             let mut gap: f64 = self.others_at_end.iter().map(|(n, term)| term * x.powf(*n)).sum();
@@ -225,7 +240,7 @@ impl Neglected {
                 power *= x * x;
                 gap += power * if index < first { sum.at_end.with_own } else { sum.at_end.own };
                 let [below, above] = match index {
-                    _ if index == last => [below, above],
+                    _ if index == last => rests.map(|[at_centre, rise]| at_centre + x * x * rise),
                     _ if (first..last).contains(&index) => [sum.at_end.below, sum.at_end.above],
                     _ => continue,
                 };

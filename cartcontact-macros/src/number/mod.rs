@@ -142,6 +142,12 @@ pub(crate) fn decimal(value: &Rational) -> String {
     }
 }
 
+/// The same behind an operator that binds tighter than a fraction line.
+pub(crate) fn operand(value: &Rational) -> String {
+    let text = decimal(value);
+    if text.contains('/') { format!("({text})") } else { text }
+}
+
 /// Whether the digits that stand for the `f64` are the number itself.
 fn is_written(value: &Rational, shortest: f64) -> bool {
     let written = format!("{shortest:e}");

@@ -40,6 +40,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut digits_before_comma = None;
     let entries = entries(tokens, diagnostics);
     let of_other_names = bodies::of_other_names(&entries);
+    let has_bodies = entries.iter().any(|entry| bodies::is_entry(entry, &of_other_names));
     for entry in entries {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
         if entry.may_be_gap() {
@@ -47,9 +48,13 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
         }
         if let Some(message) = entry.without_comma() {
             diagnostics.report(entry.extent(), message);
+            attribute.miss_option(&entry);
             match entry.option() {
-                Some(_) => attribute.miss_option(&entry),
-                None => attribute.fail_at(&entry),
+                Some((name, _, _)) if similar(&name).is_some() => {}
+                Some((name, _, _)) if attribute.gap.is_none() && !bodies::is_one(&name, &of_other_names) => {
+                    attribute.name_gap(&name, &entry, diagnostics);
+                }
+                _ => attribute.fail_at(&entry),
             }
             continue;
         }
@@ -71,7 +76,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
                 attribute.set(&name, equals.unwrap_or(name.span()), value, &entry, diagnostics);
                 names.push(name);
             }
-            None => match attribute.mistake(&entry, before) {
+            None => match attribute.mistake(&entry, before, has_bodies) {
                 Some(message) => diagnostics.report(entry.extent(), message),
                 None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
             },
@@ -105,8 +110,7 @@ impl Attribute {
         } else if name == "crate" {
             self.set_crate(&ungrouped(value), equals, diagnostics);
         } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
-            self.fail_at(entry);
-            diagnostics.report(name.span(), written_first(&format!("{name} =")));
+            self.name_gap(name, entry, diagnostics);
         } else {
             self.miss_option(entry);
             let remedy = match similar(name) {
@@ -115,6 +119,12 @@ impl Attribute {
             };
             diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
         }
+    }
+
+    /// Reports a name that the gap has been given.
+    fn name_gap(&mut self, name: &Ident, entry: &Entry, diagnostics: &mut Diagnostics) {
+        self.fail_at(entry);
+        diagnostics.report(name.span(), written_first(&format!("{name} =")));
     }
 
     fn set_crate(&mut self, value: &[TokenTree], equals: Span, diagnostics: &mut Diagnostics) {
@@ -135,7 +145,7 @@ impl Attribute {
     }
 
     /// What to say about an entry that is no option, unless it is the gap; what it takes from gap and options is noted.
-    fn mistake(&mut self, entry: &Entry, before: Option<Whole>) -> Option<String> {
+    fn mistake(&mut self, entry: &Entry, before: Option<Whole>, has_bodies: bool) -> Option<String> {
         if let Some(message) = entry.without_equals() {
             self.miss_option(entry);
             return Some(message);
@@ -147,7 +157,7 @@ impl Attribute {
             self.fail_at(entry);
             return Some(message);
         }
-        self.no_room_for(entry)
+        self.no_room_for(entry, has_bodies)
     }
 
     /// What to say about the digits behind a comma that is meant as a decimal point. The number that they belong to
@@ -211,9 +221,12 @@ impl Attribute {
         self.fail_if_body(entry);
     }
 
-    /// What to say about an entry that could only be a second gap.
-    fn no_room_for(&mut self, entry: &Entry) -> Option<String> {
-        self.gap.as_ref()?;
+    /// What to say about an entry that could only be a second gap. Beside two bodies, more than a name may be one.
+    fn no_room_for(&mut self, entry: &Entry, has_bodies: bool) -> Option<String> {
+        let is_name = matches!(entry.tokens.as_slice(), [TokenTree::Ident(_)]);
+        if self.gap.is_none() && !(has_bodies && is_name) {
+            return None;
+        }
         if let [TokenTree::Ident(name)] = entry.tokens.as_slice() {
             let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
             if let Some(fields) = fields {

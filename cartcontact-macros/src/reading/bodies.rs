@@ -50,6 +50,11 @@ pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName]) -> bool {
     name == "upper" || name == "lower" || other_name(name, of_other_names).is_some()
 }
 
+/// Whether an entry is a body, or meant as that.
+pub(super) fn is_entry(entry: &Entry, of_other_names: &[OtherName]) -> bool {
+    entry.option().is_some_and(|(name, _, _)| is_one(&name, of_other_names))
+}
+
 /// What to say about a name that is meant as that of a body.
 fn other_name(name: &Ident, of_other_names: &[OtherName]) -> Option<String> {
     let (_, meant) = of_other_names.iter().find(|(other, _)| other == name)?;
@@ -73,9 +78,9 @@ pub(super) fn whole(
             let read = bodies.into_iter().map(|(_, expression)| expression);
             Some(Expression { kind: Kind::Sum(read.chain([gap]).map(summand).collect()), extent })
         }
-        (Some(_), [(name, _), ..]) => {
+        (Some(gap), [(name, _), ..]) => {
             let message = format!("a gap is one expression or two bodies; remove `{name}` or the expression");
-            diagnostics.report(name.span(), message);
+            diagnostics.report(gap.extent, message);
             None
         }
         (None, []) => {

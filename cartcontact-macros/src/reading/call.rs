@@ -1,28 +1,27 @@
 //! What stands like a call, a name with arguments in parentheses: `sphere(R)` and `conic(R, k)`, or what is none of
 //! them.
 
-use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::reading::is_punct;
 use crate::reading::parse::Parser;
 use crate::reading::similar::closest;
-use crate::reading::surface::wrong_arguments;
 use crate::reading::syntax::{Expression, Kind, Surface};
 
 impl Parser<'_> {
     /// `sphere(R)` or `conic(R, k)`, its name having been read.
     pub(super) fn surface(&mut self, name: &Ident, group: &Group) -> Expression {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
-        let named = tokens.iter().any(|token| is_punct(token, '='));
+        let has_other_marks = tokens.iter().any(|token| is_punct(token, '=') || is_punct(token, ';'));
         let (radius, conic_constant) = match (name.to_string().as_str(), arguments(&tokens).as_slice()) {
-            ("sphere", [radius]) if !named => (*radius, None),
-            ("conic", [radius, conic_constant]) if !named => (*radius, Some(*conic_constant)),
+            ("sphere", [radius]) if !has_other_marks => (*radius, None),
+            ("conic", [radius, conic_constant]) if !has_other_marks => (*radius, Some(*conic_constant)),
             _ => {
                 let place = Extent::between(name.span().into(), group.span().into());
-                return match wrong_arguments(name, &tokens) {
+                return match self.wrong_arguments(name, &tokens) {
                     Some(message) => self.fault(place, message),
-                    None => self.function(name, group),
+                    None => self.function(name.span(), name, group),
                 };
             }
         };
@@ -35,13 +34,30 @@ impl Parser<'_> {
         self.unless_method(Expression { kind, extent })
     }
 
-    /// Whatever else has arguments.
-    pub(super) fn function(&mut self, name: &Ident, group: &Group) -> Expression {
+    /// Whatever else has arguments, with a name that may stand behind a path, which begins at `start`.
+    pub(super) fn function(&mut self, start: Span, name: &Ident, group: &Group) -> Expression {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
-        match power(name, &arguments(&tokens)) {
-            Some(message) => self.fault(Extent::between(name.span().into(), group.span().into()), message),
+        match self.power_function(name, &arguments(&tokens)) {
+            Some(message) => self.fault(Extent::between(start.into(), group.span().into()), message),
             None => self.fault(name.span(), not_a_surface(&name.to_string())),
         }
+    }
+
+    /// What to say about a function that raises to a power.
+    fn power_function(&self, name: &Ident, arguments: &[&[TokenTree]]) -> Option<String> {
+        let are_readable = arguments.iter().all(|argument| self.is_expression(argument));
+        let written = match (name.to_string().to_lowercase().as_str(), arguments) {
+            ("pow" | "powi" | "powf" | "power", [base, exponent]) => {
+                Some(format!("{}^{}", operand(base), operand(exponent)))
+            }
+            ("sq" | "sqr" | "square", [base]) => Some(format!("{}^2", operand(base))),
+            ("pow" | "powi" | "powf" | "power", _) => None,
+            _ => return None,
+        };
+        Some(match written.filter(|_| are_readable) {
+            Some(power) => format!("a power is written with `^`; write `{power}`"),
+            None => "a power is written with `^`, as in `r^2`".to_owned(),
+        })
     }
 }
 
@@ -50,19 +66,6 @@ pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let mut arguments: Vec<&[TokenTree]> = tokens.split(|token| is_punct(token, ',')).collect();
     arguments.pop_if(|last| last.is_empty());
     arguments
-}
-
-/// What to say about a function that raises to a power.
-fn power(name: &Ident, arguments: &[&[TokenTree]]) -> Option<String> {
-    let power = match (name.to_string().to_lowercase().as_str(), arguments) {
-        ("pow" | "powi" | "powf" | "power", [base, exponent]) => {
-            format!("{}^{}", written(base), written(exponent))
-        }
-        ("sq" | "sqr" | "square", [base]) => format!("{}^2", written(base)),
-        ("pow" | "powi" | "powf" | "power", _) => "r^2".to_owned(),
-        _ => return None,
-    };
-    Some(format!("a power is written with `^`; write `{power}`"))
 }
 
 fn not_a_surface(name: &str) -> String {
@@ -75,7 +78,7 @@ fn not_a_surface(name: &str) -> String {
     }
 }
 
-fn written(tokens: &[TokenTree]) -> String {
+fn operand(tokens: &[TokenTree]) -> String {
     let text = tokens.iter().cloned().collect::<TokenStream>().to_string();
     if tokens.len() == 1 { text } else { format!("({text})") }
 }

@@ -69,6 +69,7 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
             TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket) => {
                 return None;
             }
+            TokenTree::Literal(_) if matches!(before, Some(TokenTree::Literal(_))) => return None,
             TokenTree::Literal(_) => match literal::with_name(&text) {
                 Some((number, name)) => {
                     fault.get_or_insert_with(|| literal::reads_as_one(&text));

@@ -56,6 +56,10 @@ impl Entry {
         let equals = self.tokens.iter().position(|token| is_punct(token, '='));
         let name = match (self.tokens.as_slice(), equals) {
             ([TokenTree::Ident(name)], None) => name.to_string(),
+            // Of a path, this is the first name.
+            ([TokenTree::Ident(_), colon, next, ..], None) if is_punct(colon, ':') && is_punct(next, ':') => {
+                return None;
+            }
             ([TokenTree::Ident(name), next, ..], None)
                 if is_punct(next, ':') || !matches!(next, TokenTree::Punct(_)) =>
             {

@@ -52,6 +52,16 @@ pub(crate) enum Meaning<'a> {
     Unknown,
 }
 
+/// Where a name stands, which decides what can be meant by it.
+#[derive(Clone, Copy)]
+pub(crate) enum Place {
+    Gap,
+    /// In an expression without r, such as a radius.
+    Coefficient,
+    /// Where there is a number and nothing else, as in an exponent.
+    Number,
+}
+
 /// The item without further gap profiles, which are reported: each would implement the same trait again.
 pub(crate) fn with_one_profile(input: TokenStream, diagnostics: &mut Diagnostics) -> TokenStream {
     let mut tokens: Vec<TokenTree> = input.into_iter().collect();
@@ -157,19 +167,23 @@ impl Item {
         self.fields.iter().map(|field| field.ident.to_string()).collect()
     }
 
-    /// What to write in place of an unknown name, where r may be meant or where it may not.
-    pub(crate) fn remedy(&self, name: &Ident, knows_r: bool) -> String {
+    /// What to write in place of an unknown name.
+    pub(crate) fn remedy(&self, name: &Ident, place: Place) -> String {
         let written = unraw(name);
-        let mut known = self.field_names();
+        let knows_r = matches!(place, Place::Gap);
+        let mut known = if matches!(place, Place::Number) { Vec::new() } else { self.field_names() };
         known.extend(knows_r.then(|| "r".to_owned()));
         let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
         let only = if knows_r { "only `r` is known here; " } else { "" };
         let known = if knows_r { "`r`" } else { "a number" };
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
+            None if matches!(place, Place::Number) => "write a number".to_owned(),
             None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
-            None if unit::is_unit(&written) => unit::no_units(&written, "remove it"),
+            None if unit::is_unit(&written) => {
+                unit::no_units(&written, "remove it and the operator before it")
+            }
             // Words of Rust cannot name a field.
             None if is_keyword(name) => {
                 format!("write {known} or a field")
@@ -325,12 +339,14 @@ mod tests {
             }
         ));
         let item = item.unwrap();
-        let remedy = |name| item.remedy(&format_ident!("{name}"), true);
+        let remedy = |name| item.remedy(&format_ident!("{name}"), Place::Gap);
         assert_eq!(remedy("raduis"), "did you mean `radius`?");
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
-        assert_eq!(item.remedy(&format_ident!("R"), false), "write a number or a field of `Ball`");
+        let remedy = |place| item.remedy(&format_ident!("R"), place);
+        assert_eq!(remedy(Place::Coefficient), "write a number or a field of `Ball`");
+        assert_eq!(remedy(Place::Number), "write a number");
     }
 
     #[test]

@@ -11,7 +11,6 @@ use crate::reading::is_punct;
 use crate::reading::literal;
 use crate::reading::similar::known_number;
 use crate::reading::slips::is_case;
-use crate::reading::surface::wrong_arguments;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 
 pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here";
@@ -130,6 +129,7 @@ impl<'a> Parser<'a> {
 
     fn literal(&mut self, literal: &Literal) -> Expression {
         match literal::number(&literal.to_string()) {
+            Ok(_) if self.is_number_next() => self.spaced_number(literal),
             Ok(value) => self.unless_method(Expression { kind: Kind::Number(value), extent: self.previous }),
             Err(message) => self.fault(literal.span(), message),
         }
@@ -142,7 +142,7 @@ impl<'a> Parser<'a> {
             return self.surface(name, arguments);
         }
         if let [next @ (TokenTree::Group(_) | TokenTree::Literal(_)), behind @ ..] = self.rest
-            && let Some(message) = wrong_arguments(name, &without_parentheses(next, behind))
+            && let Some(message) = self.wrong_arguments(name, &without_parentheses(next, behind))
         {
             let place = Extent::between(name.span().into(), next.span().into());
             return self.fault(place, message);
@@ -152,7 +152,7 @@ impl<'a> Parser<'a> {
         }
         if let Some(last) = self.end_of_path() {
             if let Some(arguments) = self.arguments() {
-                return self.function(&last, arguments);
+                return self.function(name.span(), &last, arguments);
             }
             let place = Extent::between(name.span().into(), last.span().into());
             let remedy = known_number(&last).unwrap_or("write the number, or a field of the struct");
@@ -197,6 +197,15 @@ impl<'a> Parser<'a> {
             let (previous, depth) = (place.into(), outer.depth);
             Parser { rest: tokens, previous, depth, diagnostics: outer.diagnostics }.everything()
         })
+    }
+
+    /// Whether some tokens can be read as they are.
+    pub(super) fn is_expression(&self, tokens: &[TokenTree]) -> bool {
+        let mut faults = Diagnostics::default();
+        let (previous, depth) = (self.previous, self.depth);
+        let mut parser = Parser { rest: &[], previous, depth, diagnostics: &mut faults };
+        drop(parser.inside(tokens, Span::call_site()));
+        faults.is_empty()
     }
 
     pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
@@ -304,7 +313,10 @@ impl<'a> Parser<'a> {
 
 /// The arguments in other brackets, or without any, where they are no longer than one token.
 fn without_parentheses(token: &TokenTree, behind: &[TokenTree]) -> Vec<TokenTree> {
-    let goes_on = |next: &TokenTree| ['*', '/', '^'].iter().any(|operator| is_punct(next, *operator));
+    let goes_on = |next: &TokenTree| match next {
+        TokenTree::Punct(operator) => "*/^".contains(operator.as_char()),
+        _ => true,
+    };
     match token {
         TokenTree::Group(group) => group.stream().into_iter().collect(),
         _ if behind.first().is_some_and(goes_on) => Vec::new(),

@@ -10,7 +10,8 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
     if is_one_of(&["pi", "PI", "Pi", "π"]) {
         return Some("numbers are kept exact; write it as a decimal, as in `3.14159265358979`");
     }
-    is_one_of(&["inf", "infinity", "INFINITY"]).then_some("where nothing ends, leave it out")
+    is_one_of(&["inf", "infinity", "INFINITY"])
+        .then_some("leave out a range without an end, and write a flat body as `lower = 0`")
 }
 
 /// The known name that differs from this one by a third of its letters at most, and by the fewest.

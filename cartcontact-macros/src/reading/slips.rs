@@ -1,7 +1,7 @@
 //! What people write, out of habit from other languages, in place of the grammar: reported, with what to write.
 
 use num_traits::One;
-use proc_macro2::{Ident, Spacing, TokenTree};
+use proc_macro2::{Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::decimal;
@@ -19,8 +19,36 @@ impl Parser<'_> {
         self.rest = rest;
         let place = Extent::between(first.span().into(), second.span().into());
         self.previous = place;
-        self.diagnostics.report(place, "a power is written with `^`, not `**`; write `r^2`");
+        self.diagnostics.report(place, "a power is written with `^`, not `**`, as in `r^2`");
         true
+    }
+
+    /// Whether a second number stands behind the first, without an operator; `1/mm` is a unit.
+    pub(super) fn is_number_next(&self) -> bool {
+        let is_number = |token: &TokenTree| number(&token.to_string()).is_ok();
+        matches!(self.rest, [next @ TokenTree::Literal(_), ..] if is_number(next)) && !self.is_unit_next()
+    }
+
+    /// What is wrong with `1 000`, whose first digits have been read.
+    pub(super) fn spaced_number(&mut self, first: &Literal) -> Expression {
+        let start = self.previous;
+        let mut digits = first.to_string();
+        let mut are_thousands = (1..=3).contains(&digits.len());
+        while self.is_number_next()
+            && let [next, ..] = self.rest
+        {
+            let next = next.to_string();
+            are_thousands &=
+                is_whole(&digits) && next.split('.').next().is_some_and(|group| group.len() == 3);
+            digits += &next;
+            self.take_token();
+        }
+        let message = if are_thousands {
+            format!("a number is written without spaces; write `{digits}`")
+        } else {
+            "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
+        };
+        self.fault(Extent::between(start, self.previous), message)
     }
 
     /// Reads over an `x` between two operands.
@@ -126,6 +154,10 @@ impl Parser<'_> {
         };
         self.fault(Extent::between(receiver.extent, member.span().into()), message)
     }
+}
+
+fn is_whole(digits: &str) -> bool {
+    digits.chars().all(|digit| digit.is_ascii_digit())
 }
 
 pub(super) fn is_times(name: &Ident) -> bool {

@@ -22,6 +22,10 @@ pub(crate) fn is_unit(name: &str) -> bool {
 }
 
 impl Parser<'_> {
+    pub(super) fn is_unit_next(&self) -> bool {
+        length(self.rest).is_some()
+    }
+
     /// Reads over a unit, if there is one, and reports it.
     pub(super) fn reads_unit(&mut self) -> bool {
         let Some(length) = length(self.rest) else { return false };

@@ -90,6 +90,8 @@ fn fields_are_symbols() {
     assert_eq!(ball.proof, Proof::AtRunTime);
     for (text, rule) in [
         ("r^2 + radius", "remove `+ radius`"),
+        ("r^2 - radius", "remove `- radius`"),
+        ("(r - radius)^3", "write `+ radius^3` behind"),
         ("(r + radius)^2", "write `- radius^2` behind"),
         ("(r + 1)^2/(2*radius)", "write `- 1/(2 * radius)` behind"),
         ("2*(r^2 + radius - 1)", "behind"),
@@ -100,6 +102,44 @@ fn fields_are_symbols() {
     assert!(
         on_ball("r^2/(radius - radius)").err().unwrap().iter().any(|message| message.contains("divisor"))
     );
+}
+
+#[test]
+fn documentation_is_in_the_language() {
+    for (text, line) in [
+        ("r^(7/3) - 1e-7*r^12, max_radius = 1/3", "Φ(r)   = r^(7/3) − 1e-7 r¹²"),
+        ("r^2.5 + radius^(1/3) * r^(8/3)", "Φ(r)   = r^2.5 + (radius^(1/3)) r^(8/3)"),
+        (
+            "sphere(radius), order = 4, max_radius = 6, positive",
+            "up to 6 mm, if the series of all surfaces go",
+        ),
+        ("sphere(radius), order = 4, max_radius = radius/2, positive", "used up to `radius/2` mm."),
+    ] {
+        let item = quote!(
+            struct Ball {
+                radius: f64,
+            }
+        );
+        let expansion = crate::expand(text.parse().unwrap(), item).to_string();
+        assert!(expansion.contains(line), "{text}: {expansion}");
+    }
+}
+
+/// 0.9338592 and 0.1 are larger in single precision, 0.7 is not; of `r^2` every range is proved.
+#[test]
+fn ends_of_proofs_are_rounded_down_where_a_format_may_round_them_up() {
+    let item = quote!(
+        struct Knee;
+    );
+    for (text, expected) in [
+        ("0.001*r^2 - 86e-5*r^4, max_radius = 0.9338592", true),
+        ("0.001*r^2 - 86e-5*r^4, max_radius = 0.7", false),
+        ("sphere(0.101), order = 4, max_radius = 0.1", true),
+        ("r^2, max_radius = 0.1", false),
+    ] {
+        let expansion = crate::expand(text.parse().unwrap(), item.clone()).to_string();
+        assert_eq!(expansion.contains("not_above"), expected, "{text}");
+    }
 }
 
 #[test]

@@ -81,6 +81,19 @@ fn the_bound_holds_and_is_sharp_near_the_rim() {
     }
 }
 
+/// A hyperboloid of radius R and k = −2 falls by √(R² + r²) − R.
+#[test]
+fn the_bound_holds_and_is_sharp_near_the_rim_of_a_hyperboloid() {
+    for (radius, range, fall) in [("4", "3", "1"), ("120", "119", "49")] {
+        for order in [2, 4, 8, 32, 64, 128] {
+            let bound = bound(&format!("conic({radius}, -2), order = {order}, max_radius = {range}"));
+            let total = exact(fall);
+            let ratio = (&total - partial_sum(radius, "-2", &exact(range), 2..=order)).abs() / total;
+            assert!(bound >= ratio && bound <= &ratio * exact("1.03"), "{range} {order}: {bound} {ratio}");
+        }
+    }
+}
+
 /// The largest ratio lies inside the range, and the terms of the hyperboloid alternate.
 #[test]
 fn the_bound_covers_the_whole_range() {
@@ -162,8 +175,18 @@ fn fractional_powers_may_stand_beside_surfaces() {
     let gap = "sphere(10) + 0.01*r^2.3, order = auto, tolerance = 1e-3, max_radius = 5";
     assert!(bound(gap) <= exact("1e-3"));
     assert!(bound("sphere(10) + 0.01*r^2.35, order = 4, max_radius = 5") < exact("0.05"));
-    let unknown = on_unit("sphere(10) + 0.01*r^2.351, order = 4, max_radius = 5").unwrap();
-    assert!(unknown.truncation.unwrap().error.is_none());
+    for (exponent, order, is_bounded) in [
+        ("2.5", 128, true),
+        ("2.3", 86, true),
+        ("2.3", 88, false),
+        ("2.35", 34, true),
+        ("2.35", 36, false),
+        ("2.37", 4, false),
+        ("2.351", 4, false),
+    ] {
+        let gap = format!("sphere(10) + 0.01*r^{exponent}, order = {order}, max_radius = 5");
+        assert_eq!(on_unit(&gap).unwrap().truncation.unwrap().error.is_some(), is_bounded, "{gap}");
+    }
     let messages = on_unit("sphere(10) + 0.01*r^2.351, order = 4, tolerance = 0.1, max_radius = 5");
     let messages = messages.err().unwrap();
     assert!(messages.len() == 1 && messages[0].contains("beside these exponents"), "{messages:?}");
@@ -197,6 +220,39 @@ fn a_gap_that_falls_is_the_fault() {
     ] {
         let messages = on_unit(text).err().unwrap();
         assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
+}
+
+/// Fields elsewhere do not change where a range ends.
+#[test]
+fn a_range_that_reaches_a_rim_whatever_the_fields_are_is_refused() {
+    for (text, rule) in [
+        (
+            "sphere(10) + radius^2*r^2, order = 4, max_radius = 12",
+            "below r = 10, where the series of a surface ends; write at most `9.999999`",
+        ),
+        ("radius*sphere(10) - r^4, order = 4, max_radius = 10", "below r = 10"),
+        ("sphere(10) + radius*r^2, order = 4, max_radius = 12, tolerance = 0.1", "below r = 10"),
+        (
+            "sphere(radius), order = 4, max_radius = radius, positive",
+            "below the r with |1 + k| r^2 = R^2 (r = R for a sphere)",
+        ),
+        ("sphere(radius), order = 4, max_radius = 2*radius", "write a smaller one"),
+        ("conic(2*radius + 2, -5), order = 4, max_radius = radius + 1", "write a smaller one"),
+        ("conic(1, radius - 1), order = 4, max_radius = radius^-0.5", "write a smaller one"),
+    ] {
+        let messages = on_ball(text).err().unwrap();
+        assert!(messages.len() == 1 && messages[0].contains(rule), "{text}: {messages:?}");
+    }
+    for (text, count) in [
+        ("sphere(10) + radius^2*r^2, order = 4, max_radius = 9.999999", 0),
+        ("sphere(radius), order = 4, max_radius = 0.9*radius, positive", 0),
+        ("sphere(radius) + sphere(10), order = 4, max_radius = 9", 1),
+        ("sphere(10), order = 4, max_radius = radius", 1),
+        ("conic(10, -1) + sphere(radius), order = 4", 0),
+    ] {
+        let unchecked = on_ball(text).unwrap().truncation.unwrap().unchecked;
+        assert_eq!(unchecked.len(), count, "{text}");
     }
 }
 
@@ -288,7 +344,7 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(r), order = 4", "must not depend on r"),
         ("sphere(sphere(2)), order = 4", "must not depend on r"),
         ("conic(10, r), order = 4", "must not depend on r"),
-        ("sphere(), order = 4", "write `sphere(20)`"),
+        ("sphere(), order = 4", "as in `sphere(20)`"),
         ("sphere(1, 2), order = 4", "write `sphere(1.2)`"),
         ("conic(1), order = 4", "write `conic(1, -0.5)`"),
         ("conic(, 1), order = 4", "something is missing here"),

@@ -191,6 +191,13 @@ pub fn not_below_zero<T: Scalar>(end: T) -> T {
     if end > T::zero() { end } else { T::zero() }
 }
 
+/// The end of a range that was proved, in a format that may have to round it: nothing is known beyond.
+#[inline]
+pub fn not_above<T: Scalar>(end: f64) -> T {
+    let nearest = T::constant(end);
+    if nearest.value() > end { nearest * (T::one() - T::default_epsilon()) } else { nearest }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -239,8 +239,19 @@ struct Socket {
     k: f64,
 }
 
+/// A ball whose coefficients cannot be negative.
+#[gap_profile(sphere(radius), order = 4, max_radius = 12, positive)]
+struct Sphere {
+    radius: f64,
+}
+
 #[test]
 fn a_range_ends_inside_its_surfaces() {
+    let (wide, narrow) = (Sphere { radius: 20.0 }, Sphere { radius: 10.0 });
+    let ends: [f64; 2] = [wide.max_radius(), narrow.max_radius()];
+    assert_eq!(ends, [12.0, 0.0]);
+    let load_integral: f64 = narrow.load_integral(5.0);
+    refused(narrow.radius(load_integral), |e| matches!(e, RadiusError::BeyondRange { .. }), "");
     let socket = |radius, k| GapProfile::<f64>::check(&Socket { radius, k });
     assert_eq!(socket(6.1, 20.0), Ok(()));
     assert_eq!(socket(10.0, -20.0), Ok(()));

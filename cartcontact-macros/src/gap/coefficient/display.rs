@@ -64,8 +64,7 @@ fn raised(atom: &Atom, exponent: &Rational) -> String {
     if exponent.is_one() {
         return base;
     }
-    let exponent = number::decimal(exponent);
-    if exponent.contains('/') { format!("{base}^({exponent})") } else { format!("{base}^{exponent}") }
+    format!("{base}^{}", number::operand(exponent))
 }
 
 #[cfg(test)]
