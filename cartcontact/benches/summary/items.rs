@@ -51,6 +51,8 @@ const LINES: &[Line] = &[
     ("radius, three terms", Some(AtMost(0.25)), "radius f64/throughput/three terms", POWF),
     ("radius, three terms, latency over that of `powf`", Some(AtMost(0.7)), "radius f64/latency/three terms", "radius f64/latency/powf"),
     ("radius, three terms, of a slice", Some(AtMost(0.12)), "radius f64/slice/three terms", POWF),
+    ("radius, two terms, fractional powers", None, "radius f64/throughput/two terms, fractional powers", POWF),
+    ("radius, two terms, fractional powers, of a slice", None, "radius f64/slice/two terms, fractional powers", POWF),
     ("radii at many times, two terms, constant load", Some(AtMost(0.12)), "radius f64/Contact::radii/two terms", POWF),
     ("radii at many times, three terms, constant load", Some(AtMost(0.12)), "radius f64/Contact::radii/three terms", POWF),
     ("radius at one time, two terms, constant load", None, "radius f64/Contact::at/two terms", POWF),
