@@ -1,13 +1,15 @@
-"""The peak pressures that tests/loads_from_nothing.rs expects, to 25 digits.
+"""The pressures that tests/loads_from_nothing.rs expects, to 25 digits.
 
-Under a load that begins with nothing there is no first contact, and Eq. (28) leaves on the axis
+Under a load that begins with nothing there is no first contact, and Eq. (28) leaves
 
-    P(0, t) = (2/π) ∫ Y′(τ)/a²(τ) e^(−χ (t−τ)) dτ,    Y = F + χ ∫F,    (π m/4) J(a) = Y.
+    P(r, t) = (2/π) ∫ Y′ (a² − r²)/a⁴ e^(−χ (t−τ)) dτ,    Y = F + χ ∫F,    (π m/4) J(a) = Y,
+
+from the time on at which the edge was at r.
 
 Needs mpmath: python3 tests/reference/loads_from_nothing.py
 """
 
-from mpmath import exp, log1p, mp, mpf, nstr, pi, quad, sin
+from mpmath import exp, findroot, log1p, mp, mpf, nstr, pi, quad, sin
 
 mp.dps = 30
 CHI, M, SQUARE, FOURTH = mpf("0.02"), mpf("0.375"), mpf("0.025"), mpf("1.09375e-4")
@@ -26,17 +28,18 @@ def radius_squared(hereditary):
     raise ArithmeticError(hereditary)
 
 
-def peak(t, force, rate, impulse, borders, chi=CHI, power=1):
-    """P(0, t) of F, F′ and ∫F, with borders where they change quickly.
+def pressure(t, force, rate, impulse, borders, r=0, power=1):
+    """P(r, t) of F, F′ and ∫F, with borders where they change quickly, the first when the edge is at r.
 
     Integrated over the root of the time of this power, where the integrand is smooth.
     """
 
     def integrand(u):
         tau = u**power
-        hereditary = force(tau) + chi * impulse(tau)
-        change = rate(tau) + chi * force(tau)
-        return change / radius_squared(hereditary) * exp(-chi * (t - tau)) * power * u ** (power - 1)
+        square = radius_squared(force(tau) + CHI * impulse(tau))
+        change = rate(tau) + CHI * force(tau)
+        share = (square - r * r) / (square * square)
+        return change * share * exp(-CHI * (t - tau)) * power * u ** (power - 1)
 
     borders = [mpf(border) ** (mpf(1) / power) for border in borders]
     return 2 / pi * quad(integrand, borders)
@@ -53,13 +56,13 @@ def half_a_cosine(t):
         lambda s: 50 * pi * sin(pi * s) if s < 1 else mpf(0),
         lambda s: 50 * (s - sin(pi * s) / pi) if s < 1 else 50 + 100 * (s - 1),
     )
-    return peak(t, *rise, [0, t] if t <= 1 else [0, 1, t])
+    return pressure(t, *rise, [0, t] if t <= 1 else [0, 1, t])
 
 
 def root():
     """90 (t − 100)^0.1 at 101 s, in the time since the knot: Y′ is infinite there."""
     force, impulse = lambda s: 90 * s ** mpf("0.1"), lambda s: 90 / mpf("1.1") * s ** mpf("1.1")
-    return peak(mpf(1), force, lambda s: 9 * s ** mpf("-0.9"), impulse, [0, 1], power=30)
+    return pressure(mpf(1), force, lambda s: 9 * s ** mpf("-0.9"), impulse, [0, 1], power=30)
 
 
 def logistic(t, steepness):
@@ -69,12 +72,21 @@ def logistic(t, steepness):
     impulse = lambda s: 90 / b * log1p(exp(b * (s - 100)))
     borders = [100 + k / b for k in (-230, -120, -60, -30, -15, -8, -4, -2, -1, 0, 1, 2, 4, 8, 15, 30, 60)]
     borders = [border for border in borders if border < t] + [t]
-    return peak(t, lambda s: 90 * share(s), lambda s: 90 * b * share(s) * (1 - share(s)), impulse, borders)
+    return pressure(t, lambda s: 90 * share(s), lambda s: 90 * b * share(s) * (1 - share(s)), impulse, borders)
 
 
 def high_power(n):
     impulse = lambda s: s ** (n + 1) / (n + 1)
-    return peak(mpf(1), lambda s: s**n, lambda s: n * s ** (n - 1), impulse, [0, 0.5, 0.9, 1])
+    return pressure(mpf(1), lambda s: s**n, lambda s: n * s ** (n - 1), impulse, [0, 0.5, 0.9, 1])
+
+
+def behind_a_rest(r):
+    """(t − 1)^1.5 at 100 s, in the time since the knot."""
+    force, impulse = lambda s: s ** mpf("1.5"), lambda s: s ** mpf("2.5") / mpf("2.5")
+    edge = lambda s: radius_squared(force(s) + CHI * impulse(s)) - r * r
+    first = findroot(edge, (mpf("1e-6"), mpf(50)), solver="anderson")
+    borders = [first + (99 - first) * mpf(part) / 8 for part in range(9)]
+    return pressure(mpf(99), force, lambda s: mpf("1.5") * s ** mpf("0.5"), impulse, borders, r=r)
 
 
 for time in ["0.5", "1", "3"]:
@@ -85,3 +97,5 @@ for time in ["100", "110"]:
 show("a logistic, 101 s", logistic("101", 2))
 for exponent in [20, 30]:
     show(f"t^{exponent}, 1 s", high_power(exponent))
+for distance in [1, 3]:
+    show(f"behind a rest, 100 s, {distance} mm", behind_a_rest(distance))

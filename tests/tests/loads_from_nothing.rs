@@ -7,6 +7,8 @@ use core::f64::consts::PI;
 
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, Medium};
+use tests::budget;
+use tests::condition::edge;
 use tests::profiles::Patellofemoral;
 
 const CHI: f64 = 0.02;
@@ -141,4 +143,23 @@ fn smooth_rises_from_nothing_take_few_forces() {
         // Twice the worst of these times.
         assert!(contact.load().forces.get() < 200_000, "{t}: {}", contact.load().forces.get());
     }
+}
+
+/// Behind a rest the first forces are the rounding of their times; away from the axis nobody need know them.
+#[test]
+fn rises_behind_a_rest_take_few_forces_off_the_axis() -> Result<(), ContactError> {
+    let since = |t: f64| (t - 1.0).max(0.0);
+    let (force, impulse) = (move |t: f64| since(t).powf(1.5), move |t: f64| since(t).powf(2.5) / 2.5);
+    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
+    let load = Formula { force, impulse, knot: 1.0, forces: Cell::new(0) };
+    let contact = Contact::new(Patellofemoral, medium, load)?;
+    let now = contact.at(100.0)?;
+    for (r, expected) in [(1.0, 6.284_373_000_716_511), (3.0, 5.709_895_899_363_812)] {
+        contact.load().forces.set(0);
+        let allowed = budget::PRESSURE.double * edge(now.radius(), r) * f64::EPSILON;
+        assert_near(now.pressure(r), expected, allowed);
+        // Four times as many as it takes.
+        assert!(contact.load().forces.get() < 5000, "{r}: {}", contact.load().forces.get());
+    }
+    Ok(())
 }
