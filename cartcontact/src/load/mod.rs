@@ -3,12 +3,14 @@
 mod chebyshev;
 mod constant;
 mod contradiction;
+mod descent;
 mod error;
 mod force_series;
 mod piece;
 mod piecewise_linear;
 mod recession;
 mod shortest;
+mod straight;
 
 use crate::Scalar;
 
@@ -72,7 +74,8 @@ pub trait Load<T: Scalar> {
         None
     }
 
-    /// Whether the force is linear in time between knots; memory integrals are then explicit.
+    /// Whether the force is linear in time between knots; memory integrals are then explicit, and nothing else is looked for
+    /// between them.
     fn is_linear_between_knots(&self) -> bool {
         false
     }
@@ -104,6 +107,9 @@ pub trait Load<T: Scalar> {
     /// by √ε of the force. It needs some 17 forces for each panel of a few radians of an oscillation, or a few e-foldings of
     /// a decay, and up to 1e5 where forces are the rounding of something larger, as 1 − cos t is at first. A load that knows
     /// the answer should give it.
+    ///
+    /// Of a load that is [linear between knots](Self::is_linear_between_knots) it takes the pieces, three forces for each. As
+    /// forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them by √ε.
     fn recession(&self, chi: T, t: T) -> Option<T> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }

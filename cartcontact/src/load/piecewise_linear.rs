@@ -1,5 +1,6 @@
 //! A load given by its values at some times, linear between them.
 
+use super::descent::{Descent, may_add_up};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
@@ -26,7 +27,7 @@ const CHECKPOINTS: usize = 64;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
-    /// The largest −F′/F: with a faster memory than that the edge never recedes.
+    /// The largest −F′/F that counts: with a faster memory than that the edge never recedes.
     fastest_fall: T,
     /// The impulses up to every `stride`-th knot.
     impulses: [T; CHECKPOINTS],
@@ -44,13 +45,16 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
         check_knots(knots.as_ref())?;
         let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
         let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
+        let counts_rounding = may_add_up::<T>(load.knots().len());
         let mut sum = CompensatedSum::from(T::zero());
         for (index, piece) in pieces(load.knots.as_ref()).enumerate() {
             if !piece.has_slope() {
                 let (from, to) = (piece.start.0.value(), piece.end.0.value());
                 return Err(LoadError::TooSteep { knot: index + 1, from, to });
             }
-            load.fastest_fall = load.fastest_fall.max(piece.fall());
+            // Of few pieces, what rounding makes of a fall does not count.
+            let fall = if counts_rounding { piece.fall() } else { piece.fall_beyond_rounding() };
+            load.fastest_fall = load.fastest_fall.max(fall);
             sum.add(piece.impulse());
             let knot = index + 1;
             if knot % stride == 0
@@ -184,11 +188,9 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
         if self.fastest_fall <= chi {
             return None;
         }
+        let mut descent = Descent::new(chi);
         let mut begun = pieces(self.knots()).take_while(|piece| piece.start.0 <= t);
-        let (time, is_step) =
-            begun.find_map(|piece| Some((piece.recession(chi)?, piece.duration().is_zero())))?;
-        // At the very time at which a slope becomes too steep the edge has not moved yet.
-        (time < t || is_step).then_some(time)
+        begun.find_map(|piece| descent.pass(&piece, t))
     }
 
     fn contradiction(&self, _chi: T, _t: T) -> Option<LoadError> {
