@@ -24,6 +24,24 @@ const CHECKPOINTS: usize = 64;
 /// assert_eq!(ramp_and_hold.impulse(30.0), 2000.0);
 /// # Ok::<(), cartcontact::load::LoadError>(())
 /// ```
+///
+/// The solution holds while the edge of the contact does not recede: from one knot to the next, Δt later, a force F may
+/// fall to F/(1 + χ Δt) at least. The noise of a measured record falls faster, and is clamped (to its peaks: smooth it
+/// before if that matters):
+///
+/// ```
+/// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
+/// # let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
+/// let mut record = vec![(0.0, 79.6), (0.01, 80.3), (0.02, 79.9), (0.03, 80.1), (0.04, 79.8)];
+/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.04).is_err());
+///
+/// for k in 1..record.len() {
+///     let (before, force) = record[k - 1];
+///     record[k].1 = record[k].1.max(force / (1.0 + medium.chi() * (record[k].0 - before)));
+/// }
+/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.04).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
