@@ -8,6 +8,7 @@ mod error;
 mod force_series;
 mod piece;
 mod piecewise_linear;
+mod pointers;
 mod recession;
 mod shortest;
 mod straight;
@@ -35,6 +36,9 @@ pub(crate) use shortest::Shortest;
 /// samples can have without receding is refused, [`LoadError::ContradictoryImpulse`]. One that is off by a
 /// few hundredths or less, or is right at the time asked for, may not be noticed: the radius is then that of the
 /// impulse, the pressure lies between the two.
+///
+/// A reference to a load is one, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>` that is
+/// chosen at run time.
 ///
 /// # Examples
 ///
@@ -129,36 +133,6 @@ pub trait Load<T: Scalar> {
     /// [`LoadError`] for a negative or non-finite force.
     fn check(&self) -> Result<(), LoadError> {
         Ok(())
-    }
-}
-
-impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for &L {
-    fn force(&self, t: T) -> T {
-        (**self).force(t)
-    }
-    fn impulse(&self, t: T) -> T {
-        (**self).impulse(t)
-    }
-    fn force_before(&self, t: T) -> T {
-        (**self).force_before(t)
-    }
-    fn next_knot(&self, t: T) -> Option<T> {
-        (**self).next_knot(t)
-    }
-    fn is_linear_between_knots(&self) -> bool {
-        (**self).is_linear_between_knots()
-    }
-    fn straight_pieces(&self, times: (T, T), pieces: &mut [Piece<T>]) -> usize {
-        (**self).straight_pieces(times, pieces)
-    }
-    fn recession(&self, chi: T, t: T) -> Option<T> {
-        (**self).recession(chi, t)
-    }
-    fn contradiction(&self, chi: T, t: T) -> Option<LoadError> {
-        (**self).contradiction(chi, t)
-    }
-    fn check(&self) -> Result<(), LoadError> {
-        (**self).check()
     }
 }
 
