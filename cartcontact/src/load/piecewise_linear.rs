@@ -1,5 +1,7 @@
 //! A load given by its values at some times, linear between them.
 
+use core::fmt;
+
 use super::descent::{Descent, may_add_up};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
@@ -42,7 +44,7 @@ const CHECKPOINTS: usize = 64;
 /// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.04).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
     /// The largest −F′/F that counts: with a faster memory than that the edge never recedes.
@@ -50,6 +52,13 @@ pub struct PiecewiseLinear<T, K> {
     /// The impulses up to every `stride`-th knot.
     impulses: [T; CHECKPOINTS],
     stride: usize,
+}
+
+// Not derived: the knots say all.
+impl<T, K: fmt::Debug> fmt::Debug for PiecewiseLinear<T, K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PiecewiseLinear").field("knots", &self.knots).finish_non_exhaustive()
+    }
 }
 
 impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
