@@ -340,7 +340,9 @@ fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> PiecewiseL
     PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-fn single_contact<L: Load<f32>>(chi: f32, load: L) -> Contact<f32, Polynomial<f32, [(f32, f32); 1]>, L> {
+type SingleGap = Polynomial<f32, [(f32, f32); 1]>;
+
+fn single_contact<L: Load<f32>>(chi: f32, load: L) -> Contact<f32, SingleGap, L> {
     let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
     let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
     Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))

@@ -2,9 +2,9 @@
 //!
 //! A piece falls nowhere if F₁ ≥ F₀/(1 + χ Δt). As forces are rounded, each may fall short of that by 8 ε. What is
 //! forgiven adds up: pieces of 1/1000 s, in which a force may fall by ten ε in single precision, could fall at twice the
-//! rate that the pressure follows. So the falls are summed, and √ε of the force is too much, which no other rounding of a
-//! result comes near to: pieces that are rounded each by itself, by ε/2 at the most, fall by that much after 4/ε of them,
-//! and 1/(8 √ε) pieces, whatever they do, do not.
+//! rate that the pressure follows. So the falls are summed, and √ε of the force is too much. Forces that are rounded each
+//! by itself, by ε/2 at the most, make less of up to 4/ε pieces, as their errors add up like a square root; and up to
+//! 1/(8 √ε) pieces make less, whatever they do.
 //!
 //! Where F₁ is F₀/(1 + χ Δt) as the format has it, it is the bound and no fall, however often: in equal steps that is
 //! rounded the same way each time.

@@ -34,14 +34,14 @@ const CHECKPOINTS: usize = 64;
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
 /// # let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
-/// let mut record = vec![(0.0, 79.6), (0.01, 80.3), (0.02, 79.9), (0.03, 80.1), (0.04, 79.8)];
-/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.04).is_err());
+/// let mut record: [(f64, f64); 4] = [(0.0, 79.6), (0.01, 80.3), (0.02, 79.9), (0.03, 80.1)];
+/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.03).is_err());
 ///
 /// for k in 1..record.len() {
 ///     let (before, force) = record[k - 1];
 ///     record[k].1 = record[k].1.max(force / (1.0 + medium.chi() * (record[k].0 - before)));
 /// }
-/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.04).is_ok());
+/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.03).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, PartialEq)]
