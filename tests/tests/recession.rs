@@ -473,3 +473,17 @@ fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
     assert_eq!(own.recession(1.5e-3, 30.0), None);
     assert!(own.asked.get() < 50_000, "{}", own.asked.get());
 }
+
+/// P = P₀ F/F₀ where the edge stands still; what rounding makes of its place must not add up.
+#[test]
+fn pressures_fade_with_a_load_at_the_bound() {
+    for chi in [1.5e-3, 1.5e-2_f32] {
+        let force = |k: i32| (80.0 * (1.0 + f64::from(chi) * 1e-3).powi(-k)) as f32;
+        let knots: Vec<(f32, f32)> = (0..20_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
+        let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = single_contact(chi, load);
+        let peak = |t: f32| contact.at(t).map_or(f32::NAN, |now| now.peak_pressure());
+        let error = peak(19.999) / peak(0.0) / (force(19_999) / 80.0) - 1.0;
+        assert!(error.abs() < 1e-5, "{chi}: {error:e}");
+    }
+}
