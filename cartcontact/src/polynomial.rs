@@ -1,6 +1,6 @@
 //! A gap profile known at run time only.
 
-use core::marker::PhantomData;
+use core::fmt;
 
 use crate::Scalar;
 use crate::admissibility::checked_range;
@@ -36,14 +36,21 @@ use crate::scalar::{floor, is_plain};
 /// assert!((oblate.max_radius() - 187.5_f64.sqrt()).abs() < 1e-9);
 /// # Ok::<(), cartcontact::ProfileError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Polynomial<T, S> {
     terms: S,
     max_radius: T,
     has_negative_terms: bool,
     has_whole_exponents: bool,
     highest_exponent: T,
-    scalar: PhantomData<T>,
+}
+
+// Not derived: the terms and the range say all.
+impl<T: fmt::Debug, S: fmt::Debug> fmt::Debug for Polynomial<T, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = f.debug_struct("Polynomial");
+        shown.field("terms", &self.terms).field("max_radius", &self.max_radius).finish_non_exhaustive()
+    }
 }
 
 impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
@@ -85,8 +92,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         let exponents = || pairs().filter(|(c, _)| !(c.is_zero() && is_plain::<T>())).map(|(_, n)| n);
         let has_whole_exponents = exponents().all(|n| n == T::constant(f64::from(floor(n))));
         let highest_exponent = exponents().fold(T::zero(), T::max);
-        let scalar = PhantomData;
-        Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, highest_exponent, scalar })
+        Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, highest_exponent })
     }
 
     /// The pairs (coefficient, exponent) as they were given.

@@ -3,7 +3,9 @@
 use core::f64::consts::PI;
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
-use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, Scalar, Snapshot, gap_profile};
+use cartcontact::{
+    Contact, ContactError, GapProfile, Layer, Medium, Polynomial, Scalar, Snapshot, gap_profile,
+};
 use num_dual::{Dual32, Dual64, DualNum};
 use tests::budget;
 use tests::condition::edge;
@@ -228,6 +230,64 @@ fn single_precision_has_its_own_range() -> Result<(), Failure> {
     // P ∝ F^(2/3) of a paraboloid.
     let allowed = 2.0 * budget::PEAK_PRESSURE.single as f32 * f32::EPSILON;
     assert!((found.eps * 150.0 / found.re - 1.0).abs() <= allowed, "{found}");
+    Ok(())
+}
+
+/// F (1 − e^(−t/10)).
+struct FromNothing<T>(T);
+
+impl<T: Scalar> Load<T> for FromNothing<T> {
+    fn force(&self, t: T) -> T {
+        -self.0 * (-t * T::constant(0.1)).exp_m1()
+    }
+
+    fn impulse(&self, t: T) -> T {
+        self.0 * (t + (-t * T::constant(0.1)).exp_m1() * T::constant(10.0))
+    }
+}
+
+/// The pressures at 0 mm and 3 mm, at a time.
+fn pressures<T: Scalar>(
+    profile: impl GapProfile<T>,
+    load: impl Load<T>,
+    t: f64,
+) -> Result<[T; 2], ContactError> {
+    let medium = Medium::from_constants(T::constant(0.375), T::constant(0.0015));
+    let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(profile, medium, load)?;
+    let now = contact.at(T::constant(t))?;
+    Ok([now.peak_pressure(), now.pressure(T::constant(3.0))])
+}
+
+/// At first there is no contact, and the whole of the radius is gained.
+#[test]
+fn slopes_under_loads_from_nothing_are_those_of_differences() -> Result<(), Failure> {
+    for exponents in [[2.0, 4.0], [2.0, 3.0], [2.3, 4.1], [0.5, 4.1]] {
+        let [first, second] = exponents;
+        let plain_gap = Polynomial::new([(0.025, first), (1e-4, second)])?;
+        let [c, d, first, second] = [0.025, 1e-4, first, second].map(Dual64::from);
+        let gap = Polynomial::new([(c, first), (d, second)])?;
+        for t in [0.7, 20.0, 500.0] {
+            let ramp = |force| PiecewiseLinear::new([(0.0, 0.0), (20.0, force)]);
+            let dual_ramp = [(Dual64::from(0.0), Dual64::from(0.0)), (Dual64::from(20.0), variable(100.0))];
+            for (index, (smooth, straight)) in pressures(gap, FromNothing(variable(100.0)), t)?
+                .into_iter()
+                .zip(pressures(gap, PiecewiseLinear::new(dual_ramp)?, t)?)
+                .enumerate()
+            {
+                let of_smooth = |force: f64| pressures(plain_gap, FromNothing(force), t);
+                let of_straight = |force: f64| pressures(plain_gap, ramp(force)?, t);
+                let value = |found: Result<[f64; 2], ContactError>| found.map_or(f64::NAN, |p| p[index]);
+                for (dual, expected) in [
+                    (smooth, slope(|force| value(of_smooth(force)), 100.0)),
+                    (straight, slope(|force| value(of_straight(force)), 100.0)),
+                ] {
+                    let is_near = (dual.eps - expected).abs() <= 1e-9 * dual.re / 100.0;
+                    assert!(is_near, "{exponents:?}, {t}: {dual} instead of {expected}");
+                }
+            }
+        }
+    }
     Ok(())
 }
 

@@ -117,10 +117,11 @@ impl fmt::Display for ContactError {
             Self::Receding { time, since } => write!(
                 f,
                 "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
-                 receded, which this solution does not cover; ask for earlier times or let the load fall more \
-                 slowly",
+                 receded, which this solution does not cover; {}smooth the load: from one knot to the next, dt \
+                 later, a force may fall to 1/(1 + chi dt) of itself at least",
                 Shown(since),
-                Shown(time)
+                Shown(time),
+                if since > 0.0 { "ask for earlier times, or " } else { "" }
             ),
             Self::Unrepresentable { time, force } => write!(
                 f,

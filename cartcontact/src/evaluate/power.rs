@@ -113,6 +113,10 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
     if depth.is_zero() {
         return T::zero();
     }
+    // Nothing is left of any term: as a derivative, what ln 0 times 0 makes is no number.
+    if depth >= a {
+        return terms.into_iter().fold(T::zero(), |sum, (c, p)| sum + term_of_drop(c, a, p));
+    }
     let log_ratio = (-depth / a).ln_1p();
     terms
         .into_iter()

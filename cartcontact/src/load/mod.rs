@@ -3,12 +3,15 @@
 mod chebyshev;
 mod constant;
 mod contradiction;
+mod descent;
 mod error;
 mod force_series;
 mod piece;
 mod piecewise_linear;
+mod pointers;
 mod recession;
 mod shortest;
+mod straight;
 
 use crate::Scalar;
 
@@ -34,6 +37,9 @@ pub(crate) use shortest::Shortest;
 /// few hundredths or less, or is right at the time asked for, may not be noticed: the radius is then that of the
 /// impulse, the pressure lies between the two.
 ///
+/// A reference to a load is one, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>` that is
+/// chosen at run time.
+///
 /// # Examples
 ///
 /// ```
@@ -54,6 +60,71 @@ pub(crate) use shortest::Shortest;
 ///     }
 /// }
 /// ```
+///
+/// In a control loop forces come one by one. A load that clamps each of them, so that none falls too fast, need not be
+/// searched, and one that thins out its samples when there is no more room does not allocate:
+///
+/// ```
+/// use cartcontact::{Contact, Medium, Polynomial, load::Load};
+///
+/// struct Live {
+///     chi: f64,
+///     /// Times and forces, and the impulses up to then.
+///     samples: [(f64, f64, f64); 256],
+///     count: usize,
+/// }
+///
+/// impl Live {
+///     fn push(&mut self, time: f64, force: f64) {
+///         if self.count == self.samples.len() {
+///             self.count /= 2;
+///             (0..self.count).for_each(|k| self.samples[k] = self.samples[2 * k]);
+///         }
+///         let (before, last, impulse) = self.samples[self.count - 1];
+///         let force = force.max(last / (1.0 + self.chi * (time - before)));
+///         self.samples[self.count] = (time, force, impulse + 0.5 * (last + force) * (time - before));
+///         self.count += 1;
+///     }
+///     /// Where the straight piece begins that a time is in, and the force then.
+///     fn at(&self, t: f64) -> ((f64, f64, f64), f64) {
+///         let samples = &self.samples[..self.count];
+///         let next = samples.partition_point(|sample| sample.0 <= t);
+///         let (start, end) = (samples[next - 1], samples.get(next));
+///         let slope = end.map_or(0.0, |end| (end.1 - start.1) / (end.0 - start.0));
+///         (start, start.1 + slope * (t - start.0))
+///     }
+/// }
+///
+/// impl Load<f64> for Live {
+///     fn force(&self, t: f64) -> f64 {
+///         self.at(t).1
+///     }
+///     fn impulse(&self, t: f64) -> f64 {
+///         let ((start, first, impulse), force) = self.at(t);
+///         impulse + 0.5 * (first + force) * (t - start)
+///     }
+///     fn next_knot(&self, t: f64) -> Option<f64> {
+///         let samples = &self.samples[..self.count];
+///         samples.get(samples.partition_point(|sample| sample.0 <= t)).map(|sample| sample.0)
+///     }
+///     fn is_linear_between_knots(&self) -> bool {
+///         true
+///     }
+///     fn recession(&self, _chi: f64, _t: f64) -> Option<f64> {
+///         None
+///     }
+/// }
+///
+/// let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
+/// let mut load = Live { chi: medium.chi(), samples: [(0.0, 80.0, 0.0); 256], count: 1 };
+/// for k in 1..1000 {
+///     let time = f64::from(k) * 1e-3;
+///     load.push(time, 80.0 + (0.3 * f64::from(k)).sin());
+///     let now = Contact::new(&gap, medium, &load)?;
+///     assert!(now.at(time)?.peak_pressure() > 1.0);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Load<T: Scalar> {
     /// The force F(t) at a time t ≥ 0, in N; just after a jump, its value behind the jump.
     fn force(&self, t: T) -> T;
@@ -72,7 +143,8 @@ pub trait Load<T: Scalar> {
         None
     }
 
-    /// Whether the force is linear in time between knots; memory integrals are then explicit.
+    /// Whether the force is linear in time between knots; memory integrals are then explicit, and nothing else is looked for
+    /// between them.
     fn is_linear_between_knots(&self) -> bool {
         false
     }
@@ -104,6 +176,9 @@ pub trait Load<T: Scalar> {
     /// by √ε of the force. It needs some 17 forces for each panel of a few radians of an oscillation, or a few e-foldings of
     /// a decay, and up to 1e5 where forces are the rounding of something larger, as 1 − cos t is at first. A load that knows
     /// the answer should give it.
+    ///
+    /// Of a load that is [linear between knots](Self::is_linear_between_knots) it takes the pieces, three forces for each. As
+    /// forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them by √ε.
     fn recession(&self, chi: T, t: T) -> Option<T> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }
@@ -123,36 +198,6 @@ pub trait Load<T: Scalar> {
     /// [`LoadError`] for a negative or non-finite force.
     fn check(&self) -> Result<(), LoadError> {
         Ok(())
-    }
-}
-
-impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for &L {
-    fn force(&self, t: T) -> T {
-        (**self).force(t)
-    }
-    fn impulse(&self, t: T) -> T {
-        (**self).impulse(t)
-    }
-    fn force_before(&self, t: T) -> T {
-        (**self).force_before(t)
-    }
-    fn next_knot(&self, t: T) -> Option<T> {
-        (**self).next_knot(t)
-    }
-    fn is_linear_between_knots(&self) -> bool {
-        (**self).is_linear_between_knots()
-    }
-    fn straight_pieces(&self, times: (T, T), pieces: &mut [Piece<T>]) -> usize {
-        (**self).straight_pieces(times, pieces)
-    }
-    fn recession(&self, chi: T, t: T) -> Option<T> {
-        (**self).recession(chi, t)
-    }
-    fn contradiction(&self, chi: T, t: T) -> Option<LoadError> {
-        (**self).contradiction(chi, t)
-    }
-    fn check(&self) -> Result<(), LoadError> {
-        (**self).check()
     }
 }
 

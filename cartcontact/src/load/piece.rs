@@ -83,19 +83,31 @@ impl<T: Scalar> Piece<T> {
         self.duration().is_zero() || (slope + slope).is_finite()
     }
 
-    /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall by more than rounding, 8 ε of
-    /// it, which is what a fall as fast as e^(−χ t) may be too fast by when its forces are rounded.
+    /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.
     pub(super) fn fall(&self) -> T {
-        let (first, last) = (self.start.1, self.end.1);
-        let drop = (first - last) - first * T::default_epsilon() * T::constant(8.0);
-        // A drop is a share of the force that the format holds, so that nothing leaves it but the result.
-        if drop > T::zero() { (drop / last / self.duration()).max(smallest_normal()) } else { T::zero() }
+        self.fall_by(self.start.1 - self.end.1)
     }
 
-    /// The first time within the piece at which F′ + χ F < 0.
+    /// The same, 0 if the load does not fall by more than rounding, 8 ε of it, which is what a fall as fast as e^(−χ t)
+    /// may be too fast by when its forces are rounded.
+    pub(super) fn fall_beyond_rounding(&self) -> T {
+        let (first, last) = (self.start.1, self.end.1);
+        self.fall_by((first - last) - first * T::default_epsilon() * T::constant(8.0))
+    }
+
+    fn fall_by(&self, drop: T) -> T {
+        // A drop is a share of the force that the format holds, so that nothing leaves it but the result.
+        if drop > T::zero() {
+            (drop / self.end.1 / self.duration()).max(smallest_normal())
+        } else {
+            T::zero()
+        }
+    }
+
+    /// The first time within the piece at which F′ + χ F < 0, if it is by more than rounding.
     pub(super) fn recession(&self, chi: T) -> Option<T> {
         // F′ + χ F is least at the end.
-        if self.fall() <= chi {
+        if self.fall_beyond_rounding() <= chi {
             return None;
         }
         // χ F = −F′ within the piece, or the piece begins with a recession.

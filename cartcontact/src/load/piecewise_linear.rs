@@ -1,5 +1,8 @@
 //! A load given by its values at some times, linear between them.
 
+use core::fmt;
+
+use super::descent::{Descent, may_add_up};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
@@ -23,14 +26,39 @@ const CHECKPOINTS: usize = 64;
 /// assert_eq!(ramp_and_hold.impulse(30.0), 2000.0);
 /// # Ok::<(), cartcontact::load::LoadError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// The solution holds while the edge of the contact does not recede: from one knot to the next, Δt later, a force F may
+/// fall to F/(1 + χ Δt) at least. The noise of a measured record falls faster, and is clamped (to its peaks: smooth it
+/// before if that matters):
+///
+/// ```
+/// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
+/// # let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
+/// let mut record: [(f64, f64); 4] = [(0.0, 79.6), (0.01, 80.3), (0.02, 79.9), (0.03, 80.1)];
+/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.03).is_err());
+///
+/// for k in 1..record.len() {
+///     let (before, force) = record[k - 1];
+///     record[k].1 = record[k].1.max(force / (1.0 + medium.chi() * (record[k].0 - before)));
+/// }
+/// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.03).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
-    /// The largest −F′/F: with a faster memory than that the edge never recedes.
+    /// The largest −F′/F that counts: with a faster memory than that the edge never recedes.
     fastest_fall: T,
     /// The impulses up to every `stride`-th knot.
     impulses: [T; CHECKPOINTS],
     stride: usize,
+}
+
+// Not derived: the knots say all.
+impl<T, K: fmt::Debug> fmt::Debug for PiecewiseLinear<T, K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PiecewiseLinear").field("knots", &self.knots).finish_non_exhaustive()
+    }
 }
 
 impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
@@ -44,13 +72,16 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
         check_knots(knots.as_ref())?;
         let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
         let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
+        let counts_rounding = may_add_up::<T>(load.knots().len());
         let mut sum = CompensatedSum::from(T::zero());
         for (index, piece) in pieces(load.knots.as_ref()).enumerate() {
             if !piece.has_slope() {
                 let (from, to) = (piece.start.0.value(), piece.end.0.value());
                 return Err(LoadError::TooSteep { knot: index + 1, from, to });
             }
-            load.fastest_fall = load.fastest_fall.max(piece.fall());
+            // Of few pieces, what rounding makes of a fall does not count.
+            let fall = if counts_rounding { piece.fall() } else { piece.fall_beyond_rounding() };
+            load.fastest_fall = load.fastest_fall.max(fall);
             sum.add(piece.impulse());
             let knot = index + 1;
             if knot % stride == 0
@@ -184,11 +215,9 @@ impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
         if self.fastest_fall <= chi {
             return None;
         }
+        let mut descent = Descent::new(chi);
         let mut begun = pieces(self.knots()).take_while(|piece| piece.start.0 <= t);
-        let (time, is_step) =
-            begun.find_map(|piece| Some((piece.recession(chi)?, piece.duration().is_zero())))?;
-        // At the very time at which a slope becomes too steep the edge has not moved yet.
-        (time < t || is_step).then_some(time)
+        begun.find_map(|piece| descent.pass(&piece, t))
     }
 
     fn contradiction(&self, _chi: T, _t: T) -> Option<LoadError> {

@@ -15,11 +15,12 @@
 //! [contradiction] if no fall is found there.
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
-//! so the search ends. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
+//! so the search ends. A load that is [straight] between its knots is not searched. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
 //! rounding of 1 − e^(−t) early on, because of which the bound [grows](Shortest).
 
 use super::ForceSeries;
 use super::contradiction::{self, Contradiction};
+use super::straight;
 use super::{Load, LoadError, Shortest, knot_between};
 use crate::Scalar;
 use crate::scalar::smallest_normal;
@@ -60,6 +61,9 @@ impl<T: Scalar> Fault<T> {
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+    if load.is_linear_between_knots() {
+        return straight::first_fault(load, chi, t);
+    }
     let zero = T::zero();
     let hereditary = load.force(t) + chi * load.impulse(t);
     let mut search = Search {

@@ -256,8 +256,9 @@ struct Growth<T> {
 impl<T: Scalar> Growth<T> {
     fn along(piece: &Piece<T>, chi: T) -> Self {
         let folds = chi * piece.duration();
-        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
-        let rate = (piece.rise() + folds * piece.end.1).max(T::zero());
+        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative: without that, what is rounded
+        // the other way would add up.
+        let rate = piece.rise() + folds * piece.end.1;
         Self { folds, rate, bend: folds * piece.rise() }
     }
 
@@ -280,7 +281,7 @@ impl ShortRule {
         let of_distance = square * square - growth.folds * T::constant(self.per_fold);
         // |R| v + |B| v²/2 < Y at the v that far away.
         let v = T::one() + T::constant(self.distance) / of_distance;
-        let shortfall = v * (growth.rate + growth.bend.abs() * T::constant(0.5) * v);
+        let shortfall = v * (growth.rate.abs() + growth.bend.abs() * T::constant(0.5) * v);
         (of_distance > T::zero()) & (shortfall <= hereditary)
     }
 }

@@ -45,6 +45,25 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     refused(contact.at(1000.0), is_receding, "at time 50");
     let mut radii = [0.0; 2];
     refused(contact.radii(&[10.0, 70.0], &mut radii), is_receding, "at time 70");
+    refused(
+        contact.at(55.0),
+        is_receding,
+        "ask for earlier times, or smooth the load: from one knot to the next",
+    );
+    Ok(())
+}
+
+/// A record with noise: no time is early enough.
+#[test]
+fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError> {
+    let contact = Contact::new(
+        Paraboloid,
+        *paraboloid().medium(),
+        PiecewiseLinear::new([(0.0, 80.3), (0.01, 79.9), (0.02, 80.1)])?,
+    );
+    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { since: 0.0, .. });
+    refused(contact.at(0.02), is_receding, "does not cover; smooth the load: from one knot to the next");
     Ok(())
 }
 

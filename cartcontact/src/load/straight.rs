@@ -1,0 +1,85 @@
+//! When a user-defined load that is straight between its knots first falls too fast, or is none.
+//!
+//! Its pieces tell all: it is walked along them as [`PiecewiseLinear`](super::PiecewiseLinear) is, with three forces for each.
+
+use super::contradiction::{self, Contradiction};
+use super::descent::Descent;
+use super::recession::Fault;
+use super::{Load, LoadError, Piece};
+use crate::Scalar;
+use crate::evaluate::compensated_sum::CompensatedSum;
+
+/// How many pieces are asked for at once.
+const PIECES: usize = 16;
+
+/// The first fault of a history up to `t`.
+pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+    let hereditary = load.force(t) + chi * load.impulse(t);
+    let tolerance = contradiction::tolerance(hereditary, chi);
+    let mut walk = Walk {
+        t,
+        negligible: hereditary * T::default_epsilon() * T::constant(64.0),
+        descent: Descent::new(chi),
+        end: (T::zero(), load.force(T::zero())),
+        integral: T::zero().into(),
+    };
+    let mut pieces = [Piece::none(); PIECES];
+    while walk.end.0 < t {
+        let start = walk.end.0;
+        let count = load.straight_pieces((start, t), &mut pieces);
+        for piece in &pieces[..count.min(PIECES)] {
+            let step = Piece { start: walk.end, end: piece.start };
+            let fault = walk.pass(&step).or_else(|| walk.pass(piece));
+            if fault.is_some() {
+                return fault;
+            }
+        }
+        let impulse = load.impulse(walk.end.0);
+        let fault = walk.fault_of_impulse(impulse, tolerance);
+        if fault.is_some() {
+            return fault;
+        }
+        // It may know no more pieces.
+        if walk.end.0 <= start {
+            break;
+        }
+    }
+    walk.pass(&Piece { start: walk.end, end: (t, load.force(t)) })
+}
+
+/// A history on its way.
+struct Walk<T> {
+    t: T,
+    /// Up to where a negative force is rounding.
+    negligible: T,
+    descent: Descent<T>,
+    /// The time up to now, and the force just before it.
+    end: (T, T),
+    /// ∫F up to now.
+    integral: CompensatedSum<T>,
+}
+
+impl<T: Scalar> Walk<T> {
+    /// Continues along a piece that begins now.
+    fn pass(&mut self, piece: &Piece<T>) -> Option<Fault<T>> {
+        let is_valid = |force: T| force >= -self.negligible && force.is_finite();
+        if let Some((time, force)) = [piece.start, piece.end].into_iter().find(|&(_, force)| !is_valid(force))
+        {
+            let error = LoadError::InvalidForce { time: time.value(), force: force.value() };
+            return Some(Fault::IsInvalid(time, error));
+        }
+        self.end = piece.end;
+        self.integral.add(piece.impulse());
+        self.descent.pass(piece, self.t).map(Fault::Falls)
+    }
+
+    /// What is wrong with the impulse up to now.
+    fn fault_of_impulse(&self, impulse: T, tolerance: T) -> Option<Fault<T>> {
+        let now = self.end.0;
+        if !impulse.is_finite() {
+            let error = LoadError::InvalidImpulse { time: now.value(), impulse: impulse.value() };
+            return Some(Fault::IsInvalid(now, error));
+        }
+        Contradiction::with_integral((now, impulse), self.integral.value, tolerance).map(Fault::Contradicts)
+    }
+}
