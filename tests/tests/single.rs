@@ -1,6 +1,6 @@
 //! Single precision against double precision, at inputs that both hold exactly.
 
-use cartcontact::{Contact, GapProfile, Medium, Scalar};
+use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
 use tests::budget;
 use tests::condition;
 use tests::kernel::{self, Kernel};

@@ -111,7 +111,7 @@ pub(crate) fn halved_power_sum_steepness<T: Scalar>(
 
 /// Σ c x^p of whole powers with its derivatives, and how much it is too large, by Horner's rule from the highest power on.
 ///
-/// Every power is a [`Halved`] number: of a root x of the radius they are high, and would round often.
+/// Every power is a halved number: of a root x of the radius they are high, and would round often.
 #[derive(Clone, Copy, Debug)]
 pub struct NestedPowers<T> {
     x: Halved<T>,
