@@ -256,8 +256,8 @@ struct Growth<T> {
 impl<T: Scalar> Growth<T> {
     fn along(piece: &Piece<T>, chi: T) -> Self {
         let folds = chi * piece.duration();
-        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative: without that, what is rounded
-        // the other way would add up.
+        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative. It is left so, lest what is
+        // rounded the other way adds up.
         let rate = piece.rise() + folds * piece.end.1;
         Self { folds, rate, bend: folds * piece.rise() }
     }
