@@ -116,6 +116,7 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
         return quote!(#function(#a, #terms));
     };
+    // For a square root it is enough that the lowest power is known with what it lacks.
     if *root > 2 {
         return nested_powers(load_integral, &whole, a, coefficients, names);
     }

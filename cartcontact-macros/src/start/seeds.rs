@@ -10,10 +10,11 @@
 //! **Roots.** Where powers are multiples of a common fraction such as 1/2 or 1/10, a is the root of the radius of which they
 //! all are whole.
 //!
-//! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. Every row is
-//! evaluated as the solver will, in single precision, between its points and at an end, and with what it loses where
-//! single precision is all there is; the longest run of rows that stay below ε/8 is kept, of symbols the first one, and
-//! none if it is shorter than eight octaves.
+//! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′; that of a root beyond the
+//! square root has one more order, with p²/12 for C, p = a J′/J, and leaves |C − p²/12| e³. Every row is evaluated as the
+//! solver will, in single precision, between its points and at an end, and with what it loses where single precision is all
+//! there is; the longest run of rows that stay below ε/8 is kept, of symbols the first one, and none if it is shorter than
+//! eight octaves.
 
 use core::ops::Range;
 
@@ -213,9 +214,8 @@ impl LoadIntegral {
             let at = self.at(a);
             let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
-            let of_step = half_second * half_second - third;
-            let corrected = if self.root > 2.0 { (at.first / at.value).powi(2) / 12.0 } else { 0.0 };
-            let of_a = (of_step - corrected).abs();
+            let next_order = if self.root > 2.0 { (at.first / at.value).powi(2) / 12.0 } else { 0.0 };
+            let of_a = (half_second * half_second - third - next_order).abs();
             let left = |error: f64| self.root * of_a * error * error * error;
             largest = largest.max(self.largest_logarithm(a, &at));
             left(error) <= ALLOWED_ERROR && left(error + self.cut_off) <= ALLOWED_ERROR_OF_SINGLE
