@@ -15,6 +15,7 @@
 
 use super::Load;
 use super::chebyshev::{Coefficients, DEGREE, cosine, derivative, interpolate, mean_to_the_end, sum_at};
+use super::fault::is_force;
 use crate::Scalar;
 use crate::scalar::is_plain;
 
@@ -202,8 +203,7 @@ impl<T: Scalar> ForceSeries<T> {
     /// The first node with a force that is negative by more than what is negligible, or not finite, if the step ends at
     /// `end`: its time and the force.
     pub(crate) fn invalid_force(&self, end: T, negligible: T) -> Option<(T, T)> {
-        let is_valid = |force: T| force >= -negligible && force.is_finite();
-        let node = (0..=Self::START).rev().find(|&node| !is_valid(self.forces[node]))?;
+        let node = (0..=Self::START).rev().find(|&node| !is_force(self.forces[node], negligible))?;
         Some((self.time(node, end), self.forces[node]))
     }
 

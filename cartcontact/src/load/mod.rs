@@ -5,6 +5,7 @@ mod constant;
 mod contradiction;
 mod descent;
 mod error;
+mod fault;
 mod force_series;
 mod piece;
 mod piecewise_linear;

@@ -15,49 +15,22 @@
 //! [contradiction] if no fall is found there.
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
-//! so the search ends. A load that is [straight] between its knots is not searched. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
+//! so the search ends. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
 //! rounding of 1 − e^(−t) early on, because of which the bound [grows](Shortest).
+//!
+//! A load that is [straight] between its knots is not searched.
 
 use super::ForceSeries;
 use super::contradiction::{self, Contradiction};
+use super::fault::{Fault, negligible_force};
 use super::straight;
-use super::{Load, LoadError, Shortest, knot_between};
+use super::{Load, Shortest, knot_between};
 use crate::Scalar;
 use crate::scalar::smallest_normal;
 
 /// How often panels are halved at most because of their impulse, which may simply be that of another load, or when they
 /// are short already.
 const MOST_DOUBTS: u32 = 128;
-
-/// Why a history is not one that the solution covers.
-pub(super) enum Fault<T> {
-    /// The hereditary load falls by more than rounding, from a time on.
-    Falls(T),
-    /// Its impulse is not that of its force.
-    Contradicts(Contradiction<T>),
-    /// At some time, its force is negative, or one of both is not finite.
-    IsInvalid(T, LoadError),
-}
-
-impl<T: Scalar> Fault<T> {
-    /// Since when.
-    pub(super) fn time(&self) -> T {
-        match self {
-            Self::Falls(since) => *since,
-            Self::Contradicts(contradiction) => contradiction.from(),
-            Self::IsInvalid(time, _) => *time,
-        }
-    }
-
-    /// The error of the load, unless it falls.
-    pub(super) fn contradiction(&self) -> Option<LoadError> {
-        match *self {
-            Self::Falls(_) => None,
-            Self::Contradicts(contradiction) => Some(contradiction.error()),
-            Self::IsInvalid(_, error) => Some(error),
-        }
-    }
-}
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
@@ -69,7 +42,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     let mut search = Search {
         load,
         chi,
-        negligible: hereditary * T::default_epsilon() * T::constant(64.0),
+        negligible: negligible_force(hereditary),
         tolerance: contradiction::tolerance(hereditary, chi),
         time: zero,
         impulse: zero,
@@ -209,15 +182,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
 
     /// The first invalid force of a panel, or the impulse at its end if that is not finite.
     fn invalid(&self, force: &ForceSeries<T>, (end, impulse): (T, T)) -> Option<Fault<T>> {
-        let (time, error) = if let Some((time, force)) = force.invalid_force(end, self.negligible) {
-            (time, LoadError::InvalidForce { time: time.value(), force: force.value() })
-        } else if impulse.is_finite() {
-            // Early on, a good one may be negative by rounding; what is more is a contradiction.
-            return None;
-        } else {
-            (end, LoadError::InvalidImpulse { time: end.value(), impulse: impulse.value() })
-        };
-        Some(Fault::IsInvalid(time, error))
+        let force = force.invalid_force(end, self.negligible);
+        force.map(Fault::of_force).or_else(|| Fault::of_impulse((end, impulse)))
     }
 
     /// Passes a jump of the load, if there is one.
@@ -309,7 +275,7 @@ mod tests {
     use core::cell::Cell;
 
     use super::*;
-    use crate::load::PiecewiseLinear;
+    use crate::load::{LoadError, PiecewiseLinear};
 
     /// Straight between its knots, without saying so; it counts how often it is asked.
     struct Counted {

@@ -1,11 +1,12 @@
 //! When a user-defined load that is straight between its knots first falls too fast, or is none.
 //!
-//! Its pieces tell all: it is walked along them as [`PiecewiseLinear`](super::PiecewiseLinear) is, with three forces for each.
+//! Its pieces tell all: it is walked along them as [`PiecewiseLinear`](super::PiecewiseLinear) is, with three forces for
+//! each.
 
 use super::contradiction::{self, Contradiction};
 use super::descent::Descent;
-use super::recession::Fault;
-use super::{Load, LoadError, Piece};
+use super::fault::{Fault, is_force, negligible_force};
+use super::{Load, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
 
@@ -18,7 +19,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     let tolerance = contradiction::tolerance(hereditary, chi);
     let mut walk = Walk {
         t,
-        negligible: hereditary * T::default_epsilon() * T::constant(64.0),
+        negligible: negligible_force(hereditary),
         descent: Descent::new(chi),
         end: (T::zero(), load.force(T::zero())),
         integral: T::zero().into(),
@@ -62,11 +63,10 @@ struct Walk<T> {
 impl<T: Scalar> Walk<T> {
     /// Continues along a piece that begins now.
     fn pass(&mut self, piece: &Piece<T>) -> Option<Fault<T>> {
-        let is_valid = |force: T| force >= -self.negligible && force.is_finite();
-        if let Some((time, force)) = [piece.start, piece.end].into_iter().find(|&(_, force)| !is_valid(force))
-        {
-            let error = LoadError::InvalidForce { time: time.value(), force: force.value() };
-            return Some(Fault::IsInvalid(time, error));
+        let invalid =
+            [piece.start, piece.end].into_iter().find(|&(_, force)| !is_force(force, self.negligible));
+        if let Some(invalid) = invalid {
+            return Some(Fault::of_force(invalid));
         }
         self.end = piece.end;
         self.integral.add(piece.impulse());
@@ -75,11 +75,8 @@ impl<T: Scalar> Walk<T> {
 
     /// What is wrong with the impulse up to now.
     fn fault_of_impulse(&self, impulse: T, tolerance: T) -> Option<Fault<T>> {
-        let now = self.end.0;
-        if !impulse.is_finite() {
-            let error = LoadError::InvalidImpulse { time: now.value(), impulse: impulse.value() };
-            return Some(Fault::IsInvalid(now, error));
-        }
-        Contradiction::with_integral((now, impulse), self.integral.value, tolerance).map(Fault::Contradicts)
+        let now = (self.end.0, impulse);
+        let contradiction = || Contradiction::with_integral(now, self.integral.value, tolerance);
+        Fault::of_impulse(now).or_else(|| contradiction().map(Fault::Contradicts))
     }
 }

@@ -1,0 +1,57 @@
+//! What makes a history one that the solution does not cover.
+
+use super::LoadError;
+use super::contradiction::Contradiction;
+use crate::Scalar;
+
+/// Why a history is not one that the solution covers.
+pub(super) enum Fault<T> {
+    /// The hereditary load falls by more than rounding, from a time on.
+    Falls(T),
+    /// Its impulse is not that of its force.
+    Contradicts(Contradiction<T>),
+    /// At some time, its force is negative, or one of both is not finite.
+    IsInvalid(T, LoadError),
+}
+
+impl<T: Scalar> Fault<T> {
+    /// A force at a time that is none.
+    pub(super) fn of_force((time, force): (T, T)) -> Self {
+        Self::IsInvalid(time, LoadError::InvalidForce { time: time.value(), force: force.value() })
+    }
+
+    /// What is wrong with an impulse up to a time, if it is not finite. Early on, a good one may be negative by rounding;
+    /// what is more is a contradiction.
+    pub(super) fn of_impulse((time, impulse): (T, T)) -> Option<Self> {
+        let error = || LoadError::InvalidImpulse { time: time.value(), impulse: impulse.value() };
+        (!impulse.is_finite()).then(|| Self::IsInvalid(time, error()))
+    }
+
+    /// Since when.
+    pub(super) fn time(&self) -> T {
+        match self {
+            Self::Falls(since) => *since,
+            Self::Contradicts(contradiction) => contradiction.from(),
+            Self::IsInvalid(time, _) => *time,
+        }
+    }
+
+    /// The error of the load, unless it falls.
+    pub(super) fn contradiction(&self) -> Option<LoadError> {
+        match *self {
+            Self::Falls(_) => None,
+            Self::Contradicts(contradiction) => Some(contradiction.error()),
+            Self::IsInvalid(_, error) => Some(error),
+        }
+    }
+}
+
+/// Up to where a negative force is rounding, in a history up to a time with a hereditary load.
+pub(super) fn negligible_force<T: Scalar>(hereditary: T) -> T {
+    hereditary * T::default_epsilon() * T::constant(64.0)
+}
+
+/// Whether a number is a force, if one that is negative may be rounding up to `negligible`.
+pub(super) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
+    number >= -negligible && number.is_finite()
+}
