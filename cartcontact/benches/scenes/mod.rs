@@ -79,7 +79,6 @@ pub(crate) fn run_time<T: Scalar>() -> RunTime<T> {
 }
 
 /// The paper's scene: 100 N on the patellofemoral joint.
-///
 pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::Constant<f64>> {
     loaded(profile, RATE, load::Constant(FORCE))
 }

@@ -116,14 +116,10 @@ impl<T: Scalar> Halved<T> {
         beside.map_or(power, |beside| beside.times(power))
     }
 
-    /// The `K`-th power, with the square at hand.
+    /// The `K`-th power, `K` ≥ 1, with the square at hand.
     #[inline(always)]
     pub(crate) fn whole_power<const K: u32>(self, square: Self) -> Self {
-        match K {
-            0 => Self { head: T::one(), rest: T::zero() },
-            1 => self,
-            _ => self.power(square, K),
-        }
+        if K == 1 { self } else { self.power(square, K) }
     }
 
     /// The product with a power of two.
