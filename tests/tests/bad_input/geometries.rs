@@ -1,0 +1,203 @@
+//! Geometries known at run time, and fields of generated ones.
+
+use cartcontact::load::Constant;
+use cartcontact::{
+    Contact, ContactError, GapProfile, Medium, Polynomial, ProfileError, RadiusError, gap_profile,
+};
+use tests::profiles::cases;
+
+use super::{NOT_A_SIZE, paraboloid, refused};
+
+#[test]
+fn coefficients_are_finite_and_exponents_positive() {
+    refused(
+        Polynomial::<f64, _>::new([]),
+        |e| matches!(e, ProfileError::Empty),
+        "no term with a coefficient",
+    );
+    refused(
+        Polynomial::new([(0.0, 2.0)]),
+        |e| matches!(e, ProfileError::Empty),
+        "no term with a coefficient",
+    );
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let result = Polynomial::new([(0.025, 2.0), (value, 4.0)]);
+        refused(result, |e| matches!(e, ProfileError::InvalidCoefficient { .. }), &value.to_string());
+    }
+    for value in NOT_A_SIZE.into_iter().chain([1024.5]) {
+        let result = Polynomial::new([(0.025, 2.0), (1e-4, value)]);
+        refused(result, |e| matches!(e, ProfileError::InvalidExponent { .. }), &value.to_string());
+    }
+}
+
+#[test]
+fn geometries_must_open_and_stay_open() {
+    refused(Polynomial::new([(-0.5, 2.0)]), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.5");
+    let oblate = [(0.025, 2.0), (-1e-4, 4.0)];
+    for value in NOT_A_SIZE {
+        let result = Polynomial::with_max_radius(oblate, value);
+        refused(result, |e| matches!(e, ProfileError::InvalidMaxRadius { .. }), &value.to_string());
+    }
+    let result = Polynomial::with_max_radius(oblate, 14.5);
+    refused(result, |e| matches!(e, ProfileError::NotAdmissible { .. }), "14.5");
+}
+
+#[test]
+fn a_limit_that_is_none_holds_no_radius() {
+    for case in cases() {
+        let polynomial = case.polynomial();
+        for profile in [case.double, &polynomial as &dyn GapProfile<f64>] {
+            let load_integrals = [profile.load_integral(0.5); 200];
+            let mut radii = [0.0; 200];
+            for limit in [f64::NAN, f64::NEG_INFINITY, -1.0, 0.0] {
+                let is_beyond = |e: &RadiusError| matches!(e, RadiusError::BeyondRange { .. });
+                refused(profile.radius_within(load_integrals[0], limit), is_beyond, &limit.to_string());
+                refused(
+                    profile.radii_within(&load_integrals, limit, &mut radii),
+                    is_beyond,
+                    &limit.to_string(),
+                );
+            }
+        }
+    }
+}
+
+/// A ball whose radius comes from a measurement.
+#[gap_profile(r^2 / (2 * radius) - r^4 / (8 * radius^3), max_radius = limit)]
+struct Ball {
+    radius: f64,
+    limit: f64,
+}
+
+#[test]
+fn symbols_of_a_generated_geometry_are_checked() {
+    let checked = |radius, limit| GapProfile::<f64>::check(&Ball { radius, limit });
+    assert_eq!(checked(20.0, 10.0), Ok(()));
+    for radius in [0.0, f64::NAN] {
+        refused(
+            checked(radius, 10.0),
+            |e| matches!(e, ProfileError::InvalidCoefficient { .. }),
+            &format!("radius = {radius}"),
+        );
+    }
+    refused(checked(f64::INFINITY, 10.0), |e| matches!(e, ProfileError::Vanishing { .. }), "radius = inf");
+    refused(checked(-20.0, 10.0), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.025");
+    refused(checked(20.0, 40.0), |e| matches!(e, ProfileError::NotAdmissible { .. }), "40");
+    for value in NOT_A_SIZE {
+        let is_limit = |e: &ProfileError| matches!(e, ProfileError::InvalidMaxRadius { .. });
+        refused(checked(20.0, value), is_limit, &value.to_string());
+    }
+    let contact = Contact::new(Ball { radius: -20.0, limit: 1.0 }, *paraboloid().medium(), Constant(1.0));
+    refused(contact, |e| matches!(e, ContactError::Profile(ProfileError::NotOpening { .. })), "-0.025");
+}
+
+/// A worn ball, whose sizes are measured and cannot be negative.
+#[gap_profile(r^2 / (2 * radius) + depth * r^4 / radius^4, positive = (depth, radius), max_radius = limit)]
+struct Declared<T> {
+    radius: T,
+    depth: T,
+    limit: f64,
+}
+
+#[test]
+fn fields_declared_positive_are_held_to_it() {
+    let declared = Declared { radius: 20.0, depth: 0.5, limit: 10.0 };
+    assert_eq!((declared.check(), declared.max_radius()), (Ok(()), 10.0));
+    let is_depth = |e: &ProfileError| matches!(e, ProfileError::NotPositive { field: "depth", .. });
+    let is_radius = |e: &ProfileError| matches!(e, ProfileError::NotPositive { field: "radius", .. });
+    for value in NOT_A_SIZE {
+        let deep = Declared { depth: value, ..Declared { radius: 20.0, depth: 0.5, limit: 10.0 } };
+        refused(deep.check(), is_depth, &format!("`depth` is {value}"));
+        let contact = Contact::new(deep, *paraboloid().medium(), Constant(1.0));
+        refused(contact, |e| matches!(e, ContactError::Profile(ProfileError::NotPositive { .. })), "depth");
+        let flat = Declared { radius: value as f32, depth: 0.5, limit: 10.0 };
+        refused(flat.check(), is_radius, "`radius` is");
+        let endless = Declared { radius: 20.0, depth: 0.5, limit: value };
+        refused(endless.check(), |e| matches!(e, ProfileError::InvalidMaxRadius { .. }), &value.to_string());
+        assert_eq!(endless.max_radius(), if value == f64::INFINITY { value } else { 0.0 });
+    }
+    let tiny = Declared { radius: 1e-200, depth: 0.5, limit: 10.0 };
+    refused(tiny.check(), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "r^4");
+}
+
+/// A ball in a socket of a known size.
+#[gap_profile(sphere(radius) - conic(k, 20 / k - 1), order = 2, max_radius = 6)]
+struct Socket {
+    radius: f64,
+    k: f64,
+}
+
+/// A ball whose coefficients cannot be negative.
+#[gap_profile(sphere(radius), order = 4, max_radius = 12, positive)]
+struct Sphere {
+    radius: f64,
+}
+
+#[test]
+fn a_range_ends_inside_its_surfaces() {
+    let (wide, narrow) = (Sphere { radius: 20.0 }, Sphere { radius: 10.0 });
+    let ends: [f64; 2] = [wide.max_radius(), narrow.max_radius()];
+    assert_eq!(ends, [12.0, 0.0]);
+    let load_integral: f64 = narrow.load_integral(5.0);
+    refused(narrow.radius(load_integral), |e| matches!(e, RadiusError::BeyondRange { .. }), "");
+    let socket = |radius, k| GapProfile::<f64>::check(&Socket { radius, k });
+    assert_eq!(socket(6.1, 20.0), Ok(()));
+    assert_eq!(socket(10.0, -20.0), Ok(()));
+    let is_expected = |e: &ProfileError| matches!(e, ProfileError::BeyondSurface { max_radius: 6.0, .. });
+    refused(socket(6.0, 20.0), is_expected, "with radius = 6, k = 20: ");
+    refused(socket(5.9, 20.0), is_expected, "ends at r = 5.9");
+}
+
+/// Coefficients that fit into the format although what is computed from them does not.
+#[test]
+fn coefficients_leave_room_for_the_closed_forms() {
+    let is_expected = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { .. });
+    for n in [1.0, 2.0, 4.0, 64.0, 1024.0] {
+        for coefficient in [f64::MAX, f64::MAX / 1.9] {
+            refused(Polynomial::new([(coefficient, n)]), is_expected, "must be a finite number");
+        }
+        let largest = Polynomial::new([(f64::MAX / 2.1, n)]).unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = Contact::new(largest, *paraboloid().medium(), Constant(100.0));
+        let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+        for time in [0.0, 200.0] {
+            let now = contact.at(time).unwrap_or_else(|error| unreachable!("{error}"));
+            let results = [now.radius(), now.approach(), now.peak_pressure()];
+            assert!(results.iter().all(|result| result.is_finite() && *result > 0.0), "r^{n}: {results:?}");
+        }
+    }
+    refused(Polynomial::new([(3e38_f32, 2.0)]), is_expected, "must be a finite number");
+}
+
+/// The same geometry is good in double precision, and in single precision in another unit of length.
+#[test]
+fn constants_need_a_format_that_holds_them() {
+    let is_expected = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { exponent: 64.0, .. });
+    refused(
+        GapProfile::<f32>::check(&tests::profiles::FlatEnded),
+        is_expected,
+        "a format with more exponents",
+    );
+    assert_eq!(GapProfile::<f64>::check(&tests::profiles::FlatEnded), Ok(()));
+    refused(GapProfile::<f32>::check(&Faint), is_expected, "the format rounds it to that");
+    assert_eq!(GapProfile::<f64>::check(&Faint), Ok(()));
+    let beside_field = FaintBesideField { curvature: 0.025 };
+    refused(GapProfile::<f32>::check(&beside_field), is_expected, "with curvature = 0.025");
+    refused(GapProfile::<f32>::check(&beside_field), is_expected, "r^64 is 0, but only because the format");
+    assert_eq!(GapProfile::<f64>::check(&beside_field), Ok(()));
+    let contact = Contact::new(
+        &beside_field,
+        Medium::from_constants(1.0_f32, 0.0).unwrap_or_else(|e| unreachable!("{e}")),
+        Constant(1.0),
+    );
+    assert!(matches!(contact, Err(ContactError::Profile(_))), "{contact:?}");
+}
+
+/// A term that single precision takes for zero, although at r = 9 it is larger than the other.
+#[gap_profile(0.025 * r^2 + 1e-60 * r^64)]
+struct Faint;
+
+/// The same beside a field.
+#[gap_profile(curvature * r^2 + 1e-60 * r^64)]
+struct FaintBesideField {
+    curvature: f64,
+}
