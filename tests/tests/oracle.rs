@@ -46,6 +46,18 @@ const KERNELS: &str = include_str!("../reference/kernels.csv");
 const RADII: &str = include_str!("../reference/radius.csv");
 const CONTACTS: &str = include_str!("../reference/contact.csv");
 
+/// The closed forms at radii of the contact and inside it.
+fn kernels(profile: &Profile, a: &Real, r: &Real) -> [Real; 6] {
+    [
+        profile.gap(a),
+        profile.approach(a),
+        profile.approach_slope(a),
+        profile.load_integral(a),
+        profile.log_kernel(a),
+        profile.pressure_kernel(a, r),
+    ]
+}
+
 /// What is below compared row by row.
 #[test]
 fn there_is_something_to_compare() {
@@ -64,20 +76,14 @@ fn kernels_are_regenerated() {
     for (record, row) in rows::<9>(KERNELS) {
         let profile = &record.profile;
         let (a, r) = (double(number(row[1])), double(number(row[2])));
-        let found = [
-            profile.gap(&a),
-            profile.approach(&a),
-            profile.approach_slope(&a),
-            profile.load_integral(&a),
-            profile.log_kernel(&a),
-        ];
-        assert_eq!(found.map(|value| digits(&value, DIGITS)), row[3..8], "{row:?}");
-        let kernel = profile.pressure_kernel(&a, &r);
-        if digits(&kernel, DIGITS) != row[8] {
+        let found = kernels(profile, &a, &r);
+        let [others @ .., kernel] = found.each_ref().map(|value| digits(value, DIGITS));
+        assert_eq!(others, row[3..8], "{row:?}");
+        if kernel != row[8] {
             of_forty_digits += 1;
             assert_eq!(bracket_in_forty_digits(record, row[1], row[2]), row[8], "{row:?}");
-            let error = size(kernel - decimal(row[8]));
-            assert!(error < decimal("1e-38") * profile.log_kernel(&a), "{row:?}");
+            let [.., log_kernel, kernel] = found;
+            assert!(size(kernel - decimal(row[8])) < decimal("1e-38") * log_kernel, "{row:?}");
         }
     }
     assert_eq!(of_forty_digits, 27);
@@ -136,15 +142,7 @@ fn kernels_are_the_exact_rational_numbers() {
         let (a, r) = (number(row[1]), number(row[2]));
         let expected = exact_kernels(&terms, &exact(a), &exact(r));
         let (a, r) = (double(a), double(r));
-        let found = [
-            profile.gap(&a),
-            profile.approach(&a),
-            profile.approach_slope(&a),
-            profile.load_integral(&a),
-            profile.log_kernel(&a),
-            profile.pressure_kernel(&a, &r),
-        ];
-        for (found, expected) in found.into_iter().zip(expected) {
+        for (found, expected) in kernels(profile, &a, &r).into_iter().zip(expected) {
             let expected = decimal(&expected.numer().to_string()) / decimal(&expected.denom().to_string());
             // What the pressure kernel cancels leaves 45 digits of it.
             assert!(size(&found - &expected) <= decimal("1e-45") * expected, "{row:?}");
