@@ -120,6 +120,28 @@ impl Swing {
     }
 }
 
+/// A load that tells its knots, but not that it is straight between them.
+#[derive(Clone, Copy, Debug)]
+pub struct Announced<L>(pub L);
+
+impl<L: Load<f64>> Load<f64> for Announced<L> {
+    fn force(&self, t: f64) -> f64 {
+        self.0.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.0.impulse(t)
+    }
+
+    fn force_before(&self, t: f64) -> f64 {
+        self.0.force_before(t)
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        self.0.next_knot(t)
+    }
+}
+
 /// A load that counts how often its history is searched.
 #[derive(Debug)]
 pub struct Counted<L> {

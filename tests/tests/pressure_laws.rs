@@ -5,7 +5,7 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::{Fall, Knots, Rise, Swing, histories, through};
+use tests::loads::{Announced, Fall, Knots, Rise, Swing, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, cases};
@@ -98,27 +98,6 @@ fn jumps_and_kinks_are_found_where_no_knot_tells_of_them() -> Result<(), Contact
     }
     errors.check_worst();
     Ok(())
-}
-
-/// A load that tells its knots, but not that it is straight between them.
-struct Announced<'a>(&'a Knots);
-
-impl Load<f64> for Announced<'_> {
-    fn force(&self, t: f64) -> f64 {
-        self.0.force(t)
-    }
-
-    fn impulse(&self, t: f64) -> f64 {
-        self.0.impulse(t)
-    }
-
-    fn force_before(&self, t: f64) -> f64 {
-        self.0.force_before(t)
-    }
-
-    fn next_knot(&self, t: f64) -> Option<f64> {
-        self.0.next_knot(t)
-    }
 }
 
 /// Steps begin at a knot, not a rounding before it, where the force is still that of the ramp.

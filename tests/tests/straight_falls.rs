@@ -1,0 +1,208 @@
+//! Of loads that are straight between their knots, those that fall faster than the contact can follow are noticed, however
+//! many pieces they fall in, and no others.
+
+use core::cell::Cell;
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, ContactError, Medium, Polynomial, Scalar};
+use tests::loads::{Announced, through};
+use tests::random::Stream;
+
+const CHI: f64 = 0.02;
+
+#[test]
+fn straight_loads_are_judged_as_they_judge_themselves() {
+    let histories = [
+        through(&[(0.0, 100.0), (12.5, 80.0), (100.0, 80.0)]),
+        through(&[(0.0, 100.0), (12.4, 80.0), (100.0, 80.0)]),
+        through(&[(0.0, 0.0), (50.0, 100.0), (100.0, 0.0)]),
+        through(&[(0.0, 100.0), (5.0, 100.0), (5.0, 99.0), (5.1, 200.0)]),
+        through(&[(0.0, 100.0), (60.0, 40.0), (70.0, 40.0), (70.0, 70.0), (75.0, 60.0)]),
+    ];
+    for load in &histories {
+        for t in [1.0, 5.0, 12.45, 20.0, 66.0, 99.0, 1e4] {
+            let (own, found) = (load.recession(CHI, t), Announced(load).recession(CHI, t));
+            assert_eq!(own.is_some(), found.is_some(), "{load:?}, {t}: {own:?}, {found:?}");
+            assert!(
+                own.zip(found).is_none_or(|(own, found)| (own - found).abs() < 1e-5),
+                "{own:?}, {found:?}"
+            );
+        }
+    }
+}
+
+/// Falls along lines that are as steep at their ends as they may be, F₁ = F₀/(1 + χ Δt), of rounded forces.
+#[test]
+fn rounded_falls_as_fast_as_the_memory_are_none_too_fast() {
+    for folds in [1e-4, 0.01, 0.02, 0.06, 0.5, 3.0] {
+        let duration = folds / CHI;
+        for k in 0..200 {
+            let first = 100.0 + f64::from(k) * 0.37;
+            let load = through(&[(0.0, first), (duration, first / (1.0 + folds))]);
+            assert_eq!(load.recession(CHI, 2.0 * duration), None, "{first} in {folds}");
+        }
+        let forces = (0..100).map(|k| (f64::from(k) * duration, 102.0 * (1.0 + folds).powi(-k)));
+        let load = through(&forces.collect::<Vec<_>>());
+        assert_eq!(load.recession(CHI, 99.0 * duration), None, "{folds}");
+        let too_fast = through(&[(0.0, 100.0), (duration, 100.0 * (1.0 - 1e-13) / (1.0 + folds))]);
+        assert!(too_fast.recession(CHI, 2.0 * duration).is_some(), "{folds}");
+    }
+}
+
+/// A load in single precision at 1 kHz, each force from the one before it and how many e-foldings they are apart.
+fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> PiecewiseLinear<f32, Vec<(f32, f32)>> {
+    let mut knots = vec![(0.0_f32, 80.0_f32)];
+    for k in 1..count {
+        let ((before, force), t) = (knots[k - 1], k as f32 * 1e-3);
+        knots.push((t, next(force, chi * (t - before))));
+    }
+    PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+type SingleGap = Polynomial<f32, [(f32, f32); 1]>;
+
+fn single_contact<L: Load<f32>>(chi: f32, load: L) -> Contact<f32, SingleGap, L> {
+    let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
+    Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+/// What each of them falls too fast by is rounding, but not what all of them do.
+#[test]
+fn falls_in_small_steps_add_up() {
+    for chi in [1.5e-2, 1.5e-3, 1.5e-4_f32] {
+        for ratio in [1.1, 1.5, 3.0, 5.0] {
+            // As `f32` holds the result, not recursively: steps this short would otherwise be rounded to others.
+            let force = |k: usize| (80.0 * (-f64::from(ratio * chi) * 1e-3 * k as f64).exp()) as f32;
+            let knots: Vec<(f32, f32)> = (0..100_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
+            let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+            let contact = single_contact(chi, &load);
+            // The fall is too much when it is √ε of the force.
+            let found_at = f32::EPSILON.sqrt() / ((ratio - 1.0) * chi);
+            if found_at < 50.0 {
+                let late = 1.5 * found_at + 1.0;
+                let expected = contact.at(late).err();
+                assert!(
+                    matches!(expected, Some(ContactError::Receding { since, .. }) if since < 0.3),
+                    "{chi}, {ratio}: {expected:?}"
+                );
+                let mut values = [0.0; 2];
+                assert_eq!(contact.radii(&[0.0, late], &mut values).err(), expected);
+                assert_eq!(contact.pressure_field(&[0.0, late], &[0.0], &mut values).err(), expected);
+            }
+            // Of a single step, 8 ε is too much.
+            if (ratio - 1.0) * chi * 1e-3 < 4.0 * f32::EPSILON {
+                let early = (found_at / 1.5).min(99.0);
+                assert_eq!(contact.radii(&[early], &mut [0.0]), Ok(()), "{chi}, {ratio}");
+            }
+        }
+    }
+}
+
+/// The rounding of F₀/(1 + χ Δt) is the same in many steps; those of other ways to compute it differ from it.
+#[test]
+fn a_load_at_the_bound_may_have_any_number_of_knots() {
+    for chi in [1e-5, 1.5e-4, 4e-4, 1e-3, 1.5e-3, 0.0123, 0.2_f32] {
+        let loads = [
+            ("clamped", sampled(chi, 100_000, |force, folds| force / (1.0 + folds))),
+            ("half as fast", sampled(chi, 100_000, |force, folds| force / (1.0 + 0.5 * folds))),
+            ("held", sampled(chi, 100_000, |force, _| force)),
+        ];
+        for (name, load) in loads {
+            for t in [0.5, 20.0, 99.999, 1e3] {
+                assert_eq!(load.recession(chi, t), None, "{name}, {chi}, {t}");
+            }
+        }
+        // Noise above the least force.
+        let noisy = |k: usize| 80.0 * (1.0 + 0.01 * (k as f32 * 1.7).sin() * (k as f32 * 0.0137).cos());
+        let mut knots = vec![(0.0, noisy(0))];
+        for k in 1..100_000 {
+            let ((before, force), t) = (knots[k - 1], k as f32 * 1e-3);
+            knots.push((t, noisy(k).max(force / (1.0 + chi * (t - before)))));
+        }
+        let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+        assert_eq!(load.recession(chi, 1e3), None, "{chi}");
+    }
+}
+
+/// A load of a user's own that says that it is straight, and counts how often it is asked for a force.
+struct Straight<L> {
+    load: L,
+    asked: Cell<usize>,
+}
+
+impl<T: Scalar, L: Load<T>> Load<T> for Straight<L> {
+    fn force(&self, t: T) -> T {
+        self.asked.set(self.asked.get() + 1);
+        self.load.force(t)
+    }
+
+    fn impulse(&self, t: T) -> T {
+        self.load.impulse(t)
+    }
+
+    fn force_before(&self, t: T) -> T {
+        self.asked.set(self.asked.get() + 1);
+        self.load.force_before(t)
+    }
+
+    fn next_knot(&self, t: T) -> Option<T> {
+        self.load.next_knot(t)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
+    let mut stream = Stream::of_case(14, 1);
+    for case in 0..2000 {
+        let (mut knots, mut time, mut force) = (vec![(0.0, 100.0)], 0.0, 100.0);
+        for _ in 0..stream.below(40) {
+            let folds = stream.magnitude(-6.0, 0.5);
+            force *= match stream.below(8) {
+                0 => 1.0,
+                1 => 1.0 + stream.magnitude(-9.0, 1.0),
+                2 => (1.0 - stream.magnitude(-9.0, -2.0)) / (1.0 + folds),
+                _ => 1.0 / (1.0 + folds),
+            };
+            // What a load jumps from at the start, only its knots say.
+            time += if time > 0.0 && stream.below(10) == 0 { 0.0 } else { folds / CHI };
+            if knots.len() < 2 || knots[knots.len() - 2].0 < time {
+                knots.push((time, force));
+            }
+        }
+        let load = through(&knots);
+        let own = Straight { load: &load, asked: Cell::new(0) };
+        for t in [0.0, 0.3 * time, 0.77 * time, time, 2.0 * time + 1.0] {
+            let (expected, found) = (load.recession(CHI, t), own.recession(CHI, t));
+            assert_eq!(expected.is_some(), found.is_some(), "{case}, {t}: {knots:?}");
+            let is_near = |(a, b): (f64, f64)| (a - b).abs() <= 1e-3 * (a + t * 1e-6);
+            assert!(expected.zip(found).is_none_or(is_near), "{case}, {t}: {expected:?}, {found:?}");
+            assert!(load.recession(CHI, t).is_some() || own.contradiction(CHI, t).is_none(), "{case}, {t}");
+        }
+    }
+    let single = sampled(1.5e-3, 20_000, |force, folds| force / (1.0 + 1.5 * folds));
+    let own = Straight { load: &single, asked: Cell::new(0) };
+    assert_eq!(own.recession(1.5e-3, 19.0), single.recession(1.5e-3, 19.0));
+    let clamped = sampled(1.5e-3, 20_000, |force, folds| force / (1.0 + folds));
+    let own = Straight { load: &clamped, asked: Cell::new(0) };
+    assert_eq!(own.recession(1.5e-3, 30.0), None);
+    assert!(own.asked.get() < 50_000, "{}", own.asked.get());
+}
+
+/// P = P₀ F/F₀ where the edge stands still; what rounding makes of its place must not add up.
+#[test]
+fn pressures_fade_with_a_load_at_the_bound() {
+    for chi in [1.5e-3, 1.5e-2_f32] {
+        let force = |k: i32| (80.0 * (1.0 + f64::from(chi) * 1e-3).powi(-k)) as f32;
+        let knots: Vec<(f32, f32)> = (0..20_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
+        let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = single_contact(chi, load);
+        let peak = |t: f32| contact.at(t).map_or(f32::NAN, |now| now.peak_pressure());
+        let error = peak(19.999) / peak(0.0) / (force(19_999) / 80.0) - 1.0;
+        assert!(error.abs() < 1e-5, "{chi}: {error:e}");
+    }
+}
