@@ -24,6 +24,7 @@ pub(super) fn lines(
     (operations, shared): (&[Operations], Operations),
 ) -> Vec<String> {
     let gap = &geometry.gap;
+    let [a, x] = [["a", "ρ", "s"], ["x", "ξ", "y"]].map(|names| free(item, names));
     let sum = |sum: &PowerSum, variable: &str| written(sum, gap, variable);
     let text = format!(
         "
@@ -33,23 +34,23 @@ Lengths in mm; equation numbers of I. Argatov, Mech. Res. Commun. 38 (2011) 29�
 
 ```text
 gap, mm               Φ(r)   = {}
-approach, mm          δ₀(a)  = {}    (10)
-slope of the approach δ₀′(a) = {}
-load integral, mm⁵    J(a)   = {}    (14)
-log kernel, mm³       L(x)   = {}    (28)
-pressure kernel, mm³  G(a,r) = {}    (28)
-contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
+approach, mm          δ₀({a})  = {}    (10)
+slope of the approach δ₀′({a}) = {}
+load integral, mm⁵    J({a})   = {}    (14)
+log kernel, mm³       L({x})   = {}    (28)
+pressure kernel, mm³  G({a},r) = {}    (28)
+contact radius, mm    the {a} with (π m/4) J({a}) = F(t) + χ ∫F dτ    (14)
 ```
 
 {}{}{}
 
 {}",
         sum(&forms.gap, "r"),
-        sum(&forms.approach, "a"),
-        sum(&forms.approach_slope, "a"),
-        sum(&forms.load_integral, "a"),
-        sum(&forms.log_kernel, "x"),
-        kernel(gap),
+        sum(&forms.approach, a),
+        sum(&forms.approach_slope, a),
+        sum(&forms.load_integral, a),
+        sum(&forms.log_kernel, x),
+        kernel(gap, a, free(item, ["K", "κ", "Q"])),
         admissibility(item, geometry),
         truncation(geometry),
         solution(start, gap),
@@ -57,6 +58,12 @@ contact radius, mm    the a with (π m/4) J(a) = F(t) + χ ∫F dτ    (14)
     );
     // A space, as in a comment written by hand.
     text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") }).collect()
+}
+
+/// The first of some names for a variable that no field has, which would stand beside it in a coefficient.
+fn free<'a>(item: &Item, names: [&'a str; 3]) -> &'a str {
+    let is_free = |name: &&str| item.fields.iter().all(|field| field.ident != **name);
+    names.into_iter().find(is_free).unwrap_or(names[0])
 }
 
 /// The sum with its numbers, such as `0.0125 a² + 7.29167e-5 a⁴`.
@@ -74,10 +81,11 @@ fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
 }
 
 fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
-    let (negative, size) = match coefficient.as_constant() {
-        Some(number) => (number.is_negative(), factor(&decimal(&number.abs()), power)),
-        None => (false, factor(&coefficient.to_string(), power)),
-    };
+    let written =
+        coefficient.as_constant().map_or_else(|| coefficient.to_string(), |number| decimal(&number));
+    let size = written.strip_prefix('-').filter(|rest| !is_sum(rest));
+    let negative = size.is_some();
+    let size = factor(size.unwrap_or(&written), power);
     *text += match (text.is_empty(), negative) {
         (true, false) => "",
         (true, true) => "−",
@@ -93,42 +101,46 @@ fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
 /// A coefficient as it stands before a power, if there is one: in parentheses if it is a sum, or a fraction that could
 /// seem to go on.
 fn factor(coefficient: &str, power: &str) -> String {
-    let is_sum = coefficient.contains(" + ") || coefficient.contains(" - ");
-    if is_sum || (coefficient.contains('/') && !power.is_empty()) {
+    if is_sum(coefficient) || (coefficient.contains('/') && !power.is_empty()) {
         format!("({coefficient})")
     } else {
         coefficient.to_owned()
     }
 }
 
-/// The pressure kernel; for even exponents with its double zero as a factor.
-fn kernel(gap: &Gap) -> String {
+fn is_sum(coefficient: &str) -> bool {
+    coefficient.contains(" + ") || coefficient.contains(" - ")
+}
+
+/// The pressure kernel of the contact radius `a`; for even exponents with its double zero as a factor, otherwise by a
+/// function of the name `k`.
+fn kernel(gap: &Gap, a: &str, k: &str) -> String {
     let is_even = gap.terms.iter().all(|term| (&term.exponent / integer(2)).is_integer());
     let weight = |n: &Rational, factor: i32| (integer(factor) * (n + integer(2)) * (n + integer(2))).recip();
     if is_even && gap.terms.last().is_some_and(|term| term.exponent <= integer(8)) {
         let products = gap.terms.iter().map(|term| {
-            (term.coefficient.scaled(&weight(&term.exponent, 1)), tent(&(&term.exponent / integer(2))))
+            (term.coefficient.scaled(&weight(&term.exponent, 1)), tent(&(&term.exponent / integer(2)), a))
         });
-        return format!("(a² − r²)² [{}]", joined(products));
+        return format!("({a}² − r²)² [{}]", joined(products));
     }
     let products = gap.terms.iter().map(|term| {
-        let raised = power("a", &(&term.exponent + integer(2)));
+        let raised = power(a, &(&term.exponent + integer(2)));
         (
             term.coefficient.scaled(&weight(&term.exponent, 2)),
-            format!("{raised} K({}, r/a)", decimal(&term.exponent)),
+            format!("{raised} {k}({}, r/{a})", decimal(&term.exponent)),
         )
     });
-    format!("{}, K(n,q) = n − (n+2) q² + 2 qⁿ⁺²", joined(products))
+    format!("{}, {k}(n,q) = n − (n+2) q² + 2 qⁿ⁺²", joined(products))
 }
 
 /// Σ_{j<k} (k − j) r^(2j) a^(2(k−1−j)).
-fn tent(k: &Rational) -> String {
+fn tent(k: &Rational, a: &str) -> String {
     let count = k.to_i32().unwrap_or(1);
     if count == 1 {
         return String::new();
     }
     let products = (0..count).map(|j| {
-        let (r, a) = (power("r", &integer(2 * j)), power("a", &integer(2 * (count - 1 - j))));
+        let (r, a) = (power("r", &integer(2 * j)), power(a, &integer(2 * (count - 1 - j))));
         (Coefficient::constant(integer(count - j)), format!("{r} {a}").trim().to_owned())
     });
     format!("({})", joined(products))

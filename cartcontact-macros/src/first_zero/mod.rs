@@ -75,8 +75,8 @@ impl Equation {
                 Ok(Equation { polynomial: from_terms(&powers), numerator, denominator })
             }
             _ => Err(
-                "a gap with a negative term needs exponents that differ by at most 1024 times a common fraction, such as \
-                 0.01, to be proved; round them, as in `r^2.5`",
+                "a gap with a negative term is proved if its exponents differ by whole steps of a common fraction, of 1/1000 \
+                 at the least and at most 1024 of them; round the exponents to fewer decimals, as in `r^2.5`",
             ),
         }
     }

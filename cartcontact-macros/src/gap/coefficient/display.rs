@@ -36,10 +36,12 @@ impl Display for Product {
             below.into_iter().map(|(atom, exponent)| raised(atom, &exponent.abs())).collect();
         let number = self.number.abs();
         let short = number.numer().bits() <= 20 && number.denom().bits() <= 10;
-        let (above, below) = if short && !self.powers.is_empty() {
+        let (above, below) = if self.powers.is_empty() {
+            (number::decimal(&number), "1".to_owned())
+        } else if short {
             (number.numer().to_string(), number.denom().to_string())
         } else {
-            (number::decimal(&number), "1".to_owned())
+            (number::operand(&number), "1".to_owned())
         };
         if above != "1" || numerator.is_empty() {
             numerator.insert(0, above);
@@ -81,6 +83,7 @@ mod tests {
         assert_eq!(power(&radius, 3, 1).multiply(&number(1, 8)).to_string(), "radius^3/8");
         assert_eq!(radius.multiply(&number(7, 64_000)).to_string(), "1.09375e-4·radius");
         assert_eq!(power(&radius, 1, 3).to_string(), "radius^(1/3)");
+        assert_eq!(radius.multiply(&number(1, 1296)).to_string(), "(1/1296)·radius");
         let sum = radius.negated().add(&number(1, 1));
         assert_eq!(power(&sum, -2, 1).to_string(), "1/(1 - radius)^2");
         assert_eq!(number(1, 40).to_string(), "0.025");
