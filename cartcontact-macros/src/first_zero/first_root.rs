@@ -9,12 +9,12 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::{One, Pow, Zero};
+use num_traits::{One, Zero};
 
 use crate::first_zero::common_divisor::common_divisor;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
-use crate::first_zero::interval_power::Interval;
 use crate::first_zero::part::{Part, Whole};
+use crate::first_zero::power::Power;
 use crate::first_zero::source::Source;
 use crate::number::Rational;
 
@@ -58,22 +58,9 @@ impl FirstRoot {
         numerator: u32,
         denominator: u32,
     ) -> Ordering {
-        let power = number.pow(numerator as i32);
-        let compare_raised = |offset: &BigInt, exponent: i64| {
-            let (up, down) = (exponent.max(0) as u64, exponent.min(0).unsigned_abs());
-            ((offset * power.denom()) << up).cmp(&(power.numer() << down))
-        };
-        let compare = |offset: &BigInt, exponent: i64| {
-            let raised = Interval::around(offset, exponent).power(denominator);
-            let [below, above] =
-                [raised.lower, raised.upper].map(|end| compare_raised(&end, raised.exponent));
-            if below == above {
-                below
-            } else {
-                compare_raised(&Pow::pow(offset, denominator), exponent * i64::from(denominator))
-            }
-        };
-        let bits = power.numer().bits() + power.denom().bits();
+        let power = Power::of(number, numerator);
+        let bits = power.bits();
+        let compare = |offset: &BigInt, exponent: i64| power.compare_to((offset, exponent), denominator);
         let mut checked = false;
         loop {
             let (lower, upper, exponent) = match &self.place {
@@ -89,9 +76,9 @@ impl FirstRoot {
             if !checked && self.is_narrow(bits) {
                 if denominator == 1 {
                     // No root lies below this one, so the polynomial is positive on its left.
-                    return self.polynomial.sign_at_fraction(&power);
+                    return self.polynomial.sign_at_fraction(&power.exact());
                 }
-                if self.satisfies(&power, denominator) {
+                if self.satisfies(&power.exact(), denominator) {
                     return Ordering::Equal;
                 }
                 checked = true;

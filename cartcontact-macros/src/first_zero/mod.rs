@@ -14,6 +14,7 @@ mod interval_power;
 mod minimum;
 mod outline;
 mod part;
+mod power;
 mod powers;
 mod search;
 mod source;
@@ -27,11 +28,12 @@ pub(crate) use end::End;
 use integer_polynomial::{IntegerPolynomial, from_terms};
 use search::{TooIntricate, first_root};
 
-/// The highest degree of q, and the largest numerator of g: together they bound the time that a proof takes. Enough for
-/// all integer exponents up to 1024.
+/// The highest degree of q, which bounds the time that a proof takes: enough for all integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;
 /// The largest denominator of g: enough for exponents of three decimals.
 const MAXIMUM_DENOMINATOR: u32 = 1000;
+/// The largest numerator of g: enough for two exponents of three decimals that are both below 64.
+const MAXIMUM_NUMERATOR: u32 = 64_000;
 
 /// The smallest r > 0 at which a sum of coefficient * r^exponent is zero, if there is one.
 ///
@@ -68,15 +70,15 @@ impl Equation {
             (degree <= MAXIMUM_DEGREE).then_some((degree, coefficient))
         });
         let powers: Option<Vec<(usize, &Rational)>> = powers.collect();
-        let numerator = step.numer().to_u32().filter(|&numerator| numerator as usize <= MAXIMUM_DEGREE);
+        let numerator = step.numer().to_u32().filter(|&numerator| numerator <= MAXIMUM_NUMERATOR);
         let denominator = step.denom().to_u32().filter(|&denominator| denominator <= MAXIMUM_DENOMINATOR);
         match (powers, numerator, denominator) {
             (Some(powers), Some(numerator), Some(denominator)) => {
                 Ok(Equation { polynomial: from_terms(&powers), numerator, denominator })
             }
             _ => Err(
-                "a gap with a negative term is proved if its exponents differ by whole steps of a common fraction, of 1/1000 \
-                 at the least and at most 1024 of them; round the exponents to fewer decimals, as in `r^2.5`",
+                "a gap with a negative term can be proved if its exponents differ by at most 1024 steps of a common fraction \
+                 whose denominator is at most 1000; round them to fewer decimals, as in `r^2.5`",
             ),
         }
     }

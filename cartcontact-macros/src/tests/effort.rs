@@ -57,7 +57,7 @@ fn what_would_take_long_is_refused() {
         ("3 fields, 12 times", ["(a*r + b*r^2 + c*r^3)"; 12].join("*"), "too long an expression"),
         ("a power of 3 numbers", "(r + r^2 + r^3)^4000".to_owned(), "too many terms"),
         ("a power of long numbers", format!("(1.{}*r + r^2)^127", "1".repeat(40)), "too large"),
-        ("a high power of 64ths", "r^2 - 1e-9 * r^1000.015625".to_owned(), "a common fraction"),
+        ("a high power of four decimals", "r^2 - 1e-9 * r^64.3333".to_owned(), "a common fraction"),
     ] {
         let output = timed(name, &attribute);
         assert!(output.matches("compile_error").count() == 1 && output.contains(rule), "{name}: {output}");
@@ -71,6 +71,10 @@ fn what_fails_at_some_radius_is_refused_in_time() {
         "0.0512*r^2.034 + 0.001*r^2.5 - 0.00123*r^2.871",
         "0.05*r^2.123 + 0.01*r^2.5 - 0.001*r^2.917",
         "13.9*r^1.932 + 5.19*r^2.029 - 16.7*r^2.22",
+        "0.05*r^2 - 0.001*r^4.371",
+        "r^2 - 1e-9*r^1000.015625",
+        // At r = 1, exactly.
+        "r^2 - 65999/127998*r^63.999",
     ] {
         let output = timed(attribute, attribute);
         assert!(output.contains("add `max_radius = "), "{attribute}: {output}");
