@@ -153,7 +153,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The stage before which the history no longer counts: 0, or where it has faded below rounding.
     ///
     /// F e^(χ τ) never falls, so what was there at τ carries at most the share F(τ) e^(−χ (t−τ)) of F(t) now.
-    fn start_of_memory(&self) -> Stage<T> {
+    pub(crate) fn start_of_memory(&self) -> Stage<T> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let folds = faded_folds::<T>();
         let present = self.force();

@@ -2,9 +2,9 @@
 
 use core::ops::Range;
 
-use super::BLOCK;
 use super::panel::Panel;
 use super::sweep::{Change, Changes, take_rows_from};
+use super::{BLOCK, is_long};
 use crate::Scalar;
 use crate::contact::{Contact, ContactError};
 use crate::load::Load;
@@ -52,9 +52,14 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         self.count
     }
 
+    /// The edge at the last row.
+    pub(super) fn last(&self) -> Edge<T> {
+        self.edge_before(self.count)
+    }
+
     /// Goes on to the next rows, at the first of `times`.
     pub(super) fn advance(&mut self, contact: &'a Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
-        self.base = self.edge_before(self.count);
+        self.base = self.last();
         self.count = 0;
         self.panel = None;
         match Panel::over(contact, self.base, &times[..times.len().min(self.most)]) {
@@ -87,8 +92,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
         for &time in &times[..most] {
+            let before = self.last();
+            if self.count > 0 && is_long(contact, before.time, time) {
+                break;
+            }
             let radius = contact.advancing_radius_at(time)?;
-            let before = self.edge_before(self.count);
             let start = contact.stage(before.time, before.radius);
             let transition = march(contact, start, (time, radius), before.radius);
             let change = Change::of(transition, chi * (time - before.time));

@@ -21,8 +21,10 @@ mod sweep;
 use crate::Scalar;
 use crate::contact::{Contact, ContactError, check_length};
 use crate::load::Load;
+use crate::memory::faded_folds;
 use crate::profile::GapProfile;
 use crate::scalar::is_size;
+use crate::snapshot::Snapshot;
 use block::{Block, Edge};
 use runs::Runs;
 
@@ -72,9 +74,40 @@ where
     let mut block = Block::after(Edge { time: first.time(), radius: first.radius() });
     let mut done = 1;
     while done < times.len() {
+        if let Some(now) = anew(contact, block.last().time, times[done])? {
+            now.pressures(radii, &mut values[done * width..][..width]);
+            block = Block::after(Edge { time: now.time(), radius: now.radius() });
+            done += 1;
+            continue;
+        }
         block.advance(contact, &times[done..])?;
         block.fill(contact, radii, runs.iter(), &mut values[(done - 1) * width..]);
         done += block.len();
     }
     Ok(())
+}
+
+/// The contact at a time, if nothing of the pressures `before` is left of its own.
+///
+/// A history of many e-foldings is long to follow, and rounds.
+fn anew<'a, T, P, L>(
+    contact: &'a Contact<T, P, L>,
+    before: T,
+    time: T,
+) -> Result<Option<Snapshot<'a, T, P, L>>, ContactError>
+where
+    T: Scalar,
+    P: GapProfile<T>,
+    L: Load<T>,
+{
+    if !is_long(contact, before, time) {
+        return Ok(None);
+    }
+    let now = Snapshot::new(contact, time, contact.advancing_radius_at(time)?);
+    Ok((before < now.start_of_memory().time).then_some(now))
+}
+
+/// Whether pressures fade below rounding between two times, unless forces fall as they do.
+fn is_long<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, from: T, to: T) -> bool {
+    contact.medium().chi() * (to - from) > faded_folds::<T>()
 }

@@ -22,8 +22,8 @@ pub(super) struct Stretch<'a, T, P, L> {
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
 pub(super) enum Course<'a, T> {
-    /// At once, at the end.
-    Step,
+    /// At once, and as long before the end as it takes for what is left of it.
+    Step { age: T },
     /// Along a straight load.
     Linear { line: Line<T>, duration: T },
     /// Along any other load.
@@ -34,20 +34,25 @@ impl<'a, T: Scalar> Course<'a, T> {
     /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
         if last > first && is_instant(chi * duration) {
-            return Self::Step;
+            return Self::step();
         }
         Self::Linear { line: Line::to(last, (last - first) / duration, chi), duration }
     }
 
     /// A load of any other kind.
     pub(super) fn smooth(force: &'a ForceSeries<T>) -> Self {
-        if is_instant(force.folds()) { Self::Step } else { Self::Smooth(force) }
+        if is_instant(force.folds()) { Self::step() } else { Self::Smooth(force) }
+    }
+
+    /// At once, at the end.
+    pub(super) fn step() -> Self {
+        Self::Step { age: T::zero() }
     }
 
     /// χ times the duration.
     pub(super) fn folds(&self, chi: T) -> T {
         match self {
-            Self::Step => T::zero(),
+            Self::Step { .. } => T::zero(),
             Self::Linear { duration, .. } => chi * *duration,
             Self::Smooth(force) => force.folds(),
         }
@@ -56,7 +61,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     /// Whether the load, if it lasts, was held, so that ages grow as deficits do.
     pub(super) fn is_held(&self) -> bool {
         match self {
-            Self::Step => true,
+            Self::Step { .. } => true,
             Self::Linear { line, .. } => line.force_rate.is_zero(),
             Self::Smooth(_) => false,
         }
@@ -66,7 +71,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     #[inline(always)]
     pub(super) fn age(&self, deficit: T) -> T {
         match *self {
-            Self::Step => T::zero(),
+            Self::Step { age } => age,
             Self::Linear { line, .. } => line.age(deficit),
             Self::Smooth(force) => force.age(deficit),
         }
@@ -193,7 +198,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 let degree = self.contact.degree(top, self.contact.profile().quick_load_integral(top));
                 Some(off_axis(top, degree) * half)
             }
-            Course::Linear { .. } | Course::Step => None,
+            Course::Linear { .. } | Course::Step { .. } => None,
         }
     }
 }

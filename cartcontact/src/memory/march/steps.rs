@@ -12,7 +12,7 @@
 //! What drains follows from the force wherever a step resolves it, so that the two ways agree in the end even if the impulse
 //! is that of another load.
 
-use super::March;
+use super::{March, kept_of};
 use crate::load::{ForceSeries, Load, Shortest};
 use crate::memory::stretch::Course;
 use crate::scalar::smallest_normal;
@@ -165,13 +165,21 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     /// Continues through a step in which the force jumps, as if it did so at its end.
+    ///
+    /// Of what the hereditary load gains, as much has drained by then as that the pressures carry the force. Most jumps are
+    /// found in no time, in which nothing drains; but steps may also be long, where the search for shorter ones was given
+    /// up.
     fn advance_through_jump(&mut self, force: &ForceSeries<T>, end: T) {
         let chi = self.contact.medium().chi();
         let (first, last) = self.forces_until(end);
         let (gained, _) = self.take_impulse(force, end);
         let radius = self.radius_under(end, last);
-        self.fade(chi * (end - self.now.time));
-        self.cover(radius, Course::Step, (first, last), (last - first) + chi * gained);
+        let folds = chi * (end - self.now.time);
+        let (gain, kept) = ((last - first) + chi * gained, kept_of((first, last), folds));
+        // Rounding can make either negative.
+        let age = if T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
+        self.fade(folds);
+        self.cover(radius, Course::Step { age }, (first * (-folds).exp(), last), gain);
         self.now.time = end;
         self.jump(last, self.force_now());
     }
