@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, Medium, Polynomial};
+use cartcontact::{Contact, ContactError, Medium, Polynomial, Scalar};
 use tests::loads::{Rise, Swing};
 
 const CHI: f64 = 0.02;
@@ -191,6 +191,33 @@ fn a_decay_may_be_as_fast_as_the_memory() {
             // Rounding hides a fall of 8 ε.
             if excess * folds.min(1.0) > 1e-14 {
                 assert_near(since(&decay(CHI * (1.0 + excess)), CHI, t), 0.0, 0.0);
+            }
+        }
+    }
+}
+
+/// F = 100 (t/1000)^p: early in a history nearly all of it is rounding, and next to t = 0 below the normal numbers.
+struct PowerOfTime(i32);
+
+impl<T: Scalar> Load<T> for PowerOfTime {
+    fn force(&self, t: T) -> T {
+        T::constant(100.0) * (t * T::constant(1e-3)).powi(self.0)
+    }
+
+    fn impulse(&self, t: T) -> T {
+        T::constant(1e5 / f64::from(self.0 + 1)) * (t * T::constant(1e-3)).powi(self.0 + 1)
+    }
+}
+
+#[test]
+fn rising_powers_of_time_never_recede() {
+    for power in 1..=10 {
+        for chi in [0.0015, 0.1, 1.0, 10.0] {
+            for t in (1..2000_u16).step_by(7) {
+                let load = PowerOfTime(power);
+                let double: Option<f64> = load.recession(chi, f64::from(t));
+                let single: Option<f32> = load.recession(chi as f32, f32::from(t));
+                assert!(double.is_none() && single.is_none(), "{power}, {chi}, {t}: {double:?}, {single:?}");
             }
         }
     }

@@ -195,6 +195,12 @@ impl<T: Scalar> ForceSeries<T> {
         self.folds * self.rest
     }
 
+    /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be rounded: early in a long step the hereditary
+    /// load may be far less.
+    pub(crate) fn rounding_of_gains(&self) -> T {
+        self.folds * self.size * T::default_epsilon() * T::constant(DEGREE as f64)
+    }
+
     /// The force at a node.
     pub(crate) fn force_at(&self, node: usize) -> T {
         self.forces[node]

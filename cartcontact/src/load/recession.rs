@@ -61,6 +61,11 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     None
 }
 
+/// By how much a hereditary load may fall and only be rounded; next to zero all numbers are rounded alike.
+fn rounding_of<T: Scalar>(hereditary: T) -> T {
+    hereditary.max(smallest_normal()) * T::default_epsilon() * T::constant(8.0)
+}
+
 /// A history on its way.
 struct Search<'a, T, L: ?Sized> {
     load: &'a L,
@@ -93,6 +98,8 @@ struct Crest<T> {
 enum Finding<T> {
     /// The hereditary load falls from a time on.
     Falls(T),
+    /// It seems to, by no more than gains within the panel are rounded.
+    SeemsToFall(T),
     /// It does not; with its crest at the end of the panel.
     Rises(Crest<T>),
     /// It may fall between the nodes.
@@ -140,7 +147,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                     step *= half;
                     continue;
                 }
-                Some(Finding::Falls(since)) => return Some(Fault::Falls(since)),
+                Some(Finding::Falls(since) | Finding::SeemsToFall(since)) => {
+                    return Some(Fault::Falls(since));
+                }
                 Some(Finding::Rises(crest) | Finding::Unclear(crest)) => crest,
             };
             if force.is_unresolved() || force.is_rough() {
@@ -170,12 +179,11 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             return None;
         }
         let hereditary = self.load.force_before(stop) + self.chi * impulse;
-        let rounding = hereditary * T::default_epsilon() * T::constant(8.0);
-        let finding = self.examine(force, stop, rounding);
+        let finding = self.examine(force, stop, rounding_of(hereditary));
         let is_vague = match finding {
             // A rough series does not tell since when, nor what else the load does.
             Finding::Falls(_) | Finding::Rises(_) => force.is_rough() && halving == Halving::Free,
-            Finding::Unclear(_) => self.may_halve(halving),
+            Finding::SeemsToFall(_) | Finding::Unclear(_) => self.may_halve(halving),
         };
         (!is_vague).then_some(finding)
     }
@@ -192,7 +200,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if before == after {
             return None;
         }
-        let rounding = (before + self.chi * self.impulse) * T::default_epsilon() * T::constant(8.0);
+        let rounding = rounding_of(before + self.chi * self.impulse);
         let fallen = self.crest.fallen + (before - after);
         if fallen > T::zero() {
             self.crest.fallen = fallen;
@@ -262,7 +270,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             if fallen <= zero {
                 (highest, fallen) = (Some(node), zero);
             } else if fallen > rounding {
-                return Finding::Falls(highest.map_or(self.crest.time, |node| force.time_of_turn(node, end)));
+                let since = highest.map_or(self.crest.time, |node| force.time_of_turn(node, end));
+                let is_clear = fallen > rounding + force.rounding_of_gains();
+                return if is_clear { Finding::Falls(since) } else { Finding::SeemsToFall(since) };
             }
         }
         let crest = Crest { time: highest.map_or(self.crest.time, |node| force.time(node, end)), fallen };

@@ -176,8 +176,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let radius = self.radius_under(end, last);
         let folds = chi * (end - self.now.time);
         let (gain, kept) = ((last - first) + chi * gained, kept_of((first, last), folds));
-        // Rounding can make either negative.
-        let age = if T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
+        // More than such a force can make is the rounding of an impulse, which says nothing of what has drained.
+        let is_of_force = chi * gained <= folds * (force.largest() + force.largest());
+        let age =
+            if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
         self.fade(folds);
         self.cover(radius, Course::Step { age }, (first * (-folds).exp(), last), gain);
         self.now.time = end;

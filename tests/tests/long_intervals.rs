@@ -1,0 +1,81 @@
+//! Pressures long after the row before them, and after histories so long that an e-folding is few roundings of the time.
+
+use cartcontact::load::Load;
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar};
+use tests::budget;
+use tests::condition::edge;
+use tests::measure::Errors;
+use tests::profiles::Paraboloid;
+
+/// 100 N and a swing.
+struct Swing {
+    amplitude: f64,
+    frequency: f64,
+}
+
+impl<T: Scalar> Load<T> for Swing {
+    fn force(&self, t: T) -> T {
+        T::constant(100.0) + T::constant(self.amplitude) * (T::constant(self.frequency) * t).sin()
+    }
+
+    fn impulse(&self, t: T) -> T {
+        let frequency = T::constant(self.frequency);
+        let half = (frequency * t * T::constant(0.5)).sin();
+        T::constant(100.0) * t + T::constant(2.0 * self.amplitude) * half * half / frequency
+    }
+}
+
+/// A scene whose memory fades at a rate.
+fn scene<T: Scalar, P: GapProfile<T>>(gap: P, chi: f64, load: Swing) -> Contact<T, P, Swing> {
+    let medium = Medium::from_constants(T::constant(0.375), T::constant(chi));
+    let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
+    Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+#[test]
+fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactError> {
+    let mut errors = Errors::of(budget::PRESSURE);
+    let gap = Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)])?;
+    let radii = [0.0, 3.0, 7.0, 11.0, 20.0];
+    for (chi, frequency, amplitude) in [(1.0, 1.0, 10.0), (0.0015, 0.01, 5.0)] {
+        let contact = scene(&gap, chi, Swing { amplitude, frequency });
+        for folds in [
+            &[0.0, 30.0, 60.0][..],
+            &[0.0, 1.0, 1.1, 90.0, 90.1, 1e3, 1e4],
+            &[0.5, 1e6, 1e6 + 1.0, 1e6 + 41.0, 1e7],
+        ] {
+            let times: Vec<f64> = folds.iter().map(|folds| folds / chi).collect();
+            let mut values = vec![0.0; times.len() * radii.len()];
+            contact.pressure_field(&times, &radii, &mut values)?;
+            for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
+                let now = contact.at(t)?;
+                for (&r, &value) in radii.iter().zip(row) {
+                    let size = if r < now.radius() { edge(now.radius(), r) } else { 1.0 };
+                    errors.add(value, now.pressure(r), size, &(chi, t, r));
+                }
+            }
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
+/// Of a paraboloid, δ₀ and the pressure grow like the square of the radius, a⁶ ~ Y ~ χ t: P(0) = 2F/(π a²) (1 + 1/(3 χ t)).
+#[test]
+fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactError> {
+    for (chi, frequency, amplitude) in [(0.0015, 0.01, 5.0), (1.0, 5.0, 1.0), (1.0, 1.0, 10.0)] {
+        let contact = scene::<f32, _>(Paraboloid, chi, Swing { amplitude, frequency });
+        for sixteenth in 40..100 {
+            let folds = 10_f32.powf(sixteenth as f32 / 16.0);
+            let now = contact.at(folds / chi as f32)?;
+            let [force, radius, peak] = [now.force(), now.radius(), now.peak_pressure()].map(f64::from);
+            let (folds, epsilon) = (f64::from(folds), f64::from(f32::EPSILON));
+            let excess = peak * core::f64::consts::PI * radius * radius / (2.0 * force) - 1.0;
+            // The radius is rounded, too.
+            let allowed = 0.05 / folds + (budget::PEAK_PRESSURE.single + 2.0) * epsilon;
+            let error = (excess - 1.0 / (3.0 * folds)).abs();
+            assert!(error < allowed, "{chi}, {frequency}, {folds}: {error:e} of {allowed:e}");
+        }
+    }
+    Ok(())
+}
