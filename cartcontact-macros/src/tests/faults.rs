@@ -148,6 +148,10 @@ fn each_fault_is_named() {
         ("conic(20,5, -0,4), order = 4", "write `conic(20.5, -0.4)`"),
         ("conic(20,5, 4), order = 4", "write `conic(20, 5.4)` or `conic(20.5, 4)`"),
         ("conic(k = -0.4, R: 15), order = 4", "write `conic(15, -0.4)`"),
+        ("conic(-0.4, radius = 15), order = 4", "write `conic(15, -0.4)`"),
+        ("conic(k = -0,4, R = 15,5), order = 4", "write `conic(15.5, -0.4)`"),
+        ("sphere(R = 10, k = 5), order = 4", "write `conic(10, 5)`"),
+        ("conic(R = 15), order = 4", "write `conic(15, -0.5)`"),
         ("conic(15), order = 4", "write `conic(15, -0.5)`"),
         ("conic(1, 2, 3, 4, 5, 6), order = 4", "as in `conic(20, -0.5)`"),
         ("r**2", "not `**`, as in"),
@@ -214,6 +218,30 @@ fn each_fault_is_named() {
             messages.len() == 1 && messages.iter().all(|message| message.contains(rule)),
             "{text}: {messages:?}"
         );
+    }
+}
+
+/// A diameter, a curvature or an eccentricity is no number to copy.
+#[test]
+fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
+    for arguments in
+        ["diameter = 20", "D == 20", "curvature = 0.05", "k = 0.05", "R = 20, e = 0.5", "d = 1, 5"]
+    {
+        let messages = on_unit(&format!("sphere({arguments}), order = 4")).err().unwrap();
+        assert_eq!(messages, ["`sphere` takes the radius of the sphere; as in `sphere(20)`"], "{arguments}");
+    }
+    for arguments in [
+        "e = 0.5, R = 10",
+        "R = 10, e = 0.5",
+        "10, p = 0.8",
+        "k = -0.5",
+        "k = -0.5, 10",
+        "D = 10",
+        "R = 1, R = 2",
+    ] {
+        let messages = on_unit(&format!("conic({arguments}), order = 4")).err().unwrap();
+        let rule = "`conic` takes the radius at the vertex and the conic constant; as in `conic(20, -0.5)`";
+        assert_eq!(messages, [rule], "{arguments}");
     }
 }
 
