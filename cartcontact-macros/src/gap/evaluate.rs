@@ -24,8 +24,9 @@ pub(crate) struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, place: Place::Gap, mistyped: Vec::new() }
+    /// One that begins with the gap, in which r may be named.
+    pub(crate) fn new(item: &'a Item, names_r: bool, diagnostics: &'a mut Diagnostics) -> Self {
+        Evaluator { item, diagnostics, place: Place::Gap { names_r }, mistyped: Vec::new() }
     }
 
     /// What a gap is worth as far as it can be evaluated, and whether that is all.

@@ -55,7 +55,8 @@ pub(crate) enum Meaning<'a> {
 /// Where a name stands, which decides what can be meant by it.
 #[derive(Clone, Copy)]
 pub(crate) enum Place {
-    Gap,
+    /// Beside r, a name such as `R` is no slip for it.
+    Gap { names_r: bool },
     /// In an expression without r, such as a radius.
     Coefficient,
     /// Where there is a number and nothing else, as in an exponent.
@@ -170,7 +171,10 @@ impl Item {
     /// What to write in place of an unknown name.
     pub(crate) fn remedy(&self, name: &Ident, place: Place) -> String {
         let written = unraw(name);
-        let knows_r = matches!(place, Place::Gap);
+        let knows_r = match place {
+            Place::Gap { names_r } => !(names_r && written.eq_ignore_ascii_case("r")),
+            Place::Coefficient | Place::Number => false,
+        };
         let mut known = if matches!(place, Place::Number) { Vec::new() } else { self.field_names() };
         known.extend(knows_r.then(|| "r".to_owned()));
         let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
@@ -339,12 +343,13 @@ mod tests {
             }
         ));
         let item = item.unwrap();
-        let remedy = |name| item.remedy(&format_ident!("{name}"), Place::Gap);
+        let remedy = |name| item.remedy(&format_ident!("{name}"), Place::Gap { names_r: false });
         assert_eq!(remedy("raduis"), "did you mean `radius`?");
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
         let remedy = |place| item.remedy(&format_ident!("R"), place);
+        assert_eq!(remedy(Place::Gap { names_r: true }), remedy(Place::Coefficient));
         assert_eq!(remedy(Place::Coefficient), "write a number or a field of `Ball`");
         assert_eq!(remedy(Place::Number), "write a number");
     }

@@ -105,6 +105,8 @@ fn likely_slips_are_understood() {
         ("lower = 0, upper, order = 4", "as in `upper = sphere(20)`"),
         ("upper = r^2, upper = r^2", "given twice"),
         ("sphere(R), order = 4", "write a number or a field of `Ball`"),
+        ("0.025 * R^2", "did you mean `r`?"),
+        ("r^2/(2*R)", "write a number or a field of `Ball`"),
         ("r^2, max_radius = R", "write a number or a field of `Ball`"),
     ] {
         let messages = on_ball(text).err().unwrap();
@@ -161,6 +163,7 @@ fn each_fault_is_named() {
         ("2 r", "an operator is missing"),
         ("(r)(r)", "an operator is missing"),
         ("x^2", "`x` is unknown; only `r` is known here; a field declares a symbol"),
+        ("r^2/(2*R)", "the number, or declare a field, as in `struct Knee { R: f64 }`"),
         ("K * r^2", "not known here: write the number, or declare a field, as in `struct Knee { K: f64 }`"),
         ("r^2 < 3", "`<` has no meaning"),
         ("r^2 == 3", "`=` has no meaning"),
@@ -333,6 +336,7 @@ fn faults_of_all_terms_are_reported_together() {
         ("gap = sphere(10) order = 4", &["a comma is missing", "remove `gap =`"]),
         ("r^2 - r^4, depth = 3 max_radius = 0.1", &["a comma is missing"]),
         ("femur = sphere(10) order = 4, tibia = sphere(20)", &["a comma is missing", "write `lower =`"]),
+        ("upper = 2r^2, lower = 3*R^2", &["write `2 * r`", "write a number or a field of `Ball`"]),
         ("[2] * raduis * r^2", &["only parentheses", "did you mean `radius`?"]),
         ("c[0] * raduis * r^2", &["only parentheses", "`c`", "did you mean `radius`?"]),
         ("r.powi(2) * raduis", &["no methods", "did you mean `radius`?"]),
