@@ -183,7 +183,8 @@ impl Attribute {
         if let Some(number) = number {
             number.kind = Kind::Faulty;
         }
-        Some(format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`"))
+        let meant = literal::across_comma(&whole, &decimals).join("` or `");
+        Some(format!("a decimal is written with a point, not a comma; write `{meant}`"))
     }
 
     /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`.

@@ -55,6 +55,15 @@ pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
         .then(|| (without_suffix(text, suffix), suffix))
 }
 
+/// What digits on both sides of a comma may be meant as: it is a decimal point, or one between thousands.
+pub(super) fn across_comma(before: &str, behind: &str) -> Vec<String> {
+    let size = before.trim_start_matches('-');
+    let are_thousands =
+        (1..=3).contains(&size.len()) && !size.starts_with('0') && split_digits(behind).0.len() == 3;
+    let thousands = are_thousands.then(|| format!("{before}{behind}"));
+    thousands.into_iter().chain([format!("{before}.{behind}")]).collect()
+}
+
 pub(super) fn reads_as_one(text: &str) -> String {
     format!("`{text}` reads as one literal")
 }
@@ -143,6 +152,15 @@ mod tests {
     fn text_is_a_gap_in_quotes() {
         for text in ["\"r^2\"", "r\"r^2\"", "r#\"r^2\"#"] {
             assert!(number(text).unwrap_err().ends_with("write it without quotes"), "{text}");
+        }
+    }
+
+    #[test]
+    fn three_digits_behind_a_comma_may_be_thousands() {
+        assert_eq!(across_comma("12", "500"), ["12500", "12.500"]);
+        assert_eq!(across_comma("-1", "000mm"), ["-1000mm", "-1.000mm"]);
+        for (before, behind) in [("0", "025"), ("12", "50"), ("1000", "250"), ("12", "5000")] {
+            assert_eq!(across_comma(before, behind), [format!("{before}.{behind}")]);
         }
     }
 

@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use crate::reading::call::arguments;
-use crate::reading::is_punct;
 use crate::reading::parse::Parser;
+use crate::reading::{is_punct, literal};
 
 impl Parser<'_> {
     /// What to say about a surface with `tokens` behind its name that are not as they should be; nothing if it is none.
@@ -135,7 +135,8 @@ fn readings(values: &[Value<'_>], wanted: usize) -> Vec<Vec<String>> {
     if let [second, rest @ ..] = rest
         && is_decimal([first, second])
     {
-        all.extend(behind(format!("{}.{}", first.text, second.text), rest));
+        let numbers = literal::across_comma(&first.text, &second.text).into_iter();
+        all.extend(numbers.flat_map(|number| behind(number, rest)));
     }
     all
 }
