@@ -31,7 +31,7 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
         } else if NUMERIC_SUFFIXES.contains(&suffix) {
             format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
         } else {
-            format!("{}; write `{written} * {suffix}`", reads_as_one(text))
+            format!("{}; write `{written} * {}`", reads_as_one(text), factor(suffix))
         });
     }
     let fraction = without_underscores(fraction);
@@ -53,6 +53,15 @@ pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
     let is_name = !suffix.is_empty() && is_word && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
     (is_name && begins_with_digit(text) && !has_other_base(text))
         .then(|| (without_suffix(text, suffix), suffix))
+}
+
+/// What a name right behind a number multiplies it by: that of `1.5x10` is the ten of a power of ten.
+pub(super) fn factor(name: &str) -> &str {
+    if is_times_ten(name) { "10" } else { name }
+}
+
+pub(super) fn is_times_ten(name: &str) -> bool {
+    name.eq_ignore_ascii_case("x10")
 }
 
 /// What digits on both sides of a comma may be meant as: it is a decimal point, or one between thousands.
@@ -141,6 +150,8 @@ mod tests {
     #[test]
     fn suffixes_are_explained() {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
+        assert_eq!(number("1.5x10").unwrap_err(), "`1.5x10` reads as one literal; write `1.5 * 10`");
+        assert_eq!(number("2x2").unwrap_err(), "`2x2` reads as one literal; write `2 * x2`");
         assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
         assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `(1 * mm)` if that is a field"));
         let of_others =

@@ -130,6 +130,7 @@ impl<'a> Parser<'a> {
     fn literal(&mut self, literal: &Literal) -> Expression {
         match literal::number(&literal.to_string()) {
             Ok(_) if self.is_number_next() => self.spaced_number(literal),
+            Ok(_) if self.is_times_ten_next() => self.times_ten(literal),
             Ok(value) => self.unless_method(Expression { kind: Kind::Number(value), extent: self.previous }),
             Err(message) => self.fault(literal.span(), message),
         }

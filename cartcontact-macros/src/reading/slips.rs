@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::decimal;
-use crate::reading::literal::number;
+use crate::reading::literal::{is_times_ten, number};
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
@@ -48,6 +48,18 @@ impl Parser<'_> {
         } else {
             "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
         };
+        self.fault(Extent::between(start, self.previous), message)
+    }
+
+    pub(super) fn is_times_ten_next(&self) -> bool {
+        matches!(self.rest, [TokenTree::Ident(name), ..] if is_times_ten(&name.to_string()))
+    }
+
+    /// What is wrong with `1.5 x10^-4`, whose first number has been read.
+    pub(super) fn times_ten(&mut self, first: &Literal) -> Expression {
+        let start = self.previous;
+        self.take_token();
+        let message = format!("a product is written with `*`; write `{first} * 10`");
         self.fault(Extent::between(start, self.previous), message)
     }
 
