@@ -24,6 +24,9 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     }
     let Parts { whole, fraction, exponent, suffix } = Parts::of(text);
     if !suffix.is_empty() {
+        if lacks_digits(suffix) {
+            return Err("an exponent stands right behind `e`, as in `1e-4`".to_owned());
+        }
         let written = without_suffix(text, suffix);
         return Err(if is_unit(suffix) {
             let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
@@ -50,7 +53,8 @@ pub(super) fn quoted(text: &str) -> Option<&str> {
 pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
     let suffix = Parts::of(text).suffix;
     let is_word = suffix.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
-    let is_name = !suffix.is_empty() && is_word && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
+    let is_other = is_unit(suffix) || NUMERIC_SUFFIXES.contains(&suffix) || lacks_digits(suffix);
+    let is_name = !suffix.is_empty() && is_word && !is_other;
     (is_name && begins_with_digit(text) && !has_other_base(text))
         .then(|| (without_suffix(text, suffix), suffix))
 }
@@ -127,6 +131,11 @@ fn split_exponent(text: &str) -> (i64, &str) {
     (if negative { -size } else { size }, rest)
 }
 
+/// Whether a suffix begins an exponent that has no digits, which the compiler reports as well.
+fn lacks_digits(suffix: &str) -> bool {
+    suffix.trim_end_matches(['+', '-']).eq_ignore_ascii_case("e")
+}
+
 fn without_underscores(digits: &str) -> String {
     digits.replace('_', "")
 }
@@ -152,6 +161,9 @@ mod tests {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
         assert_eq!(number("1.5x10").unwrap_err(), "`1.5x10` reads as one literal; write `1.5 * 10`");
         assert_eq!(number("2x2").unwrap_err(), "`2x2` reads as one literal; write `2 * x2`");
+        for text in ["1e", "1.5E", "1.5e+", "1e-"] {
+            assert_eq!(number(text).unwrap_err(), "an exponent stands right behind `e`, as in `1e-4`");
+        }
         assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
         assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `(1 * mm)` if that is a field"));
         let of_others =

@@ -132,7 +132,10 @@ impl<'a> Parser<'a> {
             Ok(_) if self.is_number_next() => self.spaced_number(literal),
             Ok(_) if self.is_times_ten_next() => self.times_ten(literal),
             Ok(value) => self.unless_method(Expression { kind: Kind::Number(value), extent: self.previous }),
-            Err(message) => self.fault(literal.span(), message),
+            Err(message) => match self.exponent_behind_d(literal) {
+                Some(message) => self.fault(Extent::between(literal.span().into(), self.previous), message),
+                None => self.fault(literal.span(), message),
+            },
         }
     }
 

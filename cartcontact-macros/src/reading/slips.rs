@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::decimal;
-use crate::reading::literal::{is_times_ten, number};
+use crate::reading::literal::{is_times_ten, number, with_name};
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
@@ -49,6 +49,21 @@ impl Parser<'_> {
             "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
         };
         self.fault(Extent::between(start, self.previous), message)
+    }
+
+    /// Reads over the exponent of `1.5d-4`, as Fortran has it, whose `1.5d` has been read.
+    pub(super) fn exponent_behind_d(&mut self, mantissa: &Literal) -> Option<String> {
+        let text = mantissa.to_string();
+        let (number, name) = with_name(&text).filter(|(_, name)| name.eq_ignore_ascii_case("d"))?;
+        let [TokenTree::Punct(sign), TokenTree::Literal(size), ..] = self.rest else { return None };
+        if !matches!(sign.as_char(), '+' | '-') || !is_whole(&size.to_string()) {
+            return None;
+        }
+        (0..2).for_each(|_| self.take_token());
+        Some(format!(
+            "an exponent stands behind `e`; write `{number}e{sign}{size}`, or `{number} * {name} {sign} {size}` if \
+             `{name}` is a field"
+        ))
     }
 
     pub(super) fn is_times_ten_next(&self) -> bool {
