@@ -129,7 +129,9 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         );
     } else if let Some(fields) = content {
         let fields: Vec<TokenTree> = fields.stream().into_iter().collect();
-        for field in between_commas(&fields) {
+        // The compiler reports a semicolon between two, and goes on.
+        let parts = fields.split(|token| is_punct(token, ';'));
+        for field in parts.flat_map(between_commas) {
             item.declare(field, diagnostics);
         }
     }
@@ -290,7 +292,7 @@ mod tests {
     #[test]
     fn fields_are_symbols_by_their_type() {
         let (item, messages) = item(quote! {
-            struct Ball<T> { a: f64, b: core::primitive::f32, c: T, name: String, d: Vec<f64> }
+            struct Ball<T> { a: f64; b: core::primitive::f32, c: T, name: String, d: Vec<[f64; 3]> }
         });
         let item = item.unwrap();
         assert!(messages.is_empty());
