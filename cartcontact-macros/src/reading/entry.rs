@@ -130,7 +130,8 @@ impl Entry {
         if before.last().is_some_and(|token| is_punct(token, '^')) {
             return None;
         }
-        let digits = digits.to_string();
+        let written = digits.to_string();
+        let digits = literal::without_points(&written).unwrap_or(written);
         let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
         is_whole.then(|| Whole { digits, option: self.option().map(|(name, _, _)| name) })
     }

@@ -70,11 +70,20 @@ pub(super) fn is_times_ten(name: &str) -> bool {
 
 /// What digits on both sides of a comma may be meant as: it is a decimal point, or one between thousands.
 pub(super) fn across_comma(before: &str, behind: &str) -> Vec<String> {
-    let size = before.trim_start_matches('-');
-    let are_thousands =
-        (1..=3).contains(&size.len()) && !size.starts_with('0') && split_digits(behind).0.len() == 3;
-    let thousands = are_thousands.then(|| format!("{before}{behind}"));
+    let thousands = are_thousands(before.trim_start_matches('-'), split_digits(behind).0)
+        .then(|| format!("{before}{behind}"));
     thousands.into_iter().chain([format!("{before}.{behind}")]).collect()
+}
+
+/// A whole number with a point between thousands, as before a decimal comma in `1.000,5`.
+pub(super) fn without_points(text: &str) -> Option<String> {
+    let (before, behind) = text.split_once('.')?;
+    are_thousands(before, behind).then(|| format!("{before}{behind}"))
+}
+
+/// Whether the thousands of a number may end between some digits.
+fn are_thousands(before: &str, behind: &str) -> bool {
+    (1..=3).contains(&before.len()) && !before.starts_with('0') && behind.len() == 3
 }
 
 pub(super) fn reads_as_one(text: &str) -> String {
