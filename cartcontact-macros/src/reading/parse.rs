@@ -109,7 +109,11 @@ impl<'a> Parser<'a> {
             match rest.first() {
                 Some(TokenTree::Literal(digits)) if point.as_char() == '.' => {
                     let place = Extent::between(point.span().into(), digits.span().into());
-                    let message = format!("a decimal begins with a digit; write `0.{digits}`");
+                    let digits = digits.to_string();
+                    let meant = literal::with_name(&digits).map_or(digits.clone(), |(digits, name)| {
+                        format!("{digits} * {}", literal::factor(name))
+                    });
+                    let message = format!("a decimal begins with a digit; write `0.{meant}`");
                     self.diagnostics.report(place, message);
                 }
                 _ => self.stray(token),

@@ -42,6 +42,7 @@ fn likely_slips_are_understood() {
         ("0.025 * pow(r, 2)", "write `r^2`"),
         ("powf(2 * r, -1.5)", "write `(2 * r)^(- 1.5)`"),
         (".5 * r^2", "write `0.5`"),
+        (".5r^2", "write `0.5 * r`"),
         ("1.e-3 * r^2", "digits behind it"),
         ("radius as f64 * r^2", "remove `as`"),
         ("r^2 if r > 3 else 0", "one expression for all radii"),
