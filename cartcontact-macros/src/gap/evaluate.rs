@@ -9,9 +9,10 @@ use crate::gap::polynomial::Polynomial;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::Rational;
-use crate::reading::item::{Field, Item, Meaning, Place};
+use crate::reading::item::{Field, Item, Meaning};
 use crate::reading::name::unraw;
 use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
+use crate::reading::unknown::Place;
 
 /// What it cannot evaluate it reports, and goes on beside it.
 pub(crate) struct Evaluator<'a> {
