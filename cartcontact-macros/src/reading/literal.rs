@@ -3,6 +3,7 @@
 //! `0.025` is 1/40, not the `f64` nearest to it.
 
 use crate::number::{self, Rational};
+use crate::reading::similar::power_of_r;
 use crate::reading::unit::{is_unit, no_units};
 
 const NUMERIC_SUFFIXES: [&str; 16] = [
@@ -24,23 +25,33 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     }
     let Parts { whole, fraction, exponent, suffix } = Parts::of(text);
     if !suffix.is_empty() {
-        if lacks_digits(suffix) {
-            return Err("an exponent stands right behind `e`, as in `1e-4`".to_owned());
-        }
-        let written = without_suffix(text, suffix);
-        return Err(if is_unit(suffix) {
-            let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
-            no_units(suffix, &format!("write {number}, or `({written} * {suffix})` if that is a field"))
-        } else if NUMERIC_SUFFIXES.contains(&suffix) {
-            format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
-        } else {
-            format!("{}; write `{written} * {}`", reads_as_one(text), factor(suffix))
-        });
+        return Err(wrong_suffix(text, suffix));
     }
     let fraction = without_underscores(fraction);
     let digits = without_underscores(whole) + &fraction;
     let value = number::from_decimal(&digits, fraction.len(), exponent)?;
     Ok(if negative { -value } else { value })
+}
+
+/// What to say about a number with something right behind it.
+fn wrong_suffix(text: &str, suffix: &str) -> String {
+    let written = without_suffix(text, suffix);
+    if lacks_digits(suffix) {
+        "an exponent stands right behind `e`, as in `1e-4`".to_owned()
+    } else if is_unit(suffix) {
+        let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
+        no_units(suffix, &format!("write {number}, or `({written} * {suffix})` if that is a field"))
+    } else if NUMERIC_SUFFIXES.contains(&suffix) {
+        format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
+    } else {
+        let product = match power_of_r(suffix) {
+            Some(power) => {
+                format!("`{written} * {power}`, or `{written} * {suffix}` if `{suffix}` is a field")
+            }
+            None => format!("`{written} * {}`", factor(suffix)),
+        };
+        format!("{}; write {product}", reads_as_one(text))
+    }
 }
 
 /// What stands in the quotes of a string.

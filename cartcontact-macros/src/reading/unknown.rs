@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::reading::item::Item;
 use crate::reading::name::{is_keyword, unraw};
 use crate::reading::parse::NO_CONSTANTS;
-use crate::reading::similar::{closest, known_number};
+use crate::reading::similar::{closest, known_number, power_of_r};
 use crate::reading::unit;
 
 /// Where a name stands, which decides what can be meant by it.
@@ -30,8 +30,11 @@ impl Item {
         let mut known = if matches!(place, Place::Number) { Vec::new() } else { self.field_names() };
         known.extend(knows_r.then(|| "r".to_owned()));
         let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
-        let only = if knows_r { "only `r` is known here; " } else { "" };
-        let known = if knows_r { "`r`" } else { "a number" };
+        let (only, known) = match power_of_r(&written) {
+            Some(power) if knows_r => (format!("for the power write `{power}`; "), format!("`{power}`")),
+            _ if knows_r => ("only `r` is known here; ".to_owned(), "`r`".to_owned()),
+            _ => (String::new(), "a number".to_owned()),
+        };
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
             None if matches!(place, Place::Number) => "write a number".to_owned(),
@@ -86,6 +89,7 @@ mod tests {
         assert_eq!(remedy("raduis"), "did you mean `radius`?");
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
+        assert_eq!(remedy("r4"), "write `r^4` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
         let remedy = |place| item.remedy(&format_ident!("R"), place);
         assert_eq!(remedy(Place::Gap { names_r: true }), remedy(Place::Coefficient));
