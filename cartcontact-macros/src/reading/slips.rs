@@ -4,7 +4,8 @@ use num_traits::One;
 use proc_macro2::{Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
-use crate::number::decimal;
+use crate::number::{Rational, decimal, integer};
+use crate::reading::is_punct;
 use crate::reading::literal::{is_times_ten, number, with_name};
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
@@ -48,6 +49,20 @@ impl Parser<'_> {
         } else {
             "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
         };
+        self.fault(Extent::between(start, self.previous), message)
+    }
+
+    /// Whether a sign for hundredths ends what is read; another `%` may be the remainder of a division.
+    pub(super) fn is_percent_next(&self) -> bool {
+        matches!(self.rest, [sign] if is_punct(sign, '%'))
+    }
+
+    /// What is wrong with `0.1%`, whose number has been read.
+    pub(super) fn percent(&mut self, number: &Rational) -> Expression {
+        let start = self.previous;
+        self.take_token();
+        let message =
+            format!("a number is written without `%`; write `{}`", decimal(&(number / integer(100))));
         self.fault(Extent::between(start, self.previous), message)
     }
 

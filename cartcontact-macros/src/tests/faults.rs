@@ -66,6 +66,8 @@ fn likely_slips_are_understood() {
         ("1.09375d-4 * r^4", "write `1.09375e-4`, or `1.09375 * d - 4` if `d` is a field"),
         ("1.09375D+04 * r^4", "write `1.09375e+04`, or"),
         ("2d*r^2", "write `2 * d`"),
+        ("sphere(10), order = 4, max_radius = 3, tolerance = 0.1%", "without `%`; write `0.001`"),
+        ("r^2 + 3 % 2", "`%` has no meaning"),
         ("0.025 x r^2", "a product is written with `*`, not `x`"),
         ("r as f64 ^ 2", "remove `as`"),
         ("f64::powi(r, 2)", "write `r^2`"),
