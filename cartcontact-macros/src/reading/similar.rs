@@ -10,6 +10,9 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
     if is_one_of(&["pi", "PI", "Pi", "π"]) {
         return Some("numbers are kept exact; write it as a decimal, as in `3.14159265358979`");
     }
+    if is_one_of(&["flat", "plane"]) {
+        return Some("a flat body is `0`, as in `lower = 0`");
+    }
     is_one_of(&["inf", "infinity", "INFINITY"])
         .then_some("leave out a range without an end, and write a flat body as `lower = 0`")
 }

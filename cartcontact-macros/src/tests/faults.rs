@@ -27,6 +27,7 @@ fn likely_slips_are_understood() {
         ("r^2, max_radius = inf", "leave out a range without an end"),
         ("r^2, max_radius = f64::INFINITY", "leave out a range without an end"),
         ("upper = sphere(10), lower = sphere(inf), order = 4", "write a flat body as `lower = 0`"),
+        ("upper = sphere(10), lower = flat, order = 4", "a flat body is `0`, as in `lower = 0`"),
         ("upper = sphere(10), lower = sphere(f64::INFINITY), order = 4", "a flat body as `lower = 0`"),
         ("std::f64::consts::PI * r^2", "`3.14159265358979`"),
         ("knee::CURVATURE * r^2", "write the number"),
