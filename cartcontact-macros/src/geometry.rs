@@ -33,7 +33,7 @@ pub(crate) fn geometry(
     if let Some(positive) = &attribute.positive {
         positive.declare(item, diagnostics);
     }
-    let mut evaluator = Evaluator::new(item, diagnostics);
+    let mut evaluator = Evaluator::new(item, attribute.names_r(), diagnostics);
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
     let standing = complete.then(|| Standing::of(written, attribute.is_of_bodies, &mut evaluator));

@@ -9,9 +9,10 @@ use crate::gap::polynomial::Polynomial;
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
 use crate::number::Rational;
-use crate::reading::item::{Field, Item, Meaning, Place};
+use crate::reading::item::{Field, Item, Meaning};
 use crate::reading::name::unraw;
 use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
+use crate::reading::unknown::Place;
 
 /// What it cannot evaluate it reports, and goes on beside it.
 pub(crate) struct Evaluator<'a> {
@@ -24,8 +25,9 @@ pub(crate) struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    pub(crate) fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, place: Place::Gap, mistyped: Vec::new() }
+    /// One that begins with the gap, in which r may be named.
+    pub(crate) fn new(item: &'a Item, names_r: bool, diagnostics: &'a mut Diagnostics) -> Self {
+        Evaluator { item, diagnostics, place: Place::Gap { names_r }, mistyped: Vec::new() }
     }
 
     /// What a gap is worth as far as it can be evaluated, and whether that is all.

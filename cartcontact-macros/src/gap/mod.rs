@@ -50,6 +50,13 @@ impl Gap {
         extent: Extent,
         diagnostics: &mut Diagnostics,
     ) -> Option<Self> {
+        if let [(exponent, only)] = polynomial.terms()
+            && exponent.is_zero()
+        {
+            let message = "the gap is the same at all r; write one that opens with r, as in `0.025 * r^2`";
+            diagnostics.report(only.extent, message);
+            return None;
+        }
         let terms = Gap::terms(polynomial, standing, diagnostics)?;
         if terms.is_empty() {
             diagnostics
@@ -79,12 +86,10 @@ impl Gap {
         standing: Option<&Standing>,
         diagnostics: &mut Diagnostics,
     ) -> Option<Vec<Term>> {
-        let is_alone = polynomial.terms().len() == 1;
         let mut terms = Some(Vec::new());
         for (exponent, monomial) in polynomial.into_terms() {
             if exponent.is_zero() {
                 diagnostics.report(monomial.extent, constant::message(&monomial.coefficient, standing));
-                terms = terms.filter(|_| !is_alone);
                 continue;
             }
             match (term(exponent, monomial), &mut terms) {

@@ -8,7 +8,7 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
-use crate::reading::entry::{Entry, Whole, all_options, entries, is_of_r, similar};
+use crate::reading::entry::{Entry, Whole, all_options, entries, is_of_r, mentions, similar};
 use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
@@ -88,6 +88,11 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
 }
 
 impl Attribute {
+    /// Whether the distance r stands in the gap by its name.
+    pub(crate) fn names_r(&self) -> bool {
+        mentions(&["r"], self.written_gap.clone())
+    }
+
     fn slot(&mut self, name: &Ident) -> Option<&mut Option<Expression>> {
         match name.to_string().as_str() {
             "max_radius" => Some(&mut self.max_radius),
@@ -178,7 +183,8 @@ impl Attribute {
         if let Some(number) = number {
             number.kind = Kind::Faulty;
         }
-        Some(format!("a decimal is written with a point, not a comma; write `{whole}.{decimals}`"))
+        let meant = literal::across_comma(&whole, &decimals).join("` or `");
+        Some(format!("a decimal is written with a point, not a comma; write `{meant}`"))
     }
 
     /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`.

@@ -73,7 +73,7 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
             TokenTree::Literal(_) => match literal::with_name(&text) {
                 Some((number, name)) => {
                     fault.get_or_insert_with(|| literal::reads_as_one(&text));
-                    operands = vec![number, name];
+                    operands = vec![number, literal::factor(name)];
                 }
                 None => drop(literal::number(&text).ok()?),
             },

@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::is_punct;
 use crate::reading::similar::closest;
+use crate::reading::{is_punct, literal};
 
 pub(super) const OPTIONS: [&str; 7] =
     ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
@@ -130,7 +130,8 @@ impl Entry {
         if before.last().is_some_and(|token| is_punct(token, '^')) {
             return None;
         }
-        let digits = digits.to_string();
+        let written = digits.to_string();
+        let digits = literal::without_points(&written).unwrap_or(written);
         let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
         is_whole.then(|| Whole { digits, option: self.option().map(|(name, _, _)| name) })
     }
@@ -155,10 +156,18 @@ impl Entry {
 
 /// Whether the distance r or a surface is mentioned.
 pub(super) fn is_of_r(tokens: TokenStream) -> bool {
+    mentions(&["r", "sphere", "conic"], tokens)
+}
+
+/// Whether one of some names is mentioned, be it right behind a number.
+pub(super) fn mentions(names: &[&str], tokens: TokenStream) -> bool {
     tokens.into_iter().any(|token| match token {
-        TokenTree::Ident(name) => ["r", "sphere", "conic"].iter().any(|known| name == known),
-        TokenTree::Group(group) => is_of_r(group.stream()),
-        _ => false,
+        TokenTree::Ident(name) => names.iter().any(|known| name == known),
+        TokenTree::Group(group) => mentions(names, group.stream()),
+        TokenTree::Literal(literal) => {
+            literal::with_name(&literal.to_string()).is_some_and(|(_, name)| names.contains(&name))
+        }
+        TokenTree::Punct(_) => false,
     })
 }
 

@@ -7,7 +7,6 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
 use crate::reading::generics::Generics;
 use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
-use crate::reading::parse::NO_CONSTANTS;
 use crate::reading::similar::{closest, collect_names, known_number};
 use crate::reading::slips::is_times;
 use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
@@ -21,7 +20,7 @@ pub(crate) struct Item {
     /// The fields that can be symbols, in their order.
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
-    others: Vec<(Ident, Extent)>,
+    pub(super) others: Vec<(Ident, Extent)>,
     /// Whether its fields have names, if it has any: otherwise a name in a profile cannot be judged.
     pub(crate) is_struct: bool,
 }
@@ -50,16 +49,6 @@ pub(crate) enum Meaning<'a> {
     /// With the place of its type.
     WrongType(Extent),
     Unknown,
-}
-
-/// Where a name stands, which decides what can be meant by it.
-#[derive(Clone, Copy)]
-pub(crate) enum Place {
-    Gap,
-    /// In an expression without r, such as a radius.
-    Coefficient,
-    /// Where there is a number and nothing else, as in an exponent.
-    Number,
 }
 
 /// The item without further gap profiles, which are reported: each would implement the same trait again.
@@ -128,7 +117,9 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         );
     } else if let Some(fields) = content {
         let fields: Vec<TokenTree> = fields.stream().into_iter().collect();
-        for field in between_commas(&fields) {
+        // The compiler reports a semicolon between two, and goes on.
+        let parts = fields.split(|token| is_punct(token, ';'));
+        for field in parts.flat_map(between_commas) {
             item.declare(field, diagnostics);
         }
     }
@@ -167,42 +158,6 @@ impl Item {
         self.fields.iter().map(|field| field.ident.to_string()).collect()
     }
 
-    /// What to write in place of an unknown name.
-    pub(crate) fn remedy(&self, name: &Ident, place: Place) -> String {
-        let written = unraw(name);
-        let knows_r = matches!(place, Place::Gap);
-        let mut known = if matches!(place, Place::Number) { Vec::new() } else { self.field_names() };
-        known.extend(knows_r.then(|| "r".to_owned()));
-        let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
-        let only = if knows_r { "only `r` is known here; " } else { "" };
-        let known = if knows_r { "`r`" } else { "a number" };
-        match closest.or_else(|| known_number(name).map(str::to_owned)) {
-            Some(remedy) => remedy,
-            None if matches!(place, Place::Number) => "write a number".to_owned(),
-            None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
-            None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
-            None if unit::is_unit(&written) => {
-                unit::no_units(&written, "remove it and the operator before it")
-            }
-            // Words of Rust cannot name a field.
-            None if is_keyword(name) => {
-                format!("write {known} or a field")
-            }
-            None if self.fields.is_empty() && is_like_constant(&written) => {
-                let field = format!("`struct {} {{ {name}: f64 }}`", self.ident);
-                format!("{NO_CONSTANTS}: write the number, or declare a field, as in {field}")
-            }
-            // One letter is rather that of a formula.
-            None if is_like_constant(&written) && written.chars().count() > 1 => {
-                format!("{NO_CONSTANTS}: write the number, or a field of `{}`", self.ident)
-            }
-            None if self.fields.is_empty() && self.others.is_empty() => {
-                format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
-            }
-            None => format!("write {known} or a field of `{}`", self.ident),
-        }
-    }
-
     /// Notes which fields a faulty gap names, or may mean: it would depend on them. A symbol that is like none of them
     /// may mean any.
     pub(crate) fn mark_named(&mut self, written_gap: TokenStream) {
@@ -234,11 +189,6 @@ impl Item {
             }
         }
     }
-}
-
-/// Whether constants have such names, and fields have not.
-fn is_like_constant(name: &str) -> bool {
-    name.contains(char::is_uppercase) && !name.contains(char::is_lowercase)
 }
 
 /// Whether a name that is like no field is known for something else: r, a number, a unit or a word of Rust.
@@ -286,7 +236,7 @@ mod tests {
     #[test]
     fn fields_are_symbols_by_their_type() {
         let (item, messages) = item(quote! {
-            struct Ball<T> { a: f64, b: core::primitive::f32, c: T, name: String, d: Vec<f64> }
+            struct Ball<T> { a: f64; b: core::primitive::f32, c: T, name: String, d: Vec<[f64; 3]> }
         });
         let item = item.unwrap();
         assert!(messages.is_empty());
@@ -329,24 +279,6 @@ mod tests {
         ));
         assert!(item.is_none());
         assert_eq!(messages.len(), 1);
-    }
-
-    #[test]
-    fn unknown_names_get_the_closest_one() {
-        let (item, _) = item(quote!(
-            struct Ball {
-                radius: f64,
-            }
-        ));
-        let item = item.unwrap();
-        let remedy = |name| item.remedy(&format_ident!("{name}"), Place::Gap);
-        assert_eq!(remedy("raduis"), "did you mean `radius`?");
-        assert_eq!(remedy("R"), "did you mean `r`?");
-        assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
-        assert_eq!(remedy("true"), "write `r` or a field");
-        let remedy = |place| item.remedy(&format_ident!("R"), place);
-        assert_eq!(remedy(Place::Coefficient), "write a number or a field of `Ball`");
-        assert_eq!(remedy(Place::Number), "write a number");
     }
 
     #[test]

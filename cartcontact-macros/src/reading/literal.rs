@@ -3,6 +3,7 @@
 //! `0.025` is 1/40, not the `f64` nearest to it.
 
 use crate::number::{self, Rational};
+use crate::reading::similar::power_of_r;
 use crate::reading::unit::{is_unit, no_units};
 
 const NUMERIC_SUFFIXES: [&str; 16] = [
@@ -24,20 +25,33 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     }
     let Parts { whole, fraction, exponent, suffix } = Parts::of(text);
     if !suffix.is_empty() {
-        let written = without_suffix(text, suffix);
-        return Err(if is_unit(suffix) {
-            let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
-            no_units(suffix, &format!("write {number}, or `({written} * {suffix})` if that is a field"))
-        } else if NUMERIC_SUFFIXES.contains(&suffix) {
-            format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
-        } else {
-            format!("{}; write `{written} * {suffix}`", reads_as_one(text))
-        });
+        return Err(wrong_suffix(text, suffix));
     }
     let fraction = without_underscores(fraction);
     let digits = without_underscores(whole) + &fraction;
     let value = number::from_decimal(&digits, fraction.len(), exponent)?;
     Ok(if negative { -value } else { value })
+}
+
+/// What to say about a number with something right behind it.
+fn wrong_suffix(text: &str, suffix: &str) -> String {
+    let written = without_suffix(text, suffix);
+    if lacks_digits(suffix) {
+        "an exponent stands right behind `e`, as in `1e-4`".to_owned()
+    } else if is_unit(suffix) {
+        let number = if suffix == "mm" { &format!("`{written}`") } else { "it alone" };
+        no_units(suffix, &format!("write {number}, or `({written} * {suffix})` if that is a field"))
+    } else if NUMERIC_SUFFIXES.contains(&suffix) {
+        format!("numbers here are exact and have no type; drop the suffix and write `{written}`")
+    } else {
+        let product = match power_of_r(suffix) {
+            Some(power) => {
+                format!("`{written} * {power}`, or `{written} * {suffix}` if `{suffix}` is a field")
+            }
+            None => format!("`{written} * {}`", factor(suffix)),
+        };
+        format!("{}; write {product}", reads_as_one(text))
+    }
 }
 
 /// What stands in the quotes of a string.
@@ -50,9 +64,37 @@ pub(super) fn quoted(text: &str) -> Option<&str> {
 pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
     let suffix = Parts::of(text).suffix;
     let is_word = suffix.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
-    let is_name = !suffix.is_empty() && is_word && !is_unit(suffix) && !NUMERIC_SUFFIXES.contains(&suffix);
+    let is_other = is_unit(suffix) || NUMERIC_SUFFIXES.contains(&suffix) || lacks_digits(suffix);
+    let is_name = !suffix.is_empty() && is_word && !is_other;
     (is_name && begins_with_digit(text) && !has_other_base(text))
         .then(|| (without_suffix(text, suffix), suffix))
+}
+
+/// What a name right behind a number multiplies it by: that of `1.5x10` is the ten of a power of ten.
+pub(super) fn factor(name: &str) -> &str {
+    if is_times_ten(name) { "10" } else { name }
+}
+
+pub(super) fn is_times_ten(name: &str) -> bool {
+    name.eq_ignore_ascii_case("x10")
+}
+
+/// What digits on both sides of a comma may be meant as: it is a decimal point, or one between thousands.
+pub(super) fn across_comma(before: &str, behind: &str) -> Vec<String> {
+    let thousands = are_thousands(before.trim_start_matches('-'), split_digits(behind).0)
+        .then(|| format!("{before}{behind}"));
+    thousands.into_iter().chain([format!("{before}.{behind}")]).collect()
+}
+
+/// A whole number with a point between thousands, as before a decimal comma in `1.000,5`.
+pub(super) fn without_points(text: &str) -> Option<String> {
+    let (before, behind) = text.split_once('.')?;
+    are_thousands(before, behind).then(|| format!("{before}{behind}"))
+}
+
+/// Whether the thousands of a number may end between some digits.
+fn are_thousands(before: &str, behind: &str) -> bool {
+    (1..=3).contains(&before.len()) && !before.starts_with('0') && behind.len() == 3
 }
 
 pub(super) fn reads_as_one(text: &str) -> String {
@@ -109,6 +151,11 @@ fn split_exponent(text: &str) -> (i64, &str) {
     (if negative { -size } else { size }, rest)
 }
 
+/// Whether a suffix begins an exponent that has no digits, which the compiler reports as well.
+fn lacks_digits(suffix: &str) -> bool {
+    suffix.trim_end_matches(['+', '-']).eq_ignore_ascii_case("e")
+}
+
 fn without_underscores(digits: &str) -> String {
     digits.replace('_', "")
 }
@@ -132,6 +179,11 @@ mod tests {
     #[test]
     fn suffixes_are_explained() {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
+        assert_eq!(number("1.5x10").unwrap_err(), "`1.5x10` reads as one literal; write `1.5 * 10`");
+        assert_eq!(number("2x2").unwrap_err(), "`2x2` reads as one literal; write `2 * x2`");
+        for text in ["1e", "1.5E", "1.5e+", "1e-"] {
+            assert_eq!(number(text).unwrap_err(), "an exponent stands right behind `e`, as in `1e-4`");
+        }
         assert!(number("2_f64").unwrap_err().ends_with("drop the suffix and write `2`"));
         assert!(number("1mm").unwrap_err().ends_with("mm; write `1`, or `(1 * mm)` if that is a field"));
         let of_others =
@@ -143,6 +195,15 @@ mod tests {
     fn text_is_a_gap_in_quotes() {
         for text in ["\"r^2\"", "r\"r^2\"", "r#\"r^2\"#"] {
             assert!(number(text).unwrap_err().ends_with("write it without quotes"), "{text}");
+        }
+    }
+
+    #[test]
+    fn three_digits_behind_a_comma_may_be_thousands() {
+        assert_eq!(across_comma("12", "500"), ["12500", "12.500"]);
+        assert_eq!(across_comma("-1", "000mm"), ["-1000mm", "-1.000mm"]);
+        for (before, behind) in [("0", "025"), ("12", "50"), ("1000", "250"), ("12", "5000")] {
+            assert_eq!(across_comma(before, behind), [format!("{before}.{behind}")]);
         }
     }
 

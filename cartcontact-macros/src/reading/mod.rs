@@ -17,6 +17,7 @@ mod slips;
 mod surface;
 pub(crate) mod syntax;
 pub(crate) mod unit;
+pub(crate) mod unknown;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 

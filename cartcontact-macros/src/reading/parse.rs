@@ -109,7 +109,11 @@ impl<'a> Parser<'a> {
             match rest.first() {
                 Some(TokenTree::Literal(digits)) if point.as_char() == '.' => {
                     let place = Extent::between(point.span().into(), digits.span().into());
-                    let message = format!("a decimal begins with a digit; write `0.{digits}`");
+                    let digits = digits.to_string();
+                    let meant = literal::with_name(&digits).map_or(digits.clone(), |(digits, name)| {
+                        format!("{digits} * {}", literal::factor(name))
+                    });
+                    let message = format!("a decimal begins with a digit; write `0.{meant}`");
                     self.diagnostics.report(place, message);
                 }
                 _ => self.stray(token),
@@ -130,8 +134,13 @@ impl<'a> Parser<'a> {
     fn literal(&mut self, literal: &Literal) -> Expression {
         match literal::number(&literal.to_string()) {
             Ok(_) if self.is_number_next() => self.spaced_number(literal),
+            Ok(value) if self.is_percent_next() => self.percent(&value),
+            Ok(_) if self.is_times_ten_next() => self.times_ten(literal),
             Ok(value) => self.unless_method(Expression { kind: Kind::Number(value), extent: self.previous }),
-            Err(message) => self.fault(literal.span(), message),
+            Err(message) => match self.exponent_behind_d(literal) {
+                Some(message) => self.fault(Extent::between(literal.span().into(), self.previous), message),
+                None => self.fault(literal.span(), message),
+            },
         }
     }
 

@@ -5,10 +5,10 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::is_punct;
 use crate::reading::item::{Item, Meaning};
 use crate::reading::name::{is_same, unraw};
 use crate::reading::similar::closest;
+use crate::reading::{is_punct, ungrouped};
 
 /// The option as it was written, at `place`.
 pub(crate) struct Positive {
@@ -79,7 +79,7 @@ fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
 }
 
 fn name(tokens: &[TokenTree], place: Span) -> Result<Ident, Extent> {
-    match tokens {
+    match ungrouped(tokens.iter().cloned().collect()).as_slice() {
         [TokenTree::Ident(name)] if name != "true" && name != "false" => Ok(name.clone()),
         _ => Err(Extent::of(tokens, place)),
     }
@@ -115,11 +115,16 @@ fn no_number(name: &Ident, item: &Item) -> String {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use proc_macro2::Group;
     use quote::quote;
 
     use super::*;
 
     fn declared(names: Option<&str>) -> (Vec<String>, Vec<String>) {
+        declared_as(names.map(|names| names.parse().unwrap()))
+    }
+
+    fn declared_as(names: Option<TokenStream>) -> (Vec<String>, Vec<String>) {
         let mut diagnostics = Diagnostics::default();
         let input = quote!(
             struct Ball {
@@ -129,8 +134,7 @@ mod tests {
             }
         );
         let mut item = crate::reading::item::parse(input, &mut diagnostics).unwrap();
-        let positive =
-            Positive { place: Span::call_site(), names: names.map(|names| names.parse().unwrap()) };
+        let positive = Positive { place: Span::call_site(), names };
         positive.declare(&mut item, &mut diagnostics);
         let positive = item.fields.iter().filter(|field| field.is_positive);
         (positive.map(|field| field.ident.to_string()).collect(), diagnostics.messages())
@@ -150,6 +154,14 @@ mod tests {
                 (expected.iter().map(|&name| name.to_owned()).collect(), vec![])
             );
         }
+    }
+
+    /// Each field arrives in invisible parentheses.
+    #[test]
+    fn a_macro_may_list_expressions() {
+        let [radius, k] = [quote!(radius), quote!(k)].map(|name| Group::new(Delimiter::None, name));
+        assert_eq!(declared_as(Some(quote!((#radius, #k)))).0, ["radius", "k"]);
+        assert_eq!(declared_as(Some(quote!(#k))).0, ["k"]);
     }
 
     #[test]

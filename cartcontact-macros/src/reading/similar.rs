@@ -10,8 +10,17 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
     if is_one_of(&["pi", "PI", "Pi", "π"]) {
         return Some("numbers are kept exact; write it as a decimal, as in `3.14159265358979`");
     }
+    if is_one_of(&["flat", "plane"]) {
+        return Some("a flat body is `0`, as in `lower = 0`");
+    }
     is_one_of(&["inf", "infinity", "INFINITY"])
         .then_some("leave out a range without an end, and write a flat body as `lower = 0`")
+}
+
+/// What `r2` is meant as, unless it is a field; `r1` is rather the first of two radii.
+pub(super) fn power_of_r(name: &str) -> Option<String> {
+    let exponent = name.strip_prefix('r').filter(|exponent| !["", "0", "1"].contains(exponent))?;
+    exponent.chars().all(|digit| digit.is_ascii_digit()).then(|| format!("r^{exponent}"))
 }
 
 /// The known name that differs from this one by a third of its letters at most, and by the fewest.
@@ -67,6 +76,12 @@ pub(super) fn collect_names(tokens: TokenStream, names: &mut Vec<(Ident, bool)>)
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_behind_r_is_an_exponent() {
+        assert_eq!(power_of_r("r12").as_deref(), Some("r^12"));
+        assert!(["r", "r0", "r1", "r2a", "radius", "c2"].into_iter().all(|name| power_of_r(name).is_none()));
+    }
 
     #[test]
     fn the_nearest_of_similar_names_is_meant() {

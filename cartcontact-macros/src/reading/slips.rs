@@ -4,8 +4,9 @@ use num_traits::One;
 use proc_macro2::{Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
-use crate::number::decimal;
-use crate::reading::literal::number;
+use crate::number::{Rational, decimal, integer};
+use crate::reading::is_punct;
+use crate::reading::literal::{is_times_ten, number, with_name};
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
@@ -48,6 +49,47 @@ impl Parser<'_> {
         } else {
             "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
         };
+        self.fault(Extent::between(start, self.previous), message)
+    }
+
+    /// Whether a sign for hundredths ends what is read; another `%` may be the remainder of a division.
+    pub(super) fn is_percent_next(&self) -> bool {
+        matches!(self.rest, [sign] if is_punct(sign, '%'))
+    }
+
+    /// What is wrong with `0.1%`, whose number has been read.
+    pub(super) fn percent(&mut self, number: &Rational) -> Expression {
+        let start = self.previous;
+        self.take_token();
+        let message =
+            format!("a number is written without `%`; write `{}`", decimal(&(number / integer(100))));
+        self.fault(Extent::between(start, self.previous), message)
+    }
+
+    /// Reads over the exponent of `1.5d-4`, as Fortran has it, whose `1.5d` has been read.
+    pub(super) fn exponent_behind_d(&mut self, mantissa: &Literal) -> Option<String> {
+        let text = mantissa.to_string();
+        let (number, name) = with_name(&text).filter(|(_, name)| name.eq_ignore_ascii_case("d"))?;
+        let [TokenTree::Punct(sign), TokenTree::Literal(size), ..] = self.rest else { return None };
+        if !matches!(sign.as_char(), '+' | '-') || !is_whole(&size.to_string()) {
+            return None;
+        }
+        (0..2).for_each(|_| self.take_token());
+        Some(format!(
+            "an exponent stands behind `e`; write `{number}e{sign}{size}`, or `{number} * {name} {sign} {size}` if \
+             `{name}` is a field"
+        ))
+    }
+
+    pub(super) fn is_times_ten_next(&self) -> bool {
+        matches!(self.rest, [TokenTree::Ident(name), ..] if is_times_ten(&name.to_string()))
+    }
+
+    /// What is wrong with `1.5 x10^-4`, whose first number has been read.
+    pub(super) fn times_ten(&mut self, first: &Literal) -> Expression {
+        let start = self.previous;
+        self.take_token();
+        let message = format!("a product is written with `*`; write `{first} * 10`");
         self.fault(Extent::between(start, self.previous), message)
     }
 

@@ -3,14 +3,15 @@
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use crate::reading::call::arguments;
-use crate::reading::is_punct;
 use crate::reading::parse::Parser;
+use crate::reading::{is_punct, literal};
 
 impl Parser<'_> {
     /// What to say about a surface with `tokens` behind its name that are not as they should be; nothing if it is none.
     pub(super) fn wrong_arguments(&self, surface: &Ident, tokens: &[TokenTree]) -> Option<String> {
         let given = values(tokens);
-        let are_readable = given.iter().all(|value| self.is_expression(value.tokens));
+        let are_named_so = given.iter().enumerate().all(|(index, value)| value.may_stand_at(index));
+        let are_readable = are_named_so && given.iter().all(|value| self.is_expression(value.tokens));
         let (takes, remedy) = if surface == "sphere" {
             let remedy = match given.as_slice() {
                 [radius, conic_constant] if are_readable && !is_decimal([radius, conic_constant]) => {
@@ -21,7 +22,7 @@ impl Parser<'_> {
             ("`sphere` takes the radius of the sphere", remedy)
         } else if surface == "conic" {
             let remedy = match given.as_slice() {
-                [only] => with_constant(only, are_readable),
+                [only] if are_named_so => with_constant(only, are_readable),
                 given => one_of("conic", readings(given, 2), are_readable, "conic(20, -0.5)"),
             };
             ("`conic` takes the radius at the vertex and the conic constant", remedy)
@@ -32,8 +33,8 @@ impl Parser<'_> {
     }
 }
 
-/// An argument without its name.
 struct Value<'a> {
+    name: Option<&'a Ident>,
     tokens: &'a [TokenTree],
     text: String,
     /// Whether it is a whole number, with a sign or without.
@@ -43,43 +44,52 @@ struct Value<'a> {
     follows_comma: bool,
 }
 
-/// The arguments in the order of a surface's. A semicolon separates them where a comma is a decimal point.
+/// The arguments, a radius by name first. A semicolon separates them where a comma is a decimal point.
 fn values(tokens: &[TokenTree]) -> Vec<Value<'_>> {
-    let mut begins_with_constant = false;
-    let mut values = Vec::new();
     let parts = tokens.split(|token| is_punct(token, ';')).map(arguments);
-    for (index, argument) in parts.flat_map(|part| part.into_iter().enumerate()) {
-        let value = match argument {
-            [TokenTree::Ident(name), equals, again, value @ ..]
-                if is_punct(equals, '=') && is_punct(again, '=') =>
-            {
-                Some((name, value))
-            }
-            [TokenTree::Ident(name), equals, value @ ..]
-                if is_punct(equals, '=') || is_punct(equals, ':') =>
-            {
-                Some((name, value))
-            }
-            _ => None,
-        };
-        begins_with_constant |= values.is_empty()
-            && value.is_some_and(|(name, _)| name.to_string().to_lowercase().starts_with('k'));
-        values.push(Value::new(value.map_or(argument, |(_, value)| value), index > 0));
-    }
+    let arguments = parts.flat_map(|part| part.into_iter().enumerate());
+    let mut values: Vec<Value<'_>> =
+        arguments.map(|(index, argument)| Value::new(argument, index > 0)).collect();
     values.retain(|value| !value.tokens.is_empty());
-    if begins_with_constant {
-        values.reverse();
-    }
+    let radius = values.iter().position(Value::is_named_radius).unwrap_or(0);
+    values.rotate_left(radius);
     values
 }
 
 impl<'a> Value<'a> {
-    fn new(tokens: &'a [TokenTree], follows_comma: bool) -> Self {
+    fn new(argument: &'a [TokenTree], follows_comma: bool) -> Self {
+        let (name, tokens) = match argument {
+            [TokenTree::Ident(name), equals, again, value @ ..]
+                if is_punct(equals, '=') && is_punct(again, '=') =>
+            {
+                (Some(name), value)
+            }
+            [TokenTree::Ident(name), equals, value @ ..]
+                if is_punct(equals, '=') || is_punct(equals, ':') =>
+            {
+                (Some(name), value)
+            }
+            value => (None, value),
+        };
         let text = tokens.iter().cloned().collect::<TokenStream>().to_string();
         let text = text.strip_prefix("- ").map_or(text.clone(), |size| format!("-{size}"));
         let size = text.strip_prefix('-');
         let is_whole = size.unwrap_or(&text).chars().all(|digit| digit.is_ascii_digit());
-        Value { tokens, is_whole, is_signed: size.is_some(), text, follows_comma }
+        let follows_comma = follows_comma && name.is_none();
+        Value { name, tokens, is_whole, is_signed: size.is_some(), text, follows_comma }
+    }
+
+    fn is_named_radius(&self) -> bool {
+        self.name.is_some_and(|name| ["r", "R", "radius"].iter().any(|known| name == known))
+    }
+
+    /// A diameter or an eccentricity is another number than what stands in its place.
+    fn may_stand_at(&self, index: usize) -> bool {
+        match self.name {
+            None => true,
+            Some(_) if index == 0 => self.is_named_radius(),
+            Some(name) => name == "k" || name == "K",
+        }
     }
 }
 
@@ -125,7 +135,8 @@ fn readings(values: &[Value<'_>], wanted: usize) -> Vec<Vec<String>> {
     if let [second, rest @ ..] = rest
         && is_decimal([first, second])
     {
-        all.extend(behind(format!("{}.{}", first.text, second.text), rest));
+        let numbers = literal::across_comma(&first.text, &second.text).into_iter();
+        all.extend(numbers.flat_map(|number| behind(number, rest)));
     }
     all
 }

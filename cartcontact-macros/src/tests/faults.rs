@@ -27,6 +27,7 @@ fn likely_slips_are_understood() {
         ("r^2, max_radius = inf", "leave out a range without an end"),
         ("r^2, max_radius = f64::INFINITY", "leave out a range without an end"),
         ("upper = sphere(10), lower = sphere(inf), order = 4", "write a flat body as `lower = 0`"),
+        ("upper = sphere(10), lower = flat, order = 4", "a flat body is `0`, as in `lower = 0`"),
         ("upper = sphere(10), lower = sphere(f64::INFINITY), order = 4", "a flat body as `lower = 0`"),
         ("std::f64::consts::PI * r^2", "`3.14159265358979`"),
         ("knee::CURVATURE * r^2", "write the number"),
@@ -42,6 +43,7 @@ fn likely_slips_are_understood() {
         ("0.025 * pow(r, 2)", "write `r^2`"),
         ("powf(2 * r, -1.5)", "write `(2 * r)^(- 1.5)`"),
         (".5 * r^2", "write `0.5`"),
+        (".5r^2", "write `0.5 * r`"),
         ("1.e-3 * r^2", "digits behind it"),
         ("radius as f64 * r^2", "remove `as`"),
         ("r^2 if r > 3 else 0", "one expression for all radii"),
@@ -58,6 +60,15 @@ fn likely_slips_are_understood() {
         ("0.025 1/mm * r^2", "remove `1/mm`"),
         ("0.025 (1/mm) * r^2", "numbers have no units"),
         ("r^2, max_radius = 6 [mm]", "remove `[mm]`"),
+        ("1.09375x10^-4 * r^4", "write `1.09375 * 10`"),
+        ("1.09375X10^-4 * r^4", "write `1.09375 * 10`"),
+        ("1.09375 x10^-4 * r^4", "write `1.09375 * 10`"),
+        ("r^4/2x10^4", "write `(2 * 10^4)` if"),
+        ("1.09375d-4 * r^4", "write `1.09375e-4`, or `1.09375 * d - 4` if `d` is a field"),
+        ("1.09375D+04 * r^4", "write `1.09375e+04`, or"),
+        ("2d*r^2", "write `2 * d`"),
+        ("sphere(10), order = 4, max_radius = 3, tolerance = 0.1%", "without `%`; write `0.001`"),
+        ("r^2 + 3 % 2", "`%` has no meaning"),
         ("0.025 x r^2", "a product is written with `*`, not `x`"),
         ("r as f64 ^ 2", "remove `as`"),
         ("f64::powi(r, 2)", "write `r^2`"),
@@ -93,6 +104,13 @@ fn likely_slips_are_understood() {
         ("sphere(10), max_radius = 6 order = 4", "a comma is missing before `order`"),
         ("radius * r^2, max_radius = 6 positive", "a comma is missing before `positive`"),
         ("upper = sphere(10) lower = 0, order = 4", "a comma is missing before `lower`"),
+        ("1,000*r^2", "write `1000` or `1.000`"),
+        ("r^2, max_radius = 12,500", "write `12500` or `12.500`"),
+        ("1.000,5*r^2", "write `1000.5`"),
+        ("r^2, max_radius = 1.000,5", "write `1000.5`"),
+        ("r^2*1.5, 2*r^2", "one gap"),
+        ("sphere(20,000), order = 4", "write `sphere(20000)` or `sphere(20.000)`"),
+        ("conic(20,000; -0.5), order = 4", "write `conic(20000, -0.5)` or `conic(20.000, -0.5)`"),
         ("sphere(10), order = 4, tolerance = 0,001, max_radius = 3", "write `0.001`"),
         ("upper = sphere(10), lower = 0, order = 4, 0.025 * r^2", "remove `upper`"),
         ("upper = sphere(radius), lower = 0, order = 4, positive = radius, k", "`positive = (radius, k)`"),
@@ -105,6 +123,8 @@ fn likely_slips_are_understood() {
         ("lower = 0, upper, order = 4", "as in `upper = sphere(20)`"),
         ("upper = r^2, upper = r^2", "given twice"),
         ("sphere(R), order = 4", "write a number or a field of `Ball`"),
+        ("0.025 * R^2", "did you mean `r`?"),
+        ("r^2/(2*R)", "write a number or a field of `Ball`"),
         ("r^2, max_radius = R", "write a number or a field of `Ball`"),
     ] {
         let messages = on_ball(text).err().unwrap();
@@ -148,6 +168,10 @@ fn each_fault_is_named() {
         ("conic(20,5, -0,4), order = 4", "write `conic(20.5, -0.4)`"),
         ("conic(20,5, 4), order = 4", "write `conic(20, 5.4)` or `conic(20.5, 4)`"),
         ("conic(k = -0.4, R: 15), order = 4", "write `conic(15, -0.4)`"),
+        ("conic(-0.4, radius = 15), order = 4", "write `conic(15, -0.4)`"),
+        ("conic(k = -0,4, R = 15,5), order = 4", "write `conic(15.5, -0.4)`"),
+        ("sphere(R = 10, k = 5), order = 4", "write `conic(10, 5)`"),
+        ("conic(R = 15), order = 4", "write `conic(15, -0.5)`"),
         ("conic(15), order = 4", "write `conic(15, -0.5)`"),
         ("conic(1, 2, 3, 4, 5, 6), order = 4", "as in `conic(20, -0.5)`"),
         ("r**2", "not `**`, as in"),
@@ -157,6 +181,9 @@ fn each_fault_is_named() {
         ("2 r", "an operator is missing"),
         ("(r)(r)", "an operator is missing"),
         ("x^2", "`x` is unknown; only `r` is known here; a field declares a symbol"),
+        ("0.5 * r2", "for the power write `r^2`; a field declares a symbol, as in `struct Knee { r2: f64 }`"),
+        ("0.5r2", "write `0.5 * r^2`, or `0.5 * r2` if `r2` is a field"),
+        ("r^2/(2*R)", "the number, or declare a field, as in `struct Knee { R: f64 }`"),
         ("K * r^2", "not known here: write the number, or declare a field, as in `struct Knee { K: f64 }`"),
         ("r^2 < 3", "`<` has no meaning"),
         ("r^2 == 3", "`=` has no meaning"),
@@ -178,7 +205,7 @@ fn each_fault_is_named() {
         ("r^2 + 3", "remove `+ 3`"),
         ("r^2 - 3", "remove `- 3`"),
         ("3 + r^2", "remove `3`"),
-        ("-(3 + r) + r", "write `+ 3` behind the gap"),
+        ("-(3 + r) + 2*r", "write `+ 3` behind the gap"),
         ("(r^2 + 0.5 + r)", "remove `+ 0.5`"),
         ("r^2 - 2/3", "remove this term"),
         ("r^2 + 1 + 2", "write `- 3` behind the gap"),
@@ -194,6 +221,8 @@ fn each_fault_is_named() {
         ("upper = r^2, lower = 0.5", "a flat body is `0`, as in `lower = 0`"),
         ("upper = sphere(20), lower = 10, order = 4", "a flat body is `0`, as in `lower = 0`"),
         ("upper = (1 + r)^2, lower = 1", "write `- 2` behind a body"),
+        ("0.025 * r^0", "write one that opens with r, as in"),
+        ("r^2 - r^2 + 3", "write one that opens with r, as in"),
         ("r^-2", "greater than 0"),
         ("r^2 - r^2", "zero everywhere"),
         ("r^1025", "at most 1024"),
@@ -214,6 +243,30 @@ fn each_fault_is_named() {
             messages.len() == 1 && messages.iter().all(|message| message.contains(rule)),
             "{text}: {messages:?}"
         );
+    }
+}
+
+/// A diameter, a curvature or an eccentricity is no number to copy.
+#[test]
+fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
+    for arguments in
+        ["diameter = 20", "D == 20", "curvature = 0.05", "k = 0.05", "R = 20, e = 0.5", "d = 1, 5"]
+    {
+        let messages = on_unit(&format!("sphere({arguments}), order = 4")).err().unwrap();
+        assert_eq!(messages, ["`sphere` takes the radius of the sphere; as in `sphere(20)`"], "{arguments}");
+    }
+    for arguments in [
+        "e = 0.5, R = 10",
+        "R = 10, e = 0.5",
+        "10, p = 0.8",
+        "k = -0.5",
+        "k = -0.5, 10",
+        "D = 10",
+        "R = 1, R = 2",
+    ] {
+        let messages = on_unit(&format!("conic({arguments}), order = 4")).err().unwrap();
+        let rule = "`conic` takes the radius at the vertex and the conic constant; as in `conic(20, -0.5)`";
+        assert_eq!(messages, [rule], "{arguments}");
     }
 }
 
@@ -305,6 +358,7 @@ fn faults_of_all_terms_are_reported_together() {
         ("gap = sphere(10) order = 4", &["a comma is missing", "remove `gap =`"]),
         ("r^2 - r^4, depth = 3 max_radius = 0.1", &["a comma is missing"]),
         ("femur = sphere(10) order = 4, tibia = sphere(20)", &["a comma is missing", "write `lower =`"]),
+        ("upper = 2r^2, lower = 3*R^2", &["write `2 * r`", "write a number or a field of `Ball`"]),
         ("[2] * raduis * r^2", &["only parentheses", "did you mean `radius`?"]),
         ("c[0] * raduis * r^2", &["only parentheses", "`c`", "did you mean `radius`?"]),
         ("r.powi(2) * raduis", &["no methods", "did you mean `radius`?"]),

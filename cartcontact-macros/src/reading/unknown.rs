@@ -1,0 +1,99 @@
+//! A name in an expression that is neither r nor a field, and what is meant by it.
+
+use proc_macro2::Ident;
+
+use crate::reading::item::Item;
+use crate::reading::name::{is_keyword, unraw};
+use crate::reading::parse::NO_CONSTANTS;
+use crate::reading::similar::{closest, known_number, power_of_r};
+use crate::reading::unit;
+
+/// Where a name stands, which decides what can be meant by it.
+#[derive(Clone, Copy)]
+pub(crate) enum Place {
+    /// Beside r, a name such as `R` is no slip for it.
+    Gap { names_r: bool },
+    /// In an expression without r, such as a radius.
+    Coefficient,
+    /// Where there is a number and nothing else, as in an exponent.
+    Number,
+}
+
+impl Item {
+    /// What to write in place of an unknown name.
+    pub(crate) fn remedy(&self, name: &Ident, place: Place) -> String {
+        let written = unraw(name);
+        let knows_r = match place {
+            Place::Gap { names_r } => !(names_r && written.eq_ignore_ascii_case("r")),
+            Place::Coefficient | Place::Number => false,
+        };
+        let mut known = if matches!(place, Place::Number) { Vec::new() } else { self.field_names() };
+        known.extend(knows_r.then(|| "r".to_owned()));
+        let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
+        let (only, known) = match power_of_r(&written) {
+            Some(power) if knows_r => (format!("for the power write `{power}`; "), format!("`{power}`")),
+            _ if knows_r => ("only `r` is known here; ".to_owned(), "`r`".to_owned()),
+            _ => (String::new(), "a number".to_owned()),
+        };
+        match closest.or_else(|| known_number(name).map(str::to_owned)) {
+            Some(remedy) => remedy,
+            None if matches!(place, Place::Number) => "write a number".to_owned(),
+            None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
+            None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
+            None if unit::is_unit(&written) => {
+                unit::no_units(&written, "remove it and the operator before it")
+            }
+            // Words of Rust cannot name a field.
+            None if is_keyword(name) => {
+                format!("write {known} or a field")
+            }
+            None if self.fields.is_empty() && is_like_constant(&written) => {
+                let field = format!("`struct {} {{ {name}: f64 }}`", self.ident);
+                format!("{NO_CONSTANTS}: write the number, or declare a field, as in {field}")
+            }
+            // One letter is rather that of a formula.
+            None if is_like_constant(&written) && written.chars().count() > 1 => {
+                format!("{NO_CONSTANTS}: write the number, or a field of `{}`", self.ident)
+            }
+            None if self.fields.is_empty() && self.others.is_empty() => {
+                format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
+            }
+            None => format!("write {known} or a field of `{}`", self.ident),
+        }
+    }
+}
+
+/// Whether constants have such names, and fields have not.
+fn is_like_constant(name: &str) -> bool {
+    name.contains(char::is_uppercase) && !name.contains(char::is_lowercase)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use quote::{format_ident, quote};
+
+    use super::*;
+    use crate::diagnostics::Diagnostics;
+    use crate::reading::item::parse;
+
+    #[test]
+    fn unknown_names_get_the_closest_one() {
+        let input = quote!(
+            struct Ball {
+                radius: f64,
+            }
+        );
+        let item = parse(input, &mut Diagnostics::default()).unwrap();
+        let remedy = |name| item.remedy(&format_ident!("{name}"), Place::Gap { names_r: false });
+        assert_eq!(remedy("raduis"), "did you mean `radius`?");
+        assert_eq!(remedy("R"), "did you mean `r`?");
+        assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
+        assert_eq!(remedy("r4"), "write `r^4` or a field of `Ball`");
+        assert_eq!(remedy("true"), "write `r` or a field");
+        let remedy = |place| item.remedy(&format_ident!("R"), place);
+        assert_eq!(remedy(Place::Gap { names_r: true }), remedy(Place::Coefficient));
+        assert_eq!(remedy(Place::Coefficient), "write a number or a field of `Ball`");
+        assert_eq!(remedy(Place::Number), "write a number");
+    }
+}
