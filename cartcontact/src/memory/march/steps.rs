@@ -210,7 +210,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let impulse = load.impulse(end);
         // Where the series is rough, the difference of two impulses may be the better one.
         let (of_series, uncertainty) = force.impulse();
-        let is_better = uncertainty <= impulse * T::default_epsilon();
+        let is_better = uncertainty <= impulse.max(of_series) * T::default_epsilon();
         let gained = if is_better { of_series } else { impulse - load.impulse(self.now.time) };
         self.now.impulse.add(gained);
         (gained, of_series)
