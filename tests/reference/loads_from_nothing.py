@@ -49,14 +49,16 @@ def show(name, value):
     print(f"{name:28} {nstr(value, 25)}")
 
 
-def half_a_cosine(t):
-    t = mpf(t)
+def half_a_cosine(t, duration=1):
+    t, d = mpf(t), mpf(duration)
     rise = (
-        lambda s: 100 * sin(pi * s / 2) ** 2 if s < 1 else mpf(100),
-        lambda s: 50 * pi * sin(pi * s) if s < 1 else mpf(0),
-        lambda s: 50 * (s - sin(pi * s) / pi) if s < 1 else 50 + 100 * (s - 1),
+        lambda s: 100 * sin(pi * s / 2 / d) ** 2 if s < d else mpf(100),
+        lambda s: 50 * pi / d * sin(pi * s / d) if s < d else mpf(0),
+        lambda s: 50 * (s - d / pi * sin(pi * s / d)) if s < d else 50 * d + 100 * (s - d),
     )
-    return pressure(t, *rise, [0, t] if t <= 1 else [0, 1, t])
+    # Where an e-folding is short, the last of them count.
+    borders = [max(mpf(0), t - folds / CHI) for folds in (80, 40, 20, 10, 5, 2, 1)] + [mpf(0), min(t, d), t]
+    return pressure(t, *rise, sorted(set(borders)))
 
 
 def root():
@@ -91,6 +93,8 @@ def behind_a_rest(r):
 
 for time in ["0.5", "1", "3"]:
     show(f"half a cosine, {time} s", half_a_cosine(time))
+for time in ["50", "300", "1000", "1100"]:
+    show(f"half a slow cosine, {time} s", half_a_cosine(time, 1000))
 show("a root, 101 s", root())
 for time in ["100", "110"]:
     show(f"a steep logistic, {time} s", logistic(time, 8))

@@ -78,6 +78,32 @@ fn half_a_cosine_may_be_written_as_such() -> Result<(), ContactError> {
     Ok(())
 }
 
+/// The impulse of half a slow cosine is all rounding for its first hundredth, where the force has every digit.
+#[test]
+fn impulses_that_cancel_early_take_few_forces() -> Result<(), ContactError> {
+    let rise = |t: f64| if t < 1e3 { 100.0 * (PI * t / 2e3).sin().powi(2) } else { 100.0 };
+    let impulse = |t: f64| {
+        if t < 1e3 { 50.0 * (t - (PI * t / 1e3).sin() * 1e3 / PI) } else { 5e4 + 100.0 * (t - 1e3) }
+    };
+    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
+    let load = Formula { force: rise, impulse, knot: 1e3, forces: Cell::new(0) };
+    let contact = Contact::new(Patellofemoral, medium, load)?;
+    for (t, expected) in [
+        (50.0, 4.957_965_873_345_463e-2),
+        (300.0, 3.363_193_255_298_72e-1),
+        (1000.0, 6.140_821_180_954_884e-1),
+        (1100.0, 5.810_584_031_458_677e-1),
+    ] {
+        let now = contact.at(t)?;
+        contact.load().forces.set(0);
+        assert_near(now.peak_pressure(), expected, 16.0 * f64::EPSILON);
+        // Twice as many as it takes.
+        let forces = contact.load().forces.get();
+        assert!(forces < 50_000, "{t}: {forces}");
+    }
+    Ok(())
+}
+
 #[test]
 fn a_load_may_begin_late() -> Result<(), ContactError> {
     // Under it a = 0 up to 100 s.
