@@ -30,7 +30,8 @@ pub(crate) use shortest::Shortest;
 /// must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the contact
 /// recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not report are
 /// found too, about fifty between two times, at the cost of thousands of calls of [`force`](Self::force) each; with more of
-/// them pressures are off by up to 1e-7.
+/// them pressures are off by up to 1e-7. A load that oscillates is followed wave by wave: a pressure takes some 40 forces for
+/// each wave of the last forty e-foldings, however small its waves are.
 ///
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
 /// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through the
