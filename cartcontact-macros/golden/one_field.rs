@@ -28,7 +28,7 @@
 /// load integral         4 ×, 0 + of double words
 /// log kernel            3 ×, 0 + of double words
 /// pressure kernel       5 ×, 2 + of double words
-/// coefficients          1 × or ÷, 0 + or −, in addition
+/// coefficients          1 × or ÷, 0 + or −, in addition, and a plain × for each term at the most
 /// ```
 struct Ball {
     radius: f64,

@@ -30,7 +30,7 @@
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
 /// pressure kernel       7 ×, 5 + of double words
-/// coefficients          4 × or ÷, 0 + or −, in addition
+/// coefficients          4 × or ÷, 0 + or −, in addition, and a plain × for each term at the most
 /// ```
 struct Ball {
     radius: f64,

@@ -242,7 +242,7 @@ fn effort(operations: &[Operations], shared: Operations) -> String {
     let beside = if shared == Operations::default() {
         String::new()
     } else {
-        format!("coefficients          {shared}, in addition\n")
+        format!("coefficients          {shared}, in addition, and a plain × for each term at the most\n")
     };
     let legend = if operations.iter().any(|count| count.is_double) {
         "Double words round a result only once; a × of them takes 24 plain operations, a + 11.\n\n"
