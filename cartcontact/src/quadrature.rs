@@ -21,15 +21,30 @@ pub(crate) const MOST_NODES: usize = 24;
 #[derive(Debug)]
 pub(crate) struct Rule {
     count: usize,
-    /// Pair by pair from the middle outwards, the negative one first.
-    nodes: [f64; MOST_NODES],
-    weights: [f64; MOST_NODES],
+    double: Tables<f64>,
     /// The same in single precision: microcontrollers take long to convert numbers.
-    single: [[f32; MOST_NODES]; 2],
-    /// (2n−1)/2 w P₍ₙ₋₁₎ at the positive node of each pair.
-    highest: [f64; MOST_NODES / 2],
-    /// The most e-foldings it integrates to full accuracy, in f64 and in f32.
-    folds: (f64, f64),
+    single: Tables<f32>,
+}
+
+/// The numbers of a rule, in one format.
+#[derive(Debug)]
+struct Tables<F> {
+    /// Pair by pair from the middle outwards, the negative one first.
+    nodes: [F; MOST_NODES],
+    weights: [F; MOST_NODES],
+    /// 3/2 w x at the positive node of each pair.
+    first: [F; MOST_NODES / 2],
+    /// (2n−1)/2 w P₍ₙ₋₁₎ there.
+    highest: [F; MOST_NODES / 2],
+    /// The most e-foldings it integrates to full accuracy in that format.
+    folds: F,
+}
+
+impl<F: Copy> Tables<F> {
+    const fn empty(zero: F, folds: F) -> Self {
+        let (nodes, pairs) = ([zero; MOST_NODES], [zero; MOST_NODES / 2]);
+        Self { nodes, weights: nodes, first: pairs, highest: pairs, folds }
+    }
 }
 
 /// The rules that are chosen from. Their nodes fill vectors of up to eight numbers, so that fewer would take as long.
@@ -47,21 +62,24 @@ impl Rule {
 
     /// From its positive nodes with their weights, which are the 40-digit values of the Legendre roots, rounded to f64:
     /// error 1/2 ulp.
-    const fn of<const HALF: usize>(half: [(f64, f64); HALF], folds: (f64, f64)) -> Self {
-        let (zero, highest) = ([0.0; MOST_NODES], [0.0; MOST_NODES / 2]);
-        let single = [[0.0; MOST_NODES]; 2];
-        let mut rule = Self { count: 2 * HALF, nodes: zero, weights: zero, single, highest, folds };
+    const fn of<const HALF: usize>(half: [(f64, f64); HALF], folds: (f64, f32)) -> Self {
+        let count = 2 * HALF;
+        let (mut double, mut single) = (Tables::empty(0.0, folds.0), Tables::empty(0.0, folds.1));
         let mut pair = 0;
         while pair < HALF {
+            let (negative, positive) = (2 * pair, 2 * pair + 1);
             let (x, weight) = half[pair];
-            (rule.nodes[2 * pair], rule.nodes[2 * pair + 1]) = (-x, x);
-            (rule.weights[2 * pair], rule.weights[2 * pair + 1]) = (weight, weight);
-            (rule.single[0][2 * pair], rule.single[0][2 * pair + 1]) = (-x as f32, x as f32);
-            (rule.single[1][2 * pair], rule.single[1][2 * pair + 1]) = (weight as f32, weight as f32);
-            rule.highest[pair] = (rule.count as f64 - 0.5) * weight * legendre(rule.count - 1, x);
+            let highest = (count as f64 - 0.5) * weight * legendre(count - 1, x);
+            (double.nodes[negative], double.nodes[positive]) = (-x, x);
+            (double.weights[negative], double.weights[positive]) = (weight, weight);
+            (double.first[pair], double.highest[pair]) = (1.5 * x * weight, highest);
+            let (x, weight) = (x as f32, weight as f32);
+            (single.nodes[negative], single.nodes[positive]) = (-x, x);
+            (single.weights[negative], single.weights[positive]) = (weight, weight);
+            (single.first[pair], single.highest[pair]) = (1.5 * x * weight, highest as f32);
             pair += 1;
         }
-        rule
+        Self { count, double, single }
     }
 
     /// The shortest rule for an integrand that changes by e^`folds`.
@@ -71,7 +89,7 @@ impl Rule {
 
     /// The most e-foldings it integrates to full accuracy in the arithmetic of `T`.
     pub(crate) fn folds<T: Scalar>(&self) -> T {
-        T::constant(if is_single::<T>() { self.folds.1 } else { self.folds.0 })
+        if is_single::<T>() { from_single(self.single.folds) } else { T::constant(self.double.folds) }
     }
 
     /// How many nodes it has.
@@ -85,10 +103,12 @@ impl Rule {
     /// nodes ±x of each pair.
     #[inline(always)]
     pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
-        let (nodes, weights) = self.tables();
-        let pairs = nodes.chunks_exact(2).zip(weights.chunks_exact(2)).zip(&self.highest);
-        pairs.map(|((x, weight), &highest)| {
-            (T::constant(1.5) * T::constant(x[1]) * T::constant(weight[1]), T::constant(highest))
+        (0..self.len() / 2).map(|pair| {
+            if is_single::<T>() {
+                (from_single(self.single.first[pair]), from_single(self.single.highest[pair]))
+            } else {
+                (T::constant(self.double.first[pair]), T::constant(self.double.highest[pair]))
+            }
         })
     }
 
@@ -130,18 +150,12 @@ impl Rule {
         let (middle, radius) = ((low + high) * half, (high - low) * half);
         (0..self.len()).map(move |index| {
             let (node, weight) = if is_single::<T>() {
-                (from_single(self.single[0][index]), from_single(self.single[1][index]))
+                (from_single(self.single.nodes[index]), from_single(self.single.weights[index]))
             } else {
-                (T::constant(self.nodes[index]), T::constant(self.weights[index]))
+                (T::constant(self.double.nodes[index]), T::constant(self.double.weights[index]))
             };
             (middle + radius * node, radius * weight)
         })
-    }
-
-    /// The nodes on [−1, 1], pair by pair from the middle outwards, and their weights.
-    #[inline(always)]
-    fn tables(&self) -> (&[f64], &[f64]) {
-        (&self.nodes[..self.len()], &self.weights[..self.len()])
     }
 }
 
@@ -238,7 +252,7 @@ mod tests {
         for rule in ALL {
             let n = rule.len();
             for degree in (1..n).step_by(2) {
-                let pairs = rule.nodes.chunks_exact(2).zip(rule.coefficients::<f64>());
+                let pairs = rule.double.nodes.chunks_exact(2).zip(rule.coefficients::<f64>());
                 let (first, highest) = pairs.fold((0.0, 0.0), |sums, (x, factors)| {
                     let difference = legendre(degree, x[1]) - legendre(degree, x[0]);
                     (sums.0 + factors.0 * difference, sums.1 + factors.1 * difference)

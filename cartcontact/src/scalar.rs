@@ -95,6 +95,24 @@ pub(crate) fn from_single<T: Scalar>(value: f32) -> T {
     <T as SupersetOf<f32>>::from_subset(&value)
 }
 
+/// A number of a table in both precisions: microcontrollers take long to convert numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tabled {
+    double: f64,
+    single: f32,
+}
+
+impl Tabled {
+    pub(crate) const fn of(value: f64) -> Self {
+        Self { double: value, single: value as f32 }
+    }
+
+    #[inline(always)]
+    pub(crate) fn get<T: Scalar>(self) -> T {
+        if is_single::<T>() { from_single(self.single) } else { T::constant(self.double) }
+    }
+}
+
 /// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
 #[inline]
 pub(crate) fn is_plain<T: Scalar>() -> bool {
@@ -129,5 +147,10 @@ mod tests {
         for (x, expected) in floors {
             assert_eq!((floor::<f64>(x), floor::<f32>(x as f32)), (expected, expected), "{x}");
         }
+    }
+    #[test]
+    fn a_number_of_a_table_is_the_nearest_of_its_format() {
+        let third = Tabled::of(1.0 / 3.0);
+        assert_eq!((third.get::<f64>(), third.get::<f32>()), (1.0 / 3.0, 1.0 / 3.0));
     }
 }

@@ -1,9 +1,9 @@
 //! The one table of allowed errors.
 //!
 //! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it,
-//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε: a test that
-//! compares relative errors in units of ε with an entry, as the stress campaign does, enforces the table up to a factor
-//! of 2.
+//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε: what is within
+//! an entry is within as many ε, but not the other way round. A test that compares relative errors in units of ε with an
+//! entry, as the stress campaign does, lets up to twice the entry in ulp pass.
 //!
 //! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
 //! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here:
@@ -51,6 +51,8 @@ const fn allow_as_seen(
     Allowance { quantity, double, single, seen, reason }
 }
 
+/// What is seen is the worst in tests; of random sums it was 1.49 in `f64` and 1.81 in `f32`, of the load integral of
+/// c r + d r^2.5 + e r^6, whose weights are rounded as the coefficients are.
 const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
 
 /// Φ(r).
@@ -87,7 +89,7 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 ///
 /// Generated for whole powers, a few radii are above 1 ulp: up to 15 in a million if the gap begins with r, by 1.16 at
 /// the most of five million random ones each for eleven geometries; otherwise fewer than one in `f64` and up to 5 in
-/// `f32`, by 1.03. With halves among the exponents, up to 8 and 3, by 1.16. Of one term none is; by the `powf` of
+/// `f32`, by 1.03. With halves among the exponents, up to 8 and 15, by 1.16. Of one term none is; by the `powf` of
 /// `libm`, 1 in ten thousand of r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
@@ -103,12 +105,16 @@ pub const RADIUS_OF_SUMS: Allowance = allow(
     [0.8, 0.8],
     "its own rounding, and those of a divisor and of a power of an exponent with all its digits, divided by the degree",
 );
-/// a(t).
+/// a(t), so that it is within 2 ε.
+///
+/// The worst was seen in r^0.25; of the paper's joint it is 1.22 in `f64` and 1.36 in `f32`. In random scenes up to 1 radius
+/// in 2000 is off by more than 1.1.
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
-    [1.1, 1.1],
-    [0.82, 0.81],
-    "as the radius, and the hereditary load over π m/4 is rounded three times, which its degree divides",
+    [2.0, 2.0],
+    [1.57, 1.5],
+    "as the radius, and π m/4, its inverse, χ ∫F, Y and J are rounded before the inversion, by some 2.5 ε of J, which its \
+     degree, above 4, divides: up to 1.2 ulp",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
 pub const CONTACT_APPROACH: Allowance = allow(
@@ -119,8 +125,8 @@ pub const CONTACT_APPROACH: Allowance = allow(
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst was seen between two ways to the same pressure, with jumps that are told and that are found; against the
-/// oracle it is 1.8.
+/// The worst away from the axis was seen between two ways to the same pressure, with jumps that are told and that are found;
+/// against the oracle it is 1.8. On the axis, where the factor is 3, [`PEAK_PRESSURE`] is up to 5.6 times it.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
@@ -129,8 +135,15 @@ pub const PRESSURE: Allowance = allow(
      a moves the edge",
 );
 /// P(0, t).
-pub const PEAK_PRESSURE: Allowance =
-    allow("peak pressure", [8.0, 8.0], [5.6, 3.8], "as the pressure, with the factor 3 that it has at r = 0");
+///
+/// The worst was seen in r^12; of the paper's joint it is 13.4 in a million random scenes in `f32`. Up to 1 peak in 300 of
+/// r^12, and in 1500 of others, is off by more than 8, all of them where many e-foldings have drained.
+pub const PEAK_PRESSURE: Allowance = allow(
+    "peak pressure",
+    [24.0, 24.0],
+    [14.3, 16.8],
+    "as the pressure, with the factor 3 that it has at r = 0",
+);
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance =
     allow("pressure field", [16.0, 16.0], [3.7, 2.0], "both have the error of a pressure");

@@ -77,10 +77,10 @@ fn contacts_are_those_of_the_reference() {
             });
         }
     }
-    radius.check_worst();
+    radius.check();
     approach.check_worst();
     pressure.check();
-    peak.check_worst();
+    peak.check();
 }
 
 /// a, δ₀, P(r) and P(0) of a row.

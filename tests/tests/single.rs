@@ -82,10 +82,10 @@ fn contacts_in_single_precision_agree_with_double() {
         pressure.add(single[2], double[2], condition::edge(double[0], f64::from(row.r as f32)), &row);
         peak.add(single[3], double[3], 1.0, &row);
     }
-    radius.check_worst();
+    radius.check();
     approach.check_worst();
     pressure.check_worst();
-    peak.check_worst();
+    peak.check();
 }
 
 /// a, δ₀, P(r) and P(0) of a row whose inputs are rounded to single precision.

@@ -1,4 +1,14 @@
-//! A change of units changes the numbers, not the result; by powers of two not even the last bit.
+//! A change of units changes the numbers, not the result; by powers of two not even the last bit, with these exceptions for
+//! lengths, which stay within their bounds:
+//!
+//! - Radii of constant geometries in single precision where the load integral moves beyond the rows of the table that single
+//!   precision has: they are then iterated, and up to 5 % of them differ in the last bit.
+//! - Radii of geometries with fields whose coefficients move beyond 1e±60, in single precision 1e±11, where a table with
+//!   fields ends.
+//! - The `max_radius()` of a geometry with fields and terms of both signs, which is up to 52 ε too small, and beyond which a
+//!   radius is refused: it is searched for in ln r.
+//!
+//! Forces and times change none.
 //!
 //! Lengths are multiplied by L, forces by Q and times by T: a coefficient of rⁿ by L^(1−n), m by Q/L⁵, χ by 1/T,
 //! pressures by Q/L².

@@ -24,7 +24,7 @@
 //! that a range never ends behind the zero; terms that cancel may leave none.
 
 use crate::Scalar;
-use crate::scalar::smallest_normal;
+use crate::scalar::{from_single, smallest_normal};
 
 const MOST_STEPS: u32 = 20_000;
 
@@ -51,7 +51,7 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
     }
 
     fn count(&self) -> T {
-        T::constant(self.exponentials().count() as f64)
+        from_single(self.exponentials().count() as f32)
     }
 
     /// What the coefficient d of an exponent is at least: terms of the same exponent may cancel.
@@ -127,7 +127,7 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
         if last <= zero {
             return false;
         }
-        let count = T::constant(self.exponentials().filter(|&(d, _)| d < zero).count() as f64);
+        let count: T = from_single(self.exponentials().filter(|&(d, _)| d < zero).count() as f32);
         let (log_first, log_last, log_count) = (first.ln(), last.ln(), count.ln());
         let rounding = T::default_epsilon() * T::constant(16.0);
         self.exponentials().filter(|&(d, _)| d < zero).all(|(d, k)| {

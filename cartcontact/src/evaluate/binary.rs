@@ -1,10 +1,8 @@
 //! Powers of two, taken out of a number and put back, so that roots neither overflow nor lose accuracy.
 
-use simba::scalar::SupersetOf;
-
 use super::bits::{exponent, fraction};
 use crate::Scalar;
-use crate::scalar::{floor, is, is_plain, smallest_normal};
+use crate::scalar::{floor, from_single, is, is_plain, is_single, smallest_normal};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
@@ -34,8 +32,8 @@ pub(crate) fn scale<T: Scalar>(x: T, e: i32) -> T {
 
 /// 2^e, or the nearest power of two with all its digits; of any scalar.
 fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
-    if (-126..=127).contains(&e) {
-        <T as SupersetOf<f32>>::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
+    if is_single::<T>() | (-126..=127).contains(&e) {
+        from_single(f32::from_bits(((e.clamp(-126, 127) + 127) as u32) << 23))
     } else {
         T::constant(f64::from_bits(((e.clamp(-1022, 1023) + 1023) as u64) << 52))
     }
@@ -90,6 +88,10 @@ mod tests {
         assert_eq!(scale(f64::MIN_POSITIVE, 2045), 2f64.powi(1023));
         assert_eq!(scale(2f64.powi(1023), -2045), f64::MIN_POSITIVE);
         assert_eq!(scale(1.5_f32, 10), 1536.0);
+        assert_eq!(
+            (scale(0.0_f32, 600), scale(1.0_f32, 600), scale(1.0_f32, -600)),
+            (0.0, f32::INFINITY, 0.0)
+        );
     }
 
     #[test]

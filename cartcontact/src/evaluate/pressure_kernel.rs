@@ -24,7 +24,7 @@ use super::arithmetic::{Arithmetic, Word};
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use crate::Scalar;
-use crate::scalar::{floor, is_plain};
+use crate::scalar::{floor, is_plain, smallest_normal};
 
 /// Longest tent: the time for it grows with its length, that of logarithms does not.
 const LONGEST_TENT: u32 = 72;
@@ -36,14 +36,17 @@ pub fn pressure_kernel<T: Scalar>(
     r: T,
     terms: impl IntoIterator<Item = (T, Exponent<T>)> + Clone,
 ) -> T {
-    let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone());
-    sum.rounded_or(|| quick_pressure_kernel(a, r, terms))
+    let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::PowerFirst);
+    sum.rounded_or(|| {
+        let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
+        sum.rounded_or(|| sum_of_kernels::<T, Word<T>>(a, r, terms, Order::ZeroFirst).rounded())
+    })
 }
 
 /// [`pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline]
 pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    let sum: Word<T> = sum_of_kernels(a, r, terms);
+    let sum: Word<T> = sum_of_kernels(a, r, terms, Order::PowerFirst);
     sum.rounded()
 }
 
@@ -69,11 +72,21 @@ pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weight
     sum.rounded()
 }
 
+/// In which order a coefficient is multiplied by the power of a radius and by K, which has the zero at the edge.
+#[derive(Clone, Copy)]
+enum Order {
+    /// Small coefficients keep their digits.
+    PowerFirst,
+    /// No power is larger than the result, if what it multiplies keeps its digits.
+    ZeroFirst,
+}
+
 #[inline]
 fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
     a: T,
     r: T,
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+    order: Order,
 ) -> A {
     let zero = A::of(T::zero());
     if r >= a {
@@ -84,8 +97,14 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
         let next = A::exponent(n.plus(2));
         let weight = A::of(c).over(next.times(next).times_word(two));
         // In two steps, because quick powers above the third take double words, too, and those of most gaps are below.
-        let power = A::term(weight, a, n).times_word(a).times_word(a);
-        sum.plus(power.times(edge.kernel(n)))
+        let times_power = |factor: A| A::term(factor, a, n).times_word(a).times_word(a);
+        if let Order::ZeroFirst = order {
+            let factor = weight.times(edge.kernel(n));
+            if factor.rounded().abs() >= smallest_normal() {
+                return sum.plus(times_power(factor));
+            }
+        }
+        sum.plus(times_power(weight).times(edge.kernel(n)))
     })
 }
 

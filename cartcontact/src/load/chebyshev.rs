@@ -3,31 +3,32 @@
 //! Source: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use crate::Scalar;
+use crate::scalar::Tabled;
 
 /// The degree N.
 pub(super) const DEGREE: usize = 16;
 
 /// cos(π j/16), rounded from 40 digits.
-const COSINES: [f64; DEGREE / 2 + 1] = [
-    1.0,
-    0.980_785_280_403_230_4,
-    0.923_879_532_511_286_7,
-    0.831_469_612_302_545_2,
-    core::f64::consts::FRAC_1_SQRT_2,
-    0.555_570_233_019_602_2,
-    0.382_683_432_365_089_8,
-    0.195_090_322_016_128_28,
-    0.0,
+const COSINES: [Tabled; DEGREE / 2 + 1] = [
+    Tabled::of(1.0),
+    Tabled::of(0.980_785_280_403_230_4),
+    Tabled::of(0.923_879_532_511_286_7),
+    Tabled::of(0.831_469_612_302_545_2),
+    Tabled::of(core::f64::consts::FRAC_1_SQRT_2),
+    Tabled::of(0.555_570_233_019_602_2),
+    Tabled::of(0.382_683_432_365_089_8),
+    Tabled::of(0.195_090_322_016_128_28),
+    Tabled::of(0.0),
 ];
 
 /// The coefficients of Chebyshev polynomials.
 pub(super) type Coefficients<T> = [T; DEGREE + 1];
 
 /// cos(π k/16).
-pub(super) fn cosine(k: usize) -> f64 {
+pub(super) fn cosine<T: Scalar>(k: usize) -> T {
     let turn = k % (2 * DEGREE);
     let half = turn.min(2 * DEGREE - turn);
-    if half <= DEGREE / 2 { COSINES[half] } else { -COSINES[DEGREE - half] }
+    if half <= DEGREE / 2 { COSINES[half].get() } else { -COSINES[DEGREE - half].get::<T>() }
 }
 
 /// The coefficients of the polynomial through values at cos(π j/N).
@@ -35,8 +36,7 @@ pub(super) fn interpolate<T: Scalar>(values: Coefficients<T>) -> Coefficients<T>
     // The first and the last count half in either sum.
     let weight = |index: usize| T::constant(if index.is_multiple_of(DEGREE) { 0.5 } else { 1.0 });
     core::array::from_fn(|k| {
-        let terms =
-            values.iter().enumerate().map(|(j, &value)| value * weight(j) * T::constant(cosine(j * k)));
+        let terms = values.iter().enumerate().map(|(j, &value)| value * weight(j) * cosine(j * k));
         terms.fold(T::zero(), |sum, term| sum + term) * weight(k) * T::constant(2.0 / DEGREE as f64)
     })
 }

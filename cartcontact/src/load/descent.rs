@@ -11,6 +11,7 @@
 
 use super::Piece;
 use crate::Scalar;
+use crate::scalar::from_single;
 
 /// A walk along straight pieces that hardly fall too fast, if at all.
 pub(super) struct Descent<T> {
@@ -28,7 +29,7 @@ fn tolerance<T: Scalar>() -> T {
 
 /// Whether the falls of so many pieces can be too much, each of which is forgiven.
 pub(super) fn may_add_up<T: Scalar>(count: usize) -> bool {
-    T::constant(count as f64 * 8.0) * T::default_epsilon() > tolerance()
+    from_single::<T>(count as f32 * 8.0) * T::default_epsilon() > tolerance()
 }
 
 impl<T: Scalar> Descent<T> {

@@ -27,6 +27,7 @@ use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::evaluate::exponential::decay;
 use crate::load::{Load, Piece};
 use crate::quadrature::Rule;
+use crate::scalar::Tabled;
 use crate::{GapProfile, Scalar};
 
 /// The most pieces in a run.
@@ -42,11 +43,11 @@ type Pieces<T> = [T; MOST_PIECES];
 struct ShortRule {
     rule: &'static Rule,
     /// One over the most e-foldings of a piece.
-    per_fold: f64,
+    per_fold: Tabled,
     /// The least distance to the singularity from the end of a piece, in units of its duration.
-    distance: f64,
+    distance: Tabled,
     /// 1/(4 (2n + 1)): what e-foldings that have faded since are multiplied by.
-    per_faded: f64,
+    per_faded: Tabled,
 }
 
 /// Found by bisection in 40 digits, for ε/4 in f64, and rounded to the safe side. Half of both together makes less than
@@ -270,17 +271,23 @@ impl<T: Scalar> Growth<T> {
 impl ShortRule {
     /// Of the most e-foldings of a piece, and the least distance.
     const fn of(rule: &'static Rule, folds: f64, distance: f64) -> Self {
-        Self { rule, per_fold: 1.0 / folds, distance, per_faded: 0.25 / (2 * rule.len() + 1) as f64 }
+        let per_faded = 0.25 / (2 * rule.len() + 1) as f64;
+        Self {
+            rule,
+            per_fold: Tabled::of(1.0 / folds),
+            distance: Tabled::of(distance),
+            per_faded: Tabled::of(per_faded),
+        }
     }
 
     /// Whether the rule is long enough for a piece that ends with a hereditary load and of which e^(−faded) is left.
     fn suffices<T: Scalar>(&self, growth: &Growth<T>, hereditary: T, faded: T) -> bool {
         // e^(faded/(2n+1)), or a little less.
-        let root = T::one() + faded * T::constant(self.per_faded);
+        let root = T::one() + faded * self.per_faded.get::<T>();
         let square = root * root;
-        let of_distance = square * square - growth.folds * T::constant(self.per_fold);
+        let of_distance = square * square - growth.folds * self.per_fold.get::<T>();
         // |R| v + |B| v²/2 < Y at the v that far away.
-        let v = T::one() + T::constant(self.distance) / of_distance;
+        let v = T::one() + self.distance.get::<T>() / of_distance;
         let shortfall = v * (growth.rate.abs() + growth.bend.abs() * T::constant(0.5) * v);
         (of_distance > T::zero()) & (shortfall <= hereditary)
     }
