@@ -119,6 +119,24 @@ pub(crate) fn is_plain<T: Scalar>() -> bool {
     is::<T, f64>() || is::<T, f32>()
 }
 
+/// Whether a number is zero, and carries no derivative that may not be.
+#[inline]
+pub(crate) fn is_nothing<T: Scalar>(x: T) -> bool {
+    is_plain::<T>() && x.is_zero()
+}
+
+/// A number whose value is zero where it was less; derivatives stay.
+#[inline]
+pub(crate) fn raised_to_zero<T: Scalar>(x: T) -> T {
+    if is_plain::<T>() {
+        x.max(T::zero())
+    } else if x < T::zero() {
+        x - T::constant(x.value())
+    } else {
+        x
+    }
+}
+
 /// Whether a number has the digits and the range of single precision, such as f32 and its dual numbers.
 #[inline(always)]
 pub(crate) fn is_single<T: Scalar>() -> bool {

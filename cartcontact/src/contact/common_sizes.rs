@@ -7,7 +7,7 @@
 
 use super::Loading;
 use crate::Scalar;
-use crate::scalar::is_single;
+use crate::scalar::{is_single, lesser};
 
 /// From 1/b to b.
 #[derive(Clone, Copy)]
@@ -33,13 +33,18 @@ impl<T: Scalar> CommonSizes<T> {
         chi.is_zero() | self.contain(chi)
     }
 
-    /// Whether the time and the load are such as a contact accepts.
+    /// The time itself if it is one of common size, otherwise one that is.
+    #[inline(always)]
+    pub(super) fn time_near(self, time: T) -> T {
+        let zero = T::zero();
+        lesser(if time >= zero { time } else { zero }, self.most)
+    }
+
+    /// Whether the load is such as a contact accepts.
     ///
     /// An infinite impulse makes the load integral infinite or, times a rate of zero, not a number.
     #[inline(always)]
-    pub(super) fn contain_load(self, time: T, loading: Loading<T>, load_integral: T) -> bool {
-        let zero = T::zero();
-        let is_time = (zero <= time) & (time <= self.most);
-        is_time & (zero <= loading.impulse) & self.contain(loading.force) & self.contain(load_integral)
+    pub(super) fn contain_load(self, loading: Loading<T>, load_integral: T) -> bool {
+        (T::zero() <= loading.impulse) & self.contain(loading.force) & self.contain(load_integral)
     }
 }

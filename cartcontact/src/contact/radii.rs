@@ -59,31 +59,36 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
             #[inline(always)]
             || self.take_load_integrals(),
         );
-        (is_common || self.has_loads())
+        (is_common || self.take_unusual_load_integrals())
             && (is_advancing || !self.contact.recedes_until(latest(self.times)))
             && self.take_radii()
             && (is_common && self.has_common_radii() || self.keeps_digits())
     }
 
-    /// The load integrals; false if not all of them and of the forces are of common size.
+    /// The load integrals; false if not all of them, of the times and of the forces are of common size.
     #[inline(always)]
     fn take_load_integrals(&mut self) -> bool {
         let (sizes, chi, integral_per_load) =
             (CommonSizes::new(), self.contact.medium.chi(), self.contact.integral_per_load);
         let mut are_common = sizes.contain_rate(chi);
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
-            let loading = self.contact.loading(time);
+            let common_time = sizes.time_near(time);
+            let loading = self.contact.loading(common_time);
             *load_integral = loading.hereditary * integral_per_load;
-            are_common &= sizes.contain_load(time, loading, *load_integral);
+            are_common &= (common_time == time) & sizes.contain_load(loading, *load_integral);
         }
         are_common
     }
 
-    /// Whether times and loads are such as [`Contact::at`] accepts.
-    fn has_loads(&self) -> bool {
-        let has_load =
-            |time| self.contact.valid_loading(time).is_ok_and(|loading| self.contact.has_digits(loading));
-        self.times.iter().all(|&time| has_load(time))
+    /// The load integrals; false if not all times and loads are such as [`Contact::at`] accepts.
+    fn take_unusual_load_integrals(&mut self) -> bool {
+        let contact = self.contact;
+        self.load_integrals.iter_mut().zip(self.times).all(|(load_integral, &time)| {
+            contact.valid_loading(time).is_ok_and(|loading| {
+                *load_integral = contact.load_integral_of(loading.hereditary);
+                contact.has_digits(loading)
+            })
+        })
     }
 
     fn take_radii(&mut self) -> bool {

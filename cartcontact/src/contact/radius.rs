@@ -28,9 +28,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius, if all numbers on the way to it are of common size and the edge never recedes.
     #[inline(always)]
     fn common_radius_at(&self, t: T, is_advancing: impl FnOnce() -> bool) -> Option<T> {
-        let (sizes, chi, loading) = (CommonSizes::new(), self.medium.chi(), self.loading(t));
+        let (sizes, chi) = (CommonSizes::new(), self.medium.chi());
+        // At a time that is none a load need not have a force.
+        let time = sizes.time_near(t);
+        let loading = self.loading(time);
         let load_integral = self.load_integral_of(loading.hereditary);
-        let is_common = sizes.contain_rate(chi) & sizes.contain_load(t, loading, load_integral);
+        let is_common = (time == t) & sizes.contain_rate(chi) & sizes.contain_load(loading, load_integral);
         if !is_common || !is_advancing() {
             return None;
         }

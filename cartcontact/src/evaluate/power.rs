@@ -6,7 +6,7 @@ use super::double_functions;
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use crate::Scalar;
-use crate::scalar::{is_plain, smallest_normal};
+use crate::scalar::{is_nothing, is_plain, smallest_normal};
 
 /// x^k by binary powering.
 #[inline]
@@ -110,7 +110,7 @@ fn root<T: Scalar>(x: T, p: T) -> T {
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
 #[inline]
 pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    if depth.is_zero() {
+    if is_nothing(depth) {
         return T::zero();
     }
     // Nothing is left of any term: as a derivative, what ln 0 times 0 makes is no number.
@@ -184,7 +184,7 @@ fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_tw
 /// [`term`] with every product rounded.
 fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     // The power may be out of range; a zero that carries a derivative is no zero.
-    if c.is_zero() && is_plain::<T>() {
+    if is_nothing(c) {
         return c;
     }
     if n.whole < 0 && x.is_zero() {

@@ -32,7 +32,7 @@ use runs::Runs;
 /// processor.
 const BLOCK: usize = 64;
 
-/// Checks the arguments of [`Contact::pressure_field`], apart from the times themselves.
+/// Checks the arguments of [`Contact::pressure_field`]: times, too, as the load is asked for the last one early on.
 pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result<(), ContactError> {
     for (what, slice) in [("times", times), ("radii", radii)] {
         if slice.is_empty() {
@@ -40,16 +40,25 @@ pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result
         }
     }
     check_length("values", values.len(), times.len().saturating_mul(radii.len()))?;
-    // All at once first, which is a loop without branches.
-    if !radii.iter().fold(true, |all, &r| all & is_size(r))
-        && let Some(index) = radii.iter().position(|&r| !is_size(r))
-    {
+    if let Some(index) = first_of_no_size(radii) {
         return Err(ContactError::InvalidRadius { index, radius: radii[index].value() });
     }
-    match times.windows(2).position(|pair| pair[1] < pair[0]) {
-        Some(before) => Err(ContactError::Unsorted { index: before + 1, time: times[before + 1].value() }),
+    if let Some(before) = times.windows(2).position(|pair| pair[1] < pair[0]) {
+        return Err(ContactError::Unsorted { index: before + 1, time: times[before + 1].value() });
+    }
+    match first_of_no_size(times) {
+        Some(index) => Err(ContactError::InvalidTime { time: times[index].value() }),
         None => Ok(()),
     }
+}
+
+/// The index of the first number that is negative or not finite.
+fn first_of_no_size<T: Scalar>(numbers: &[T]) -> Option<usize> {
+    // All at once first, which is a loop without branches.
+    if numbers.iter().fold(true, |all, &x| all & is_size(x)) {
+        return None;
+    }
+    numbers.iter().position(|&x| !is_size(x))
 }
 
 /// Fills `values`, row-major, times × radii, after [`check`].

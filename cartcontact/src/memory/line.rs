@@ -2,7 +2,7 @@
 
 use crate::Scalar;
 use crate::evaluate::binary::{scale, split};
-use crate::scalar::smallest_normal;
+use crate::scalar::{is_nothing, raised_to_zero, smallest_normal};
 
 /// A straight load, as seen from its end.
 #[derive(Clone, Copy, Debug)]
@@ -18,19 +18,25 @@ impl<T: Scalar> Line<T> {
     /// The line with a slope to a force.
     pub(crate) fn to(force: T, force_rate: T, chi: T) -> Self {
         // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
-        Self { chi, force_rate, hereditary_rate: (force_rate + chi * force).max(T::zero()) }
+        Self { chi, force_rate, hereditary_rate: raised_to_zero(force_rate + chi * force) }
     }
 
     /// How long before the end Y was smaller than at the end by `deficit`.
     #[inline]
     pub(crate) fn age(self, deficit: T) -> T {
-        if self.force_rate.is_zero() {
+        if self.is_held() {
             self.age_while_held(deficit)
         } else if self.has_root(deficit) {
             self.root(deficit)
         } else {
             self.age_in_units(deficit)
         }
+    }
+
+    /// Whether F′ = 0, also with other values of the parameters that numbers carry derivatives with respect to.
+    #[inline(always)]
+    pub(super) fn is_held(self) -> bool {
+        is_nothing(self.force_rate)
     }
 
     /// The age of a deficit where F′ = 0.

@@ -36,6 +36,7 @@ mod time_form;
 
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::scalar::is_nothing;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
 pub(crate) use line::Line;
@@ -76,7 +77,7 @@ impl<T: Scalar> Stage<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
     #[inline(always)]
     pub(crate) fn strip(&self, integral_per_load: T) -> T {
-        if self.surplus.is_zero() || self.radius.is_zero() {
+        if is_nothing(self.surplus) || self.radius.is_zero() {
             return T::zero();
         }
         // One division, and a⁴ need not be in range.

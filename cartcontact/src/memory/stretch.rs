@@ -62,7 +62,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     pub(super) fn is_held(&self) -> bool {
         match self {
             Self::Step { .. } => true,
-            Self::Linear { line, .. } => line.force_rate.is_zero(),
+            Self::Linear { line, .. } => line.is_held(),
             Self::Smooth(_) => false,
         }
     }
@@ -137,7 +137,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
         // Where a formula gives all ages, vectors take them.
         match self.course {
-            Course::Linear { line, .. } if line.force_rate.is_zero() => self.fade_by(
+            Course::Linear { line, .. } if line.is_held() => self.fade_by(
                 #[inline(always)]
                 |deficit| line.age_while_held(deficit),
                 (weights, drops),

@@ -197,3 +197,73 @@ fn steps_that_no_knot_tells_of_are_passed_in_single_precision() {
     assert!(filled.is_ok(), "{filled:?}");
     assert!(pressures.iter().all(|pressure| pressure.is_finite() && *pressure > 0.0), "{pressures:?}");
 }
+
+/// 100 N, of which nobody may ask at a time that is none.
+struct Strict {
+    is_linear: bool,
+}
+
+impl Strict {
+    fn checked(t: f64) -> f64 {
+        assert!(t >= 0.0 && t.is_finite(), "asked for {t}");
+        t
+    }
+}
+
+impl Load<f64> for Strict {
+    fn force(&self, t: f64) -> f64 {
+        100.0 + 0.0 * Self::checked(t)
+    }
+    fn impulse(&self, t: f64) -> f64 {
+        100.0 * Self::checked(t)
+    }
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        (Self::checked(t) < 5.0).then_some(5.0)
+    }
+    fn is_linear_between_knots(&self) -> bool {
+        self.is_linear
+    }
+    fn recession(&self, _chi: f64, t: f64) -> Option<f64> {
+        (Self::checked(t) < 0.0).then_some(t)
+    }
+}
+
+/// Such as the one in the documentation, which takes it for an index.
+#[test]
+fn a_load_is_never_asked_for_a_time_that_is_none() {
+    let is_time = |e: &ContactError| matches!(e, ContactError::InvalidTime { .. });
+    for is_linear in [true, false] {
+        let contact = Contact::new(Paraboloid, *paraboloid().medium(), Strict { is_linear });
+        let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+        for value in NOT_AN_AMOUNT {
+            let text = value.to_string();
+            refused(contact.at(value), is_time, &text);
+            for place in [0, 3, 299] {
+                let mut times: Vec<f64> = (0..300).map(|k| 0.1 * f64::from(k)).collect();
+                times[place] = value;
+                refused(contact.radii(&times, &mut [0.0; 300]), is_time, &text);
+                let is_refused = |e: &ContactError| {
+                    matches!(e, ContactError::InvalidTime { .. } | ContactError::Unsorted { .. })
+                };
+                refused(contact.pressure_field(&times, &[0.0], &mut [0.0; 300]), is_refused, "; ");
+            }
+            refused(contact.pressure_field(&[1.0, f64::INFINITY], &[0.0], &mut [0.0; 2]), is_time, "inf");
+        }
+    }
+}
+
+/// Times beyond those of common size.
+#[test]
+fn times_of_no_common_size_have_the_radius_of_their_load() -> Result<(), ContactError> {
+    let medium = Medium::from_constants(0.375, 1e-60).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(Paraboloid, medium, Constant(100.0))?;
+    let times = [0.0, 1e60, 2e60_f64];
+    let mut radii = [0.0; 3];
+    contact.radii(&times, &mut radii)?;
+    for (time, radius) in times.into_iter().zip(radii) {
+        let growth = (1.0 + 1e-60 * time).powf(1.0 / 6.0);
+        assert!((radius / (radii[0] * growth) - 1.0).abs() < 1e-15, "{time}: {radius}");
+        assert_eq!(radius, contact.at(time)?.radius());
+    }
+    Ok(())
+}

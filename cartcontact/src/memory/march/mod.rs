@@ -23,6 +23,7 @@ use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
+use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 
 /// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius.
@@ -138,9 +139,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         if self.now.time < self.time { self.contact.load().force(self.now.time) } else { self.force }
     }
 
-    /// Passes a jump of the load, which never falls there.
+    /// Passes a jump of the load, which never falls there. One of no height may have a derivative.
     fn jump(&mut self, before: T, after: T) {
-        if after > before {
+        if after > before || !is_plain::<T>() {
             let radius = self.radius_under(self.now.time, after);
             self.cover(radius, Course::step(), (before, after), after - before);
         }
@@ -150,8 +151,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// out not to be.
     fn advance_run(&mut self, pieces: &[Piece<T>]) -> usize {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        // One piece alone costs less over the radius.
-        if pieces.len() < 2 || !self.is_covered() {
+        // One piece alone costs less over the radius, and between two pieces may be a step that only derivatives show.
+        if pieces.len() < 2 || !is_plain::<T>() || !self.is_covered() {
             return 0;
         }
         let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
@@ -302,9 +303,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// includes the strip, which is as old as the rest.
     fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T), gain: T) {
         self.add_strip();
-        let kept = Stage { radius: high, surplus: kept_of(forces, folds), ..self.now };
+        // Half-way is no other place, but there second derivatives are those of the gain.
+        let at = if is_plain::<T>() { high } else { high - (high - self.now.radius) * T::constant(0.5) };
+        let kept = Stage { radius: at, surplus: kept_of(forces, folds), ..self.now };
         let low = self.transition.reach.max(self.now.radius);
-        let increment = Increment::at(high, kept.strip(self.contact.integral_per_load()), low);
+        let increment = Increment::at(at, kept.strip(self.contact.integral_per_load()), low);
         self.transition.advance(folds, self.quarter_m(), increment, low);
         let surplus = surplus_that_counts(self.surplus_at(high, gain), forces.1);
         self.now = Stage { radius: high, surplus, ..self.now };

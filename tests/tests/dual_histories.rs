@@ -1,0 +1,237 @@
+//! Derivatives of pressures with respect to the course of a load, where the value of a slope or of a step is zero.
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
+use num_dual::{Dual2_64, Dual32, Dual64};
+use tests::loads::Knots;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// A geometry with a power that is not whole.
+#[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
+struct Blunt;
+
+/// One of whole powers.
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+struct Patellofemoral;
+
+const CHI: f64 = 0.0015;
+
+/// Knots, those of them with the derivative 1, and times.
+struct History {
+    knots: Vec<(f64, f64)>,
+    varied: &'static [usize],
+    times: &'static [f64],
+    chi: f64,
+}
+
+impl History {
+    fn new(knots: &[(f64, f64)], varied: &'static [usize], times: &'static [f64]) -> Self {
+        Self { knots: knots.to_vec(), varied, times, chi: CHI }
+    }
+
+    /// The load with as much more force at the knots that vary.
+    fn load<T: Scalar>(&self, more: T) -> PiecewiseLinear<T, Vec<(T, T)>> {
+        let knots = self.knots.iter().enumerate().map(|(index, &(time, force))| {
+            let force = T::constant(force);
+            (T::constant(time), if self.varied.contains(&index) { force + more } else { force })
+        });
+        PiecewiseLinear::new(knots.collect()).unwrap_or_else(|error| unreachable!("{error}"))
+    }
+}
+
+/// Forces that are equal, or of which one is no higher than the one before it.
+fn histories() -> Vec<(&'static str, History)> {
+    let record: Vec<_> = (0..=40).map(|k| (f64::from(k) * 5.0, 100.0 + f64::from(k))).collect();
+    let with_step = [&record[..=20], &record[20..]].concat();
+    let at_bound = [(0.0, 100.0), (200.0, 100.0 / (1.0 + 200.0 * CHI))];
+    let held = [(0.0, 100.0), (200.0, 100.0)];
+    vec![
+        ("a hold", History::new(&held, &[1], &[10.0, 150.0, 200.0, 300.0])),
+        (
+            "a hold behind a ramp",
+            History::new(&[(0.0, 0.0), (20.0, 100.0), (200.0, 100.0)], &[2], &[150.0, 200.0, 600.0]),
+        ),
+        (
+            "a hold that has faded",
+            History {
+                chi: 0.15,
+                ..History::new(&[(0.0, 100.0), (2000.0, 100.0), (2100.0, 100.0)], &[1], &[1999.0, 2100.0])
+            },
+        ),
+        (
+            "a step of no height",
+            History::new(
+                &[(0.0, 50.0), (100.0, 100.0), (100.0, 100.0), (200.0, 150.0)],
+                &[2, 3],
+                &[100.0, 101.0, 150.0, 300.0],
+            ),
+        ),
+        (
+            "a step of no height within a hold",
+            History::new(&[(0.0, 100.0), (100.0, 100.0), (100.0, 100.0)], &[2], &[100.0, 150.0]),
+        ),
+        ("such a step within a record", History::new(&with_step, &[21], &[102.0, 104.0, 200.0])),
+        ("a fall as fast as it may be", History::new(&at_bound, &[1], &[100.0, 200.0, 300.0])),
+        ("a hold without drainage", History { chi: 0.0, ..History::new(&held, &[1], &[100.0, 200.0]) }),
+    ]
+}
+
+const RADII: [f64; 4] = [0.0, 3.0, 6.0, 7.3];
+
+/// The pressures at a time: of snapshots, and of fields of one row and of two.
+fn pressures<T: Scalar>(
+    profile: impl GapProfile<T>,
+    chi: f64,
+    load: impl Load<T>,
+    time: f64,
+) -> Result<Vec<T>, ContactError> {
+    let medium = Medium::from_constants(T::constant(0.375), T::constant(chi));
+    let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = Contact::new(profile, medium, load)?;
+    let radii = RADII.map(T::constant);
+    let [time, before] = [time, 0.9 * time].map(T::constant);
+    let now = contact.at(time)?;
+    let (mut one, mut two) = ([T::zero(); RADII.len()], [T::zero(); 2 * RADII.len()]);
+    contact.pressure_field(&[time], &radii, &mut one)?;
+    contact.pressure_field(&[before, time], &radii, &mut two)?;
+    let snapshot = radii.map(|r| now.pressure(r));
+    Ok([&snapshot[..], &one, &two[RADII.len()..]].concat())
+}
+
+/// Compares derivatives with differences of fourth order upwards: below, some of these loads would fall too fast.
+fn compare(
+    name: &str,
+    history: &History,
+    dual: impl Fn(f64) -> Result<Vec<Dual64>, ContactError>,
+    plain: impl Fn(f64, f64) -> Result<Vec<f64>, ContactError>,
+) -> Result<(), Failure> {
+    for &time in history.times {
+        let h = 0.1;
+        let at = |steps: f64| plain(steps * h, time);
+        let (dual, values) = (dual(time)?, [at(0.0)?, at(1.0)?, at(2.0)?, at(3.0)?, at(4.0)?]);
+        for (place, dual) in dual.into_iter().enumerate() {
+            let weights = [-25.0, 48.0, -36.0, 16.0, -3.0].iter();
+            let sum: f64 = values.iter().zip(weights).map(|(values, weight)| values[place] * weight).sum();
+            let (expected, scale) = (sum / (12.0 * h), values[0][0] / 100.0);
+            let is_near = (dual.eps - expected).abs() <= 1e-8 * scale;
+            assert!(is_near, "{name}, {time} s, {place}: {dual} instead of {expected}");
+        }
+    }
+    Ok(())
+}
+
+fn check<P: GapProfile<Dual64> + GapProfile<f64>>(profile: &P) -> Result<(), Failure> {
+    for (name, history) in histories() {
+        let dual = |time| pressures(profile, history.chi, history.load(Dual64::from(0.0).derivative()), time);
+        compare(name, &history, dual, |more, time| {
+            pressures(profile, history.chi, history.load(more), time)
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn slopes_are_right_where_a_load_is_held_or_falls_as_fast_as_it_may() -> Result<(), Failure> {
+    check(&Patellofemoral)?;
+    check(&Blunt)
+}
+
+/// A load of a user's own that says nothing but its knots.
+struct Own<L> {
+    load: L,
+    is_linear: bool,
+}
+
+impl<T: Scalar, L: Load<T>> Load<T> for Own<L> {
+    fn force(&self, t: T) -> T {
+        self.load.force(t)
+    }
+
+    fn impulse(&self, t: T) -> T {
+        self.load.impulse(t)
+    }
+
+    fn force_before(&self, t: T) -> T {
+        self.load.force_before(t)
+    }
+
+    fn next_knot(&self, t: T) -> Option<T> {
+        self.load.next_knot(t)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        self.is_linear
+    }
+}
+
+#[test]
+fn slopes_under_loads_of_a_users_own_are_those_under_knots() -> Result<(), Failure> {
+    for (name, history) in histories() {
+        for is_linear in [true, false] {
+            let dual = |time| {
+                let load = history.load(Dual64::from(0.0).derivative());
+                pressures(Patellofemoral, history.chi, Own { load, is_linear }, time)
+            };
+            let plain = |more, time| {
+                let load: Knots = history.load(more);
+                pressures(Patellofemoral, history.chi, load, time)
+            };
+            compare(name, &history, dual, plain)?;
+        }
+    }
+    Ok(())
+}
+
+/// P = (m C/16) (a² − r²)² of a paraboloid from which nothing drains, with a⁶ in the proportion of F.
+#[test]
+fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure> {
+    let gap = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
+    let load = PiecewiseLinear::new([(0.0, 100.0), (200.0, 100.0)].map(|(time, force)| {
+        (Dual64::from(time), if time > 0.0 { Dual64::from(force).derivative() } else { Dual64::from(force) })
+    }))?;
+    let contact = Contact::new(gap, Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0))?, &load)?;
+    let a = contact.at(Dual64::from(200.0))?.radius().re;
+    for found in pressures(gap, 0.0, &load, 200.0)?.chunks(RADII.len()) {
+        for (found, r) in found.iter().zip(RADII) {
+            let expected = 0.375 * 0.025 / 4.0 * (a * a - r * r) * a * a / 600.0;
+            assert!((found.eps - expected).abs() <= 1e-14 * a, "{r}: {found} instead of {expected}");
+        }
+    }
+    Ok(())
+}
+
+/// What a step of no height lays is laid at once, but with a derivative it is not laid at one radius.
+#[test]
+fn second_derivatives_with_respect_to_a_step_are_those_of_differences() -> Result<(), Failure> {
+    let (_, history) = histories().swap_remove(3);
+    for &time in &history.times[1..] {
+        let at = |steps: f64| pressures(Patellofemoral, CHI, history.load(0.02 * steps), time);
+        let values = [at(0.0)?, at(1.0)?, at(2.0)?, at(3.0)?, at(4.0)?, at(5.0)?];
+        let load = history.load(Dual2_64::from(0.0).derivative());
+        for (place, dual) in pressures(Patellofemoral, CHI, load, time)?.into_iter().enumerate() {
+            let weights = [45.0, -154.0, 214.0, -156.0, 61.0, -10.0].iter();
+            let sum: f64 = values.iter().zip(weights).map(|(values, weight)| values[place] * weight).sum();
+            let (expected, scale) = (sum / (12.0 * 0.02 * 0.02), values[0][0] / 1e4);
+            assert!((dual.v2 - expected).abs() <= 1e-4 * scale, "{time}, {place}: {dual}, {expected}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn slopes_in_single_precision_are_those_in_double() -> Result<(), Failure> {
+    for (name, history) in histories() {
+        for &time in history.times {
+            let of = |load| pressures(Patellofemoral, history.chi, load, time);
+            let double = of(history.load(Dual64::from(0.0).derivative()))?;
+            let load = history.load(Dual32::from(0.0).derivative());
+            let single = pressures(Patellofemoral, history.chi, load, time)?;
+            for (single, expected) in single.into_iter().zip(double) {
+                let error = (f64::from(single.eps) - expected.eps).abs() / (expected.re / 100.0 + 1e-3);
+                assert!(error < 1e-3, "{name}, {time} s: {single} instead of {expected}");
+            }
+        }
+    }
+    Ok(())
+}
