@@ -49,6 +49,64 @@ fn rounded_falls_as_fast_as_the_memory_are_none_too_fast() {
     }
 }
 
+/// A line from one force to another and back, as a user may write it: what is left at its end is rounded like the first.
+struct Dip {
+    first: f64,
+    last: f64,
+    duration: f64,
+}
+
+impl Dip {
+    fn force_on_the_way(&self, t: f64) -> f64 {
+        self.first + (self.last - self.first) * (t / self.duration)
+    }
+}
+
+impl Load<f64> for Dip {
+    fn force(&self, t: f64) -> f64 {
+        if t < self.duration { self.force_on_the_way(t) } else { self.first }
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        let fallen = t.min(self.duration);
+        let held = (t - self.duration).max(0.0);
+        0.5 * (self.first + self.force_on_the_way(fallen)) * fallen + self.first * held
+    }
+
+    fn force_before(&self, t: f64) -> f64 {
+        if t <= self.duration { self.force_on_the_way(t) } else { self.first }
+    }
+
+    fn next_knot(&self, t: f64) -> Option<f64> {
+        (t < self.duration).then_some(self.duration)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn long_falls_as_fast_as_the_memory_are_none_too_fast() {
+    for folds in [30.0, 100.0, 1e4, 1e8] {
+        let duration = folds / CHI;
+        for k in 0..1000 {
+            let first = 50.0 + f64::from(k) * 0.37;
+            let dip = |last| Dip { first, last, duration };
+            let least = first / (1.0 + folds);
+            assert_eq!(dip(least).recession(CHI, 2.0 * duration), None, "{first} in {folds}");
+            let load = through(&[(0.0, first), (duration, least), (duration, first)]);
+            assert_eq!(load.recession(CHI, 2.0 * duration), None, "{first} in {folds}");
+            // Less by more than the first force is rounded.
+            let less = least - 32.0 * f64::EPSILON * first;
+            let load = through(&[(0.0, first), (duration, less), (duration, first)]);
+            for since in [dip(less).recession(CHI, 2.0 * duration), load.recession(CHI, 2.0 * duration)] {
+                assert!(since.is_some_and(|since| since > 0.9 * duration), "{first} in {folds}: {since:?}");
+            }
+        }
+    }
+}
+
 /// A load in single precision at 1 kHz, each force from the one before it and how many e-foldings they are apart.
 fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> PiecewiseLinear<f32, Vec<(f32, f32)>> {
     let mut knots = vec![(0.0_f32, 80.0_f32)];

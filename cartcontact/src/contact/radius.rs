@@ -126,26 +126,28 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             || loading.has_digits(self.medium.chi(), self.load_integral_of(loading.hereditary))
     }
 
-    /// The last time up to `t` at which the radius is still admissible, by bisection to the last bit; 0 if it never is.
+    /// The last time up to `t` at which the radius is still admissible, or where a jump of the load ends that; by
+    /// bisection to the last bit. 0 if it never is.
     fn time_of_leaving(&self, t: T) -> T {
-        let is_inside = |time| self.radius_under(self.loading(time).hereditary).is_ok();
+        let radius_at = |time| self.radius_under(self.loading(time).hereditary);
         let half = T::constant(0.5);
         let (mut inside, mut outside) = (T::zero(), t);
         // Halving towards a zero that is never admissible would only end after all exponents of the format.
-        if !is_inside(inside) {
+        let Ok(mut radius) = radius_at(inside) else {
             return inside;
-        }
+        };
         loop {
             let middle = inside + (outside - inside) * half;
             if !(inside < middle && middle < outside) {
-                return inside;
+                break;
             }
-            if is_inside(middle) {
-                inside = middle;
-            } else {
-                outside = middle;
+            match radius_at(middle) {
+                Ok(found) => (inside, radius) = (middle, found),
+                Err(_) => outside = middle,
             }
         }
+        let reaches_end = radius >= self.max_radius * (T::one() - T::default_epsilon().sqrt());
+        if reaches_end { inside } else { outside }
     }
 }
 

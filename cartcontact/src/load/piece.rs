@@ -85,20 +85,22 @@ impl<T: Scalar> Piece<T> {
 
     /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.
     pub(super) fn fall(&self) -> T {
-        self.fall_by(self.start.1 - self.end.1)
+        self.fall_forgiving(T::zero())
     }
 
-    /// The same, 0 if the load does not fall by more than rounding, 8 ε of it, which is what a fall as fast as e^(−χ t)
-    /// may be too fast by when its forces are rounded.
+    /// The same, if the force at the end may be less by rounding, 8 ε of the first one, which is what a fall as fast as
+    /// e^(−χ t) may be too fast by when its forces are rounded: a long one leaves so little that this is more than its
+    /// own rounding.
     pub(super) fn fall_beyond_rounding(&self) -> T {
-        let (first, last) = (self.start.1, self.end.1);
-        self.fall_by((first - last) - first * T::default_epsilon() * T::constant(8.0))
+        self.fall_forgiving(self.start.1 * T::default_epsilon() * T::constant(8.0))
     }
 
-    fn fall_by(&self, drop: T) -> T {
+    fn fall_forgiving(&self, rounding: T) -> T {
+        let (first, last) = (self.start.1, self.end.1);
+        let drop = (first - last) - rounding;
         // A drop is a share of the force that the format holds, so that nothing leaves it but the result.
         if drop > T::zero() {
-            (drop / self.end.1 / self.duration()).max(smallest_normal())
+            (drop / (last + rounding) / self.duration()).max(smallest_normal())
         } else {
             T::zero()
         }

@@ -6,7 +6,7 @@ mod media;
 
 use core::fmt::{Debug, Display};
 
-use cartcontact::load::Constant;
+use cartcontact::load::{Constant, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, ProfileError, RadiusError};
 use tests::profiles::{Oblate, Paraboloid, cases};
 
@@ -111,6 +111,29 @@ fn a_contact_that_leaves_its_range_says_when() {
     assert_eq!(max_radius, 8.0);
     assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-12));
     refused(contact.at(1e5), |e| matches!(e, ContactError::BeyondRange { .. }), "radius reaches 8");
+}
+
+#[test]
+fn a_contact_that_jumps_out_of_its_range_leaves_it_at_the_jump() -> Result<(), ContactError> {
+    for jump in [0.1, 5.0, 300.0] {
+        let load = PiecewiseLinear::new([(0.0, 50.0), (jump, 50.0), (jump, 500.0)])?;
+        let contact = Contact::new(Oblate, *paraboloid().medium(), load)?;
+        for time in [jump, 2.0 * jump] {
+            let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(time) else {
+                unreachable!("the range is not left");
+            };
+            assert_eq!(leaves_at, jump);
+        }
+    }
+    // A ramp ends it on its way, however steep it is.
+    let load = PiecewiseLinear::new([(0.0, 50.0), (5.0, 50.0), (5.001, 500.0)])?;
+    let contact = Contact::new(Oblate, *paraboloid().medium(), load)?;
+    let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(6.0) else {
+        unreachable!("the range is not left");
+    };
+    assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-9));
+    assert!(contact.at(leaves_at.next_up()).is_err());
+    Ok(())
 }
 
 #[test]
