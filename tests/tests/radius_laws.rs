@@ -5,7 +5,7 @@ use cartcontact::{Contact, GapProfile, Medium, Polynomial, RadiusError, Scalar, 
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::degree;
-use tests::measure::relative_error;
+use tests::measure::{relative_error, ulps};
 use tests::profiles::{case, cases};
 use tests::radii::assert_same_one_by_one;
 use tests::random::{self, magnitude, positive_sums};
@@ -92,6 +92,20 @@ fn radii_are_not_wrong_where_the_slope_overflows() {
                 assert!(refused || is_recovered(profile, load_integral), "{case:?}, {load_integral:e}");
             }
         }
+    }
+}
+
+#[gap_profile(1e15 * r + 1e-15 * r^64)]
+struct Steep;
+
+/// The search ends with an interval of ε, which J, off by an ε times half its degree, places within another half.
+#[test]
+fn radii_are_halved_to_where_the_slope_overflows() {
+    for load_integral in [5.281_584_5e36, 2.355_637_6e37, 6.120_69e37, 9.029_46e37_f32] {
+        let (single, double) = (Steep.radius(load_integral), Steep.radius(f64::from(load_integral)));
+        let (single, double) = (single.map_or(f64::NAN, f64::from), double.unwrap_or(f64::NAN));
+        let error = ulps(single, double.into(), f64::from(f32::EPSILON));
+        assert!(error <= 4.0, "{load_integral:e}: {error} ulp");
     }
 }
 
