@@ -192,7 +192,7 @@ fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure>
     }))?;
     let contact = Contact::new(gap, Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0))?, &load)?;
     let a = contact.at(Dual64::from(200.0))?.radius().re;
-    for found in pressures(gap, 0.0, &load, 200.0)?.chunks(RADII.len()) {
+    for found in pressures(gap, 0.0, load, 200.0)?.chunks(RADII.len()) {
         for (found, r) in found.iter().zip(RADII) {
             let expected = 0.375 * 0.025 / 4.0 * (a * a - r * r) * a * a / 600.0;
             assert!((found.eps - expected).abs() <= 1e-14 * a, "{r}: {found} instead of {expected}");
