@@ -63,7 +63,7 @@ impl<T: Scalar> ForceSeries<T> {
     fn through_forces<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
         let duration = end - start;
         let forces = core::array::from_fn(|place| {
-            let before_end = duration * (T::one() - T::constant(cosine(place))) * T::constant(0.5);
+            let before_end = duration * (T::one() - cosine(place)) * T::constant(0.5);
             // Not a little before it, where the load may be another: the duration is rounded.
             let time = if place == Self::START { start } else { end - before_end };
             if time < end { load.force(time) } else { load.force_before(end) }
@@ -184,7 +184,7 @@ impl<T: Scalar> ForceSeries<T> {
     pub(crate) fn growth_since_nodes(&self) -> Coefficients<T> {
         let mean = mean_to_the_end(&self.variation[..self.length]);
         core::array::from_fn(|node| {
-            let x = T::constant(cosine(node));
+            let x = cosine(node);
             let since = self.folds * (T::one() - x) * T::constant(0.5);
             (self.last() - self.forces[node]) + since * (self.last() + sum_at(&mean[..self.length], x))
         })
@@ -215,7 +215,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// The time of a node, if the step ends at `end`.
     pub(crate) fn time(&self, node: usize, end: T) -> T {
-        self.time_at(T::constant(cosine(node)), end)
+        self.time_at(cosine(node), end)
     }
 
     fn time_at(&self, x: T, end: T) -> T {
@@ -225,7 +225,7 @@ impl<T: Scalar> ForceSeries<T> {
     /// When the hereditary load turns, next to the node at which it is highest of all.
     pub(crate) fn time_of_turn(&self, highest: usize, end: T) -> T {
         let half = T::constant(0.5);
-        let position = |node: usize| T::constant(cosine(node));
+        let position = |node: usize| cosine(node);
         let (mut rising, mut falling) =
             (position((highest + 1).min(DEGREE)), position(highest.saturating_sub(1)));
         // The nodes are less than half apart: down to the spacing of numbers.
