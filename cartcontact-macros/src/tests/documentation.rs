@@ -1,0 +1,37 @@
+//! Formulas in the documentation of an item, as people read them.
+
+use quote::quote;
+
+use crate::expand;
+
+/// The documentation of a gap of fields.
+fn documented(attribute: &str) -> String {
+    let item = quote!(
+        struct Knee {
+            a: f64,
+            x: f64,
+            K: f64,
+        }
+    );
+    expand(attribute.parse().unwrap(), item).to_string()
+}
+
+#[test]
+fn variables_are_told_from_fields() {
+    let text = documented("a * r^2 + x * r^2.5");
+    for formula in [
+        "Φ(r)   = a r² + x r^2.5",
+        "δ₀(ρ)  = (a/2) ρ² + (4·x/9) ρ^2.5",
+        "L(ξ)   = (a/16) ξ⁴ + (4·x/81) ξ^4.5",
+        "κ(2, r/ρ) + (2·x/81) ρ^4.5 κ(2.5, r/ρ), κ(n,q)",
+        "the ρ with (π m/4) J(ρ)",
+    ] {
+        assert!(text.contains(formula), "no {formula} in {text}");
+    }
+}
+
+#[test]
+fn signs_and_fractions_are_those_of_the_formula() {
+    let text = documented("a * r - x * r^4 + 1/1296 * K^4 * r^18");
+    assert!(text.contains("Φ(r)   = a r − x r⁴ + ((1/1296)·K^4) r¹⁸"), "{text}");
+}
