@@ -27,15 +27,6 @@ const _: () = {
             loop {}
         }
     }
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
-    impl<S> Ball<S> {
-        #[doc(hidden)]
-        pub const MAX_RADIUS: ::core::primitive::f64 = __FAULTS
-            as ::core::primitive::f64;
-        #[doc(hidden)]
-        pub const TRUNCATION_ERROR: ::core::primitive::f64 = __FAULTS
-            as ::core::primitive::f64;
-    }
     #[automatically_derived]
     impl<S> __cartcontact::GapProfile<S> for Ball<S>
     where

@@ -8,11 +8,9 @@ use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
 use super::{Names, bounded_generics, local};
-use crate::gap::expansion::Truncation;
 use crate::gap::range::Range;
 use crate::geometry::Geometry;
 use crate::number::literal;
-use crate::proof::Proof;
 use crate::reading::generics::Generics;
 use crate::reading::item::Item;
 
@@ -22,15 +20,11 @@ pub(super) fn block(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    let bounds = bounds(geometry);
     if geometry.gap.is_constant() {
-        let terms = constant_terms(geometry);
-        return implementation(item, &item.generics, &quote!(#terms #bounds));
+        return implementation(item, &item.generics, &constants(geometry));
     }
     let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
-    let terms = of_fields(item, names, &geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]));
-    let bounds = (!bounds.is_empty()).then(|| implementation(item, &item.generics, &bounds));
-    quote!(#terms #bounds)
+    of_fields(item, names, &geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
 }
 
 /// What stands in for them where the profile is faulty: of a gap that depends on fields if those that it names are
@@ -41,22 +35,18 @@ pub(super) fn block(
 pub(super) fn stub(item: &Item, errors: &TokenStream, names: &Names) -> TokenStream {
     let faults = local("FAULTS");
     let constant = quote!(const #faults: ::core::primitive::usize = { #errors };);
+    if item.fields.iter().any(|field| field.used) {
+        let terms = of_fields(item, names, &faults, &quote!(loop {}));
+        return quote!(#constant #terms);
+    }
     let number = quote!(::core::primitive::f64);
-    let bounds = quote! {
+    let constants = quote! {
+        #[doc(hidden)]
+        pub const TERMS: [(#number, #number); #faults] = [(0.0, 0.0); #faults];
         #[doc(hidden)]
         pub const MAX_RADIUS: #number = #faults as #number;
         #[doc(hidden)]
         pub const TRUNCATION_ERROR: #number = #faults as #number;
-    };
-    if item.fields.iter().any(|field| field.used) {
-        let terms = of_fields(item, names, &faults, &quote!(loop {}));
-        let bounds = implementation(item, &item.generics, &bounds);
-        return quote!(#constant #terms #bounds);
-    }
-    let constants = quote! {
-        #[doc(hidden)]
-        pub const TERMS: [(#number, #number); #faults] = [(0.0, 0.0); #faults];
-        #bounds
     };
     let constants = implementation(item, &item.generics, &constants);
     quote!(#constant #constants)
@@ -71,7 +61,7 @@ fn implementation(item: &Item, generics: &Generics, content: &TokenStream) -> To
     }
 }
 
-fn constant_terms(geometry: &Geometry) -> TokenStream {
+fn constants(geometry: &Geometry) -> TokenStream {
     let number = quote!(::core::primitive::f64);
     let terms = &geometry.gap.terms;
     let count = terms.len();
@@ -79,20 +69,7 @@ fn constant_terms(geometry: &Geometry) -> TokenStream {
         let (coefficient, exponent) = (literal(&term.coefficient.as_constant()?), literal(&term.exponent));
         Some(quote!((#coefficient, #exponent)))
     });
-    quote! {
-        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
-        pub const TERMS: [(#number, #number); #count] = [#(#pairs),*];
-    }
-}
-
-/// The end of the range, if it is proved whatever values the fields have, and how much the gap differs up to there.
-fn bounds(geometry: &Geometry) -> TokenStream {
-    let number = quote!(::core::primitive::f64);
-    let of_fields = |truncation: &Truncation| !truncation.unchecked.is_empty();
-    let is_of_fields =
-        geometry.proof == Proof::AtRunTime || geometry.truncation.as_ref().is_some_and(of_fields);
     let max_radius = match &geometry.range {
-        _ if is_of_fields => None,
         Range::Limited(end) => Some(literal(end).into_token_stream()),
         Range::Unbounded => Some(quote!(#number::INFINITY)),
         Range::Symbolic(_) => None,
@@ -110,7 +87,12 @@ fn bounds(geometry: &Geometry) -> TokenStream {
             pub const TRUNCATION_ERROR: #number = #error;
         }
     });
-    quote!(#max_radius #error)
+    quote! {
+        /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
+        pub const TERMS: [(#number, #number); #count] = [#(#pairs),*];
+        #max_radius
+        #error
+    }
 }
 
 /// The method `terms`, over the scalar type of the fields, or over any if they have none.
