@@ -4,6 +4,7 @@ use core::cell::Cell;
 use core::f64::consts::PI;
 use core::ops::Range;
 
+use cartcontact::Scalar;
 use cartcontact::load::{Load, PiecewiseLinear};
 
 /// A load given by its knots.
@@ -120,25 +121,41 @@ impl Swing {
     }
 }
 
-/// A load that tells its knots, but not that it is straight between them.
+/// A load that tells its knots and whether it is straight between them, and leaves all else to the provided methods.
 #[derive(Clone, Copy, Debug)]
-pub struct Announced<L>(pub L);
+pub struct Announced<L> {
+    /// The load.
+    pub load: L,
+    /// What it says of itself.
+    pub is_linear: bool,
+}
 
-impl<L: Load<f64>> Load<f64> for Announced<L> {
-    fn force(&self, t: f64) -> f64 {
-        self.0.force(t)
+impl<L> Announced<L> {
+    /// One that does not say that it is straight.
+    pub fn curved(load: L) -> Self {
+        Self { load, is_linear: false }
+    }
+}
+
+impl<T: Scalar, L: Load<T>> Load<T> for Announced<L> {
+    fn force(&self, t: T) -> T {
+        self.load.force(t)
     }
 
-    fn impulse(&self, t: f64) -> f64 {
-        self.0.impulse(t)
+    fn impulse(&self, t: T) -> T {
+        self.load.impulse(t)
     }
 
-    fn force_before(&self, t: f64) -> f64 {
-        self.0.force_before(t)
+    fn force_before(&self, t: T) -> T {
+        self.load.force_before(t)
     }
 
-    fn next_knot(&self, t: f64) -> Option<f64> {
-        self.0.next_knot(t)
+    fn next_knot(&self, t: T) -> Option<T> {
+        self.load.next_knot(t)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        self.is_linear
     }
 }
 

@@ -3,17 +3,14 @@
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
-use tests::loads::Knots;
+use tests::loads::{Announced, Knots};
+use tests::profiles::Patellofemoral;
 
 type Failure = Box<dyn core::error::Error>;
 
 /// A geometry with a power that is not whole.
 #[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
 struct Blunt;
-
-/// One of whole powers.
-#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
-struct Patellofemoral;
 
 const CHI: f64 = 0.0015;
 
@@ -137,41 +134,13 @@ fn slopes_are_right_where_a_load_is_held_or_falls_as_fast_as_it_may() -> Result<
     check(&Blunt)
 }
 
-/// A load of a user's own that says nothing but its knots.
-struct Own<L> {
-    load: L,
-    is_linear: bool,
-}
-
-impl<T: Scalar, L: Load<T>> Load<T> for Own<L> {
-    fn force(&self, t: T) -> T {
-        self.load.force(t)
-    }
-
-    fn impulse(&self, t: T) -> T {
-        self.load.impulse(t)
-    }
-
-    fn force_before(&self, t: T) -> T {
-        self.load.force_before(t)
-    }
-
-    fn next_knot(&self, t: T) -> Option<T> {
-        self.load.next_knot(t)
-    }
-
-    fn is_linear_between_knots(&self) -> bool {
-        self.is_linear
-    }
-}
-
 #[test]
 fn slopes_under_loads_of_a_users_own_are_those_under_knots() -> Result<(), Failure> {
     for (name, history) in histories() {
         for is_linear in [true, false] {
             let dual = |time| {
                 let load = history.load(Dual64::from(0.0).derivative());
-                pressures(Patellofemoral, history.chi, Own { load, is_linear }, time)
+                pressures(Patellofemoral, history.chi, Announced { load, is_linear }, time)
             };
             let plain = |more, time| {
                 let load: Knots = history.load(more);

@@ -110,7 +110,7 @@ fn short_ramps_end_at_their_knots() -> Result<(), ContactError> {
             let load = through(&[(0.0, 50.0), (start, 50.0), (start + duration, 100.0)]);
             for t in [35.1, 100.3, 550.1] {
                 let straight = contact(cases()[0], &load, 5.0, t)?;
-                let curved = contact(cases()[0], Announced(&load), 5.0, t)?;
+                let curved = contact(cases()[0], Announced::curved(&load), 5.0, t)?;
                 let (straight, curved) = (straight.at(t)?, curved.at(t)?);
                 for r in [0.0, 2.0, 4.0, 4.95] {
                     let edge = edge(straight.radius(), r);

@@ -21,7 +21,7 @@ fn straight_loads_are_judged_as_they_judge_themselves() {
     ];
     for load in &histories {
         for t in [1.0, 5.0, 12.45, 20.0, 66.0, 99.0, 1e4] {
-            let (own, found) = (load.recession(CHI, t), Announced(load).recession(CHI, t));
+            let (own, found) = (load.recession(CHI, t), Announced::curved(load).recession(CHI, t));
             assert_eq!(own.is_some(), found.is_some(), "{load:?}, {t}: {own:?}, {found:?}");
             assert!(
                 own.zip(found).is_none_or(|(own, found)| (own - found).abs() < 1e-5),
