@@ -152,20 +152,32 @@ struct Field<L> {
     values: Vec<f64>,
 }
 
-/// 100 times and 100 radii, some of them outside the contact.
-fn empty<L>(contact: Contact<f64, Patellofemoral, L>) -> Field<L> {
+/// 100 times and 100 radii in some order, some of them outside the contact.
+fn empty<L>(contact: Contact<f64, Patellofemoral, L>, put_in_order: fn(&mut [f64])) -> Field<L> {
     let steps = |end: f64| (0..100).map(|k| end * f64::from(k) / 99.0).collect();
-    Field { contact, times: steps(400.0), radii: steps(9.0), values: vec![0.0; 10_000] }
+    let (times, mut radii): (_, Vec<f64>) = (steps(400.0), steps(9.0));
+    put_in_order(&mut radii);
+    Field { contact, times, radii, values: vec![0.0; 10_000] }
+}
+
+fn ascending(_: &mut [f64]) {}
+
+fn shuffled(radii: &mut [f64]) {
+    let count = radii.len();
+    (0..count).for_each(|k| radii.swap(k, 37 * k % count));
 }
 
 /// On the axis there is a pressure at all times.
 fn assert_filled<L>(field: Field<L>) {
-    assert!(field.values.iter().step_by(field.radii.len()).all(|&pressure| pressure > 0.0), "{NO_RESULT}");
+    let mut rows = field.values.chunks(field.radii.len());
+    assert!(rows.all(|row| row.iter().any(|&pressure| pressure > 0.0)), "{NO_RESULT}");
 }
 
 #[library_benchmark(setup = empty, teardown = assert_filled)]
-#[bench::constant_load(contact(Patellofemoral))]
-#[bench::hundred_knots(scenes::hundred_knots(RATE))]
+#[bench::constant_load(contact(Patellofemoral), ascending)]
+#[bench::hundred_knots(scenes::hundred_knots(RATE), ascending)]
+#[bench::descending_radii(contact(Patellofemoral), <[f64]>::reverse)]
+#[bench::shuffled_radii(contact(Patellofemoral), shuffled)]
 fn field<L: Load<f64>>(mut field: Field<L>) -> Field<L> {
     // Looked at behind the measurement.
     let _ = field.contact.pressure_field(&field.times, &field.radii, &mut field.values);

@@ -1,9 +1,8 @@
 //! Some rows that are taken from the same row before them.
 
-use core::ops::Range;
-
 use super::panel::Panel;
-use super::sweep::{Change, Changes, take_rows_from};
+use super::runs::{Run, Runs};
+use super::sweep::{Change, Changes, TILE, take_rows_from};
 use super::{BLOCK, is_long};
 use crate::Scalar;
 use crate::contact::{Contact, ContactError};
@@ -124,37 +123,55 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         }
     }
 
-    /// Fills the rows of `values`, whose first row is the base, in ranges of ascending `radii`.
+    /// Fills the rows of `values`, whose first row is the base.
     pub(super) fn fill(
         &self,
         contact: &Contact<T, P, L>,
-        radii: &[T],
-        runs: impl Iterator<Item = Range<usize>>,
+        runs: &Runs<'_, T>,
+        squares: &mut [T; TILE],
         values: &mut [T],
     ) {
-        let width = radii.len();
-        for run in runs {
-            let in_base = run.start + radii[run.clone()].partition_point(|&r| r < self.base.radius);
-            let (base, rows) = values.split_at_mut(width);
-            take_rows_from(
-                base,
-                radii,
-                run.start..in_base,
-                &self.since_base,
-                &mut rows[..self.count * width],
-            );
-            let mut covered = in_base;
-            for index in 0..self.count {
-                let (before, row) = values[index * width..][..2 * width].split_at_mut(width);
-                let (before, row) = (&before[in_base..covered], &mut row[in_base..run.end]);
-                self.since_previous.get(index).apply_to_row(before, &radii[in_base..covered], row);
-                let radius = self.radii[index];
-                while covered < run.end && radii[covered] < radius {
-                    row[covered - in_base] = self.first_pressure(contact, index, radii[covered]);
-                    covered += 1;
-                }
-                row[covered - in_base..].fill(T::zero());
+        let width = runs.radii.len();
+        let (base, rows) = values.split_at_mut(width);
+        // All at once, for short runs leave no room for vectors; what it gives beyond the base means nothing and is
+        // replaced by the next.
+        let covered = runs.span_inside(self.base.radius);
+        take_rows_from(base, runs.radii, covered, &self.since_base, squares, &mut rows[..self.count * width]);
+        // Not the last one, as roundings may let it fall behind.
+        let widest = self.radii[..self.count]
+            .iter()
+            .fold(self.base.radius, |widest, &a| if a > widest { a } else { widest });
+        for run in runs.iter() {
+            let covered = run.count_inside(runs.radii, self.base.radius);
+            if covered == run.len() {
+                continue;
             }
+            let beyond = run.split(covered).1;
+            if runs.radii[beyond.column(0)] < widest {
+                self.fill_beyond(contact, runs.radii, &beyond, values);
+            } else {
+                let rows = values[width..].chunks_mut(width).take(self.count);
+                rows.for_each(|row| row[beyond.columns()].fill(T::zero()));
+            }
+        }
+    }
+
+    /// Fills the columns of a run that lies beyond the base.
+    fn fill_beyond(&self, contact: &Contact<T, P, L>, radii: &[T], run: &Run, values: &mut [T]) {
+        let width = radii.len();
+        let mut covered = 0;
+        for index in 0..self.count {
+            let (before, row) = values[index * width..][..2 * width].split_at_mut(width);
+            let columns = run.split(covered).0.columns();
+            let (before, radii_before) = (&before[columns.clone()], &radii[columns.clone()]);
+            self.since_previous.get(index).apply_to_row(before, radii_before, &mut row[columns]);
+            let radius = self.radii[index];
+            while covered < run.len() && radii[run.column(covered)] < radius {
+                let column = run.column(covered);
+                row[column] = self.first_pressure(contact, index, radii[column]);
+                covered += 1;
+            }
+            row[run.split(covered).1.columns()].fill(T::zero());
         }
     }
 

@@ -27,6 +27,7 @@ use crate::scalar::is_size;
 use crate::snapshot::Snapshot;
 use block::{Block, Edge};
 use runs::Runs;
+use sweep::TILE;
 
 /// The most rows in a block: many enough to share the cost of a panel, few enough for the stack of a small
 /// processor.
@@ -81,7 +82,7 @@ where
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
     let mut block = Block::after(Edge { time: first.time(), radius: first.radius() });
-    let mut done = 1;
+    let (mut squares, mut done) = ([T::zero(); TILE], 1);
     while done < times.len() {
         if let Some(now) = anew(contact, block.last().time, times[done])? {
             now.pressures(radii, &mut values[done * width..][..width]);
@@ -90,7 +91,7 @@ where
             continue;
         }
         block.advance(contact, &times[done..])?;
-        block.fill(contact, radii, runs.iter(), &mut values[(done - 1) * width..]);
+        block.fill(contact, &runs, &mut squares, &mut values[(done - 1) * width..]);
         done += block.len();
     }
     Ok(())

@@ -12,7 +12,7 @@ use crate::dispatch::wide;
 use crate::memory::{Transition, not_negative};
 
 /// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache.
-const TILE: usize = 1024;
+pub(super) const TILE: usize = 1024;
 
 /// How pressures change at all radii that were covered before:
 /// P ← kept · P + (gain · P + (on_axis − slope r²)).
@@ -119,17 +119,19 @@ impl<T: Scalar> Changes<T> {
 }
 
 /// Takes some columns of all `rows`, each as wide as `base`, from the row `base`.
+///
+/// `squares` are room for those of the radii, once for all blocks: to set them up takes as long as some rows.
 pub(super) fn take_rows_from<T: Scalar>(
     base: &[T],
     radii: &[T],
     columns: Range<usize>,
     changes: &Changes<T>,
+    squares: &mut [T; TILE],
     rows: &mut [T],
 ) {
     wide(
         #[inline(always)]
         || {
-            let mut squares = [T::zero(); TILE];
             for start in columns.clone().step_by(TILE) {
                 let tile = start..columns.end.min(start + TILE);
                 let squares = &mut squares[..tile.len()];
@@ -195,7 +197,7 @@ mod tests {
                 changes.set(row, Change { kept, gain: -x, on_axis: x + x, slope: x * x });
             }
             let mut rows = vec![T::zero(); count * width];
-            take_rows_from(&base, &radii, 3..width - 2, &changes, &mut rows);
+            take_rows_from(&base, &radii, 3..width - 2, &changes, &mut [T::zero(); TILE], &mut rows);
             for (row, values) in rows.chunks(width).enumerate() {
                 let mut expected = vec![T::zero(); width];
                 let columns = 3..width - 2;
