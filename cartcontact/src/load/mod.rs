@@ -29,9 +29,10 @@ pub(crate) use shortest::Shortest;
 /// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip or
 /// must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the contact
 /// recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not report are
-/// found too, about fifty between two times, at the cost of thousands of calls of [`force`](Self::force) each; with more of
-/// them pressures are off by up to 1e-7. A load that oscillates is followed wave by wave: a pressure takes some 40 forces for
-/// each wave of the last forty e-foldings, however small its waves are.
+/// found too, at the cost of thousands of calls of [`force`](Self::force) each: about fifty between two times to full accuracy,
+/// some five hundred kinks to 1e-12. With more of them pressures are off, by 1e-7 with a thousand and by up to some 1e-3
+/// with several thousand: sampled data need `next_knot`, or [`PiecewiseLinear`]. A load that oscillates is followed wave
+/// by wave: a pressure takes some 40 forces for each wave of the last forty e-foldings, however small its waves are.
 ///
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
 /// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through the
@@ -140,13 +141,14 @@ pub trait Load<T: Scalar> {
     }
 
     /// The first time after `t`, in s, at which the load jumps or has a kink; none if there is no such time. A load that
-    /// jumps provides [`force_before`](Self::force_before), too.
+    /// jumps provides [`force_before`](Self::force_before), too, and one of thousands of knots says if it is
+    /// [linear between them](Self::is_linear_between_knots).
     fn next_knot(&self, _t: T) -> Option<T> {
         None
     }
 
     /// Whether the force is linear in time between knots; memory integrals are then explicit, and nothing else is looked for
-    /// between them.
+    /// between them. With ten thousand knots one pressure takes less than 10 ms if so, and more than 60 ms otherwise.
     fn is_linear_between_knots(&self) -> bool {
         false
     }
