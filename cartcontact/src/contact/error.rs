@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::load::LoadError;
+use crate::medium::MediumError;
 use crate::profile::{ProfileError, RadiusError};
 use crate::shown::Shown;
 
@@ -14,6 +15,8 @@ pub enum ContactError {
     Profile(ProfileError),
     /// The load is not usable.
     Load(LoadError),
+    /// The layers make no medium. No contact reports it: a function that makes both has one type for its errors.
+    Medium(MediumError),
     /// A time is negative, infinite or not a number.
     InvalidTime {
         /// The time, in s.
@@ -85,6 +88,7 @@ impl fmt::Display for ContactError {
         match *self {
             Self::Profile(error) => error.fmt(f),
             Self::Load(error) => error.fmt(f),
+            Self::Medium(error) => error.fmt(f),
             Self::InvalidTime { time } => {
                 write!(
                     f,
@@ -156,5 +160,11 @@ impl From<ProfileError> for ContactError {
 impl From<LoadError> for ContactError {
     fn from(error: LoadError) -> Self {
         Self::Load(error)
+    }
+}
+
+impl From<MediumError> for ContactError {
+    fn from(error: MediumError) -> Self {
+        Self::Medium(error)
     }
 }

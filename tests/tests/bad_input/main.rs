@@ -6,8 +6,10 @@ mod media;
 
 use core::fmt::{Debug, Display};
 
-use cartcontact::load::{Constant, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, ProfileError, RadiusError};
+use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
+use cartcontact::{
+    Contact, ContactError, GapProfile, Layer, Medium, MediumError, ProfileError, RadiusError,
+};
 use tests::profiles::{Oblate, Paraboloid, cases};
 
 const NOT_A_SIZE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0];
@@ -151,7 +153,24 @@ fn a_contact_that_begins_beyond_its_range_says_so() {
 
 #[test]
 fn the_message_of_an_error_inside_is_said_once() {
-    let error = ContactError::from(ProfileError::Empty);
-    assert_eq!(error.to_string(), ProfileError::Empty.to_string());
-    assert!(core::error::Error::source(&error).is_none());
+    let no_medium = MediumError::Stiffness { m: 0.0 };
+    for (error, inside) in [
+        (ContactError::from(ProfileError::Empty), ProfileError::Empty.to_string()),
+        (ContactError::from(LoadError::Empty), LoadError::Empty.to_string()),
+        (ContactError::from(no_medium), no_medium.to_string()),
+    ] {
+        assert_eq!(error.to_string(), inside);
+        assert!(core::error::Error::source(&error).is_none());
+    }
+}
+
+#[test]
+fn a_function_of_layers_and_a_load_has_one_error() {
+    let radius = |layer| -> Result<f64, ContactError> {
+        let load = PiecewiseLinear::new([(0.0, 100.0)])?;
+        Ok(Contact::new(Paraboloid, Medium::against_rigid(layer)?, load)?.at(0.0)?.radius())
+    };
+    assert!(radius(layer()).is_ok());
+    let soft = Layer { shear_modulus: 0.0, ..layer() };
+    refused(radius(soft), |e| matches!(e, ContactError::Medium(_)), "shear modulus is 0");
 }
