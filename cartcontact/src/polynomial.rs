@@ -64,11 +64,13 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
         Self::on_range(terms, None)
     }
 
-    /// The profile Σ C r^n for contact radii up to `max_radius`, in mm.
+    /// The profile Σ C r^n for contact radii up to `max_radius`, in mm; infinity, which
+    /// [`max_radius`](GapProfile::max_radius) gives where there is no limit, is none here either.
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] as [`new`](Self::new), and if the geometry is not admissible up to `max_radius`.
+    /// [`ProfileError`] as [`new`](Self::new), if `max_radius` is not positive, and if the geometry is not admissible up
+    /// to it.
     ///
     /// # Examples
     ///
@@ -81,7 +83,8 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
     /// # Ok::<(), ProfileError>(())
     /// ```
     pub fn with_max_radius(terms: S, max_radius: T) -> Result<Self, ProfileError> {
-        Self::on_range(terms, Some(max_radius))
+        let is_infinite = max_radius > T::zero() && !max_radius.is_finite();
+        Self::on_range(terms, if is_infinite { None } else { Some(max_radius) })
     }
 
     fn on_range(terms: S, max_radius: Option<T>) -> Result<Self, ProfileError> {

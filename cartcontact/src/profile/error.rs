@@ -169,8 +169,8 @@ impl fmt::Display for ProfileError {
             ),
             Self::InvalidMaxRadius { max_radius, parameters } => write!(
                 f,
-                "{parameters}the largest contact radius is {}, but it must be a positive number; leave it out if there \
-                 is no limit",
+                "{parameters}the largest contact radius is {}, but it must be a positive number; if there is no limit, \
+                 use `Polynomial::new`, or leave `max_radius` out of the attribute",
                 Shown(max_radius)
             ),
             Self::NotOpening { exponent, coefficient, parameters } => write!(

@@ -34,12 +34,28 @@ fn coefficients_are_finite_and_exponents_positive() {
 fn geometries_must_open_and_stay_open() {
     refused(Polynomial::new([(-0.5, 2.0)]), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.5");
     let oblate = [(0.025, 2.0), (-1e-4, 4.0)];
-    for value in NOT_A_SIZE {
-        let result = Polynomial::with_max_radius(oblate, value);
-        refused(result, |e| matches!(e, ProfileError::InvalidMaxRadius { .. }), &value.to_string());
+    for value in NOT_A_SIZE.into_iter().filter(|&value| value != f64::INFINITY) {
+        for terms in [oblate, [(0.025, 2.0), (1e-4, 4.0)]] {
+            let is_limit = |e: &ProfileError| matches!(e, ProfileError::InvalidMaxRadius { .. });
+            refused(Polynomial::with_max_radius(terms, value), is_limit, &value.to_string());
+            refused(Polynomial::with_max_radius(terms, value), is_limit, "use `Polynomial::new`");
+        }
     }
     let result = Polynomial::with_max_radius(oblate, 14.5);
     refused(result, |e| matches!(e, ProfileError::NotAdmissible { .. }), "14.5");
+}
+
+/// Infinity is what an unlimited geometry says of itself.
+#[test]
+fn an_infinite_limit_is_none() -> Result<(), ProfileError> {
+    for terms in [[(0.025, 2.0), (1e-4, 4.0)], [(0.025, 2.0), (-1e-4, 4.0)]] {
+        let without = Polynomial::new(terms)?;
+        assert_eq!(Polynomial::with_max_radius(terms, f64::INFINITY)?.max_radius(), without.max_radius());
+    }
+    let unlimited = Polynomial::new([(0.025_f32, 2.0)])?;
+    let same = Polynomial::with_max_radius([(0.025_f32, 2.0)], unlimited.max_radius())?;
+    assert_eq!(same.max_radius(), f32::INFINITY);
+    Ok(())
 }
 
 #[test]
