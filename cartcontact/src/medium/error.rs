@@ -45,15 +45,15 @@ impl fmt::Display for MediumError {
         match *self {
             Self::Thickness { thickness } => write!(
                 f,
-                "the layer's thickness is {}, but it must be a positive number; for a bare rigid body use \
-                 `Medium::against_rigid` with the other layer",
-                Shown(thickness)
+                "the layer's thickness is {}, but it must be a positive number; {}",
+                Shown(thickness),
+                remedy_for_thickness(thickness)
             ),
             Self::ShearModulus { shear_modulus } => write!(
                 f,
-                "the layer's shear modulus is {}, but it must be a positive number; for a bare rigid body use \
-                 `Medium::against_rigid` with the other layer",
-                Shown(shear_modulus)
+                "the layer's shear modulus is {}, but it must be a positive number; {}",
+                Shown(shear_modulus),
+                remedy_for_shear_modulus(shear_modulus)
             ),
             Self::Permeability { permeability } => write!(
                 f,
@@ -80,6 +80,32 @@ impl fmt::Display for MediumError {
                 Shown(chi)
             ),
         }
+    }
+}
+
+// Also where the error is that of `Medium::against_rigid`.
+const BARE: &str = "if this body is bare, give `Medium::against_rigid` the layer of the other body alone";
+const NO_NUMBER: &str = "check what it is computed from";
+
+fn remedy_for_thickness(thickness: f64) -> &'static str {
+    if thickness == 0.0 {
+        BARE
+    } else if thickness < 0.0 {
+        "give the distance from the bone to the surface of the layer, without a sign"
+    } else if thickness.is_nan() {
+        NO_NUMBER
+    } else {
+        "layers are thin against the contact here; give a thickness of that size"
+    }
+}
+
+fn remedy_for_shear_modulus(shear_modulus: f64) -> &'static str {
+    if shear_modulus == f64::INFINITY {
+        BARE
+    } else if shear_modulus.is_nan() {
+        NO_NUMBER
+    } else {
+        "a layer that does not resist shear carries no load; check its value and unit, MPa"
     }
 }
 

@@ -29,6 +29,23 @@ fn layers_need_positive_sizes() {
     }
 }
 
+/// Of a rigid body there are two kinds of numbers, a layer of no thickness and one of infinite stiffness.
+#[test]
+fn only_the_numbers_of_a_bare_body_are_taken_for_one() {
+    let message = |layer: Layer<f64>| {
+        let refused = [Medium::between(layer, self::layer()), Medium::against_rigid(layer)];
+        let [between, against] = refused.map(|medium| medium.err().map(|error| error.to_string()));
+        assert_eq!(between, against);
+        between.unwrap_or_default()
+    };
+    for value in NOT_A_SIZE {
+        let thin = message(Layer { thickness: value, ..layer() });
+        assert_eq!(thin.contains("if this body is bare"), value == 0.0, "{thin}");
+        let soft = message(Layer { shear_modulus: value, ..layer() });
+        assert_eq!(soft.contains("if this body is bare"), value == f64::INFINITY, "{soft}");
+    }
+}
+
 #[test]
 fn permeabilities_may_be_zero_but_not_negative() {
     for value in NOT_AN_AMOUNT {
