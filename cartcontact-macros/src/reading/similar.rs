@@ -8,7 +8,7 @@ use crate::reading::{is_punct, literal};
 pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
     let is_one_of = |names: &[&str]| names.iter().any(|known| name == known);
     if is_one_of(&["pi", "PI", "Pi", "π"]) {
-        return Some("numbers are kept exact; write it as a decimal, as in `3.14159265358979`");
+        return Some("numbers are kept exact; write it as a decimal, as in `3.141592653589793`");
     }
     if is_one_of(&["flat", "plane"]) {
         return Some("a flat body is `0`, as in `lower = 0`");
