@@ -13,17 +13,19 @@ impl Parser<'_> {
         let are_named_so = given.iter().enumerate().all(|(index, value)| value.may_stand_at(index));
         let are_readable = are_named_so && given.iter().all(|value| self.is_expression(value.tokens));
         let (takes, remedy) = if surface == "sphere" {
-            let remedy = match given.as_slice() {
-                [radius, conic_constant] if are_readable && !is_decimal([radius, conic_constant]) => {
-                    format!("write `conic({}, {})`", radius.text, conic_constant.text)
+            let spheres = written("sphere", &readings(&given, 1));
+            let conics = match given.as_slice() {
+                [radius, constant] if may_be_apart([radius, constant]) => {
+                    written("conic", &[vec![radius.text.clone(), constant.text.clone()]])
                 }
-                given => one_of("sphere", readings(given, 1), are_readable, "sphere(20)"),
+                _ => Vec::new(),
             };
+            let remedy = one_of(&[spheres, conics].concat(), are_readable, "sphere(20)");
             ("`sphere` takes the radius of the sphere", remedy)
         } else if surface == "conic" {
             let remedy = match given.as_slice() {
                 [only] if are_named_so => with_constant(only, are_readable),
-                given => one_of("conic", readings(given, 2), are_readable, "conic(20, -0.5)"),
+                given => one_of(&written("conic", &readings(given, 2)), are_readable, "conic(20, -0.5)"),
             };
             ("`conic` takes the radius at the vertex and the conic constant", remedy)
         } else {
@@ -118,6 +120,13 @@ fn is_decimal([whole, decimals]: [&Value<'_>; 2]) -> bool {
     whole.is_whole && decimals.is_whole && !decimals.is_signed && decimals.follows_comma
 }
 
+/// Whether two values may be meant as a radius and a conic constant, which begins with a zero only if it is none.
+fn may_be_apart([radius, constant]: [&Value<'_>; 2]) -> bool {
+    let is_zero = |value: &Value<'_>| value.text.chars().all(|digit| digit == '0');
+    let are_numbers = !is_zero(radius) && (constant.text == "0" || !constant.text.starts_with('0'));
+    are_numbers || !is_decimal([radius, constant])
+}
+
 /// All ways to read some values as so many as are `wanted`.
 fn readings(values: &[Value<'_>], wanted: usize) -> Vec<Vec<String>> {
     let [first, rest @ ..] = values else {
@@ -141,9 +150,15 @@ fn readings(values: &[Value<'_>], wanted: usize) -> Vec<Vec<String>> {
     all
 }
 
+/// A surface with each of some arguments.
+fn written(surface: &str, arguments: &[Vec<String>]) -> Vec<String> {
+    arguments.iter().map(|arguments| format!("`{surface}({})`", arguments.join(", "))).collect()
+}
+
 /// The surface as it may be meant, or an example.
-fn one_of(surface: &str, readings: Vec<Vec<String>>, are_readable: bool, example: &str) -> String {
-    let written = readings.iter().map(|arguments| format!("`{surface}({})`", arguments.join(", ")));
-    let written: Vec<String> = written.filter(|_| are_readable).collect();
-    if written.is_empty() { format!("as in `{example}`") } else { format!("write {}", written.join(" or ")) }
+fn one_of(meant: &[String], are_readable: bool, example: &str) -> String {
+    match meant {
+        [_, ..] if are_readable => format!("write {}", meant.join(" or ")),
+        _ => format!("as in `{example}`"),
+    }
 }

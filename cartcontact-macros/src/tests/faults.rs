@@ -141,13 +141,26 @@ fn a_second_profile_is_one_fault() {
 }
 
 #[test]
+fn only_the_digits_of_a_number_are_offered_as_a_conic_constant() {
+    for (arguments, meant) in [
+        ("10, 0", "`sphere(10.0)` or `conic(10, 0)`"),
+        ("0,5", "`sphere(0.5)`"),
+        ("10,05", "`sphere(10.05)`"),
+        ("20,000", "`sphere(20000)` or `sphere(20.000)`"),
+    ] {
+        let messages = on_unit(&format!("sphere({arguments}), order = 4")).err().unwrap();
+        assert_eq!(messages, [format!("`sphere` takes the radius of the sphere; write {meant}")]);
+    }
+}
+
+#[test]
 fn each_fault_is_named() {
     for (text, rule) in [
         ("2r^2", "write `2 * r`"),
         ("2f64*r^2", "drop the suffix"),
         ("conic + r^2", "as in `conic(20, -0.5)`"),
         ("sphere(R = 10), order = 4", "write `sphere(10)`"),
-        ("sphere(10,5), order = 4", "write `sphere(10.5)`"),
+        ("sphere(10,5), order = 4", "write `sphere(10.5)` or `conic(10, 5)`"),
         ("sphere(10, -0.5), order = 4", "write `conic(10, -0.5)`"),
         ("sphere(), order = 4", "as in `sphere(20)`"),
         ("sphere(R == 10), order = 4", "write `sphere(10)`"),

@@ -345,7 +345,7 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(sphere(2)), order = 4", "must not depend on r"),
         ("conic(10, r), order = 4", "must not depend on r"),
         ("sphere(), order = 4", "as in `sphere(20)`"),
-        ("sphere(1, 2), order = 4", "write `sphere(1.2)`"),
+        ("sphere(1, 2), order = 4", "write `sphere(1.2)` or `conic(1, 2)`"),
         ("conic(1), order = 4", "write `conic(1, -0.5)`"),
         ("conic(, 1), order = 4", "something is missing here"),
         ("sphere(10), order = 4, max_radius = 10", "below r = 10"),
