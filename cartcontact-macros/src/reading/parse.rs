@@ -159,6 +159,9 @@ impl<'a> Parser<'a> {
         if is_case(name) {
             return self.case(name);
         }
+        if let Some(message) = self.reads_index(name) {
+            return self.fault(Extent::between(name.span().into(), self.previous), message);
+        }
         if let Some(last) = self.end_of_path() {
             if let Some(arguments) = self.arguments() {
                 return self.function(name.span(), &last, arguments);

@@ -1,7 +1,7 @@
 //! What people write, out of habit from other languages, in place of the grammar: reported, with what to write.
 
 use num_traits::One;
-use proc_macro2::{Ident, Literal, Spacing, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::{Rational, decimal, integer};
@@ -144,6 +144,22 @@ impl Parser<'_> {
              parentheses, `{base}^(1/{divisor})`"
         );
         Some((Extent::between(exponent.extent, divisor.span().into()), message))
+    }
+
+    /// Reads over the `[0]` of `a[0]`, whose name has been read; `c [mm]` has a unit.
+    pub(super) fn reads_index(&mut self, name: &Ident) -> Option<String> {
+        let [TokenTree::Group(brackets), ..] = self.rest else { return None };
+        if brackets.delimiter() != Delimiter::Bracket || name == "r" || self.is_unit_next() {
+            return None;
+        }
+        let index: Vec<TokenTree> = brackets.stream().into_iter().collect();
+        let [index @ (TokenTree::Literal(_) | TokenTree::Ident(_))] = index.as_slice() else { return None };
+        let index = index.to_string();
+        let index = if is_whole(&index) { &index } else { "1" };
+        self.take_token();
+        Some(format!(
+            "fields are single numbers, without an index; give each number a field of its own, as in `{name}{index}`"
+        ))
     }
 
     /// The last name of a path such as `f64::INFINITY`, whose first has been read.
