@@ -21,7 +21,7 @@ pub(crate) struct Item {
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
     pub(super) others: Vec<(Ident, Extent)>,
-    /// Whether its fields have names, if it has any: otherwise a name in a profile cannot be judged.
+    /// Otherwise a name in a profile cannot be judged.
     pub(crate) is_struct: bool,
 }
 
@@ -99,8 +99,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
             .report(place, "a gap profile belongs on a struct; write `#[gap_profile(...)] struct Name;`");
         return None;
     };
-    let unnamed = content.as_ref().filter(|content| content.delimiter() == Delimiter::Parenthesis);
-    let is_struct = keyword == "struct" && unnamed.is_none();
+    let is_struct = keyword == "struct";
     let allowed = allowed(&tokens);
     let mut item = Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), is_struct };
     if keyword == "enum" {
@@ -110,12 +109,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         );
     } else if keyword == "union" {
         diagnostics.report(keyword.span(), "a gap profile belongs on a struct, not a union; use a struct");
-    } else if let Some(fields) = unnamed {
-        diagnostics.report(
-            fields.span(),
-            "the fields of a gap profile need names, which its expression can use; write `{ radius: f64 }`",
-        );
-    } else if let Some(fields) = content {
+    } else if let Some(fields) = content.filter(|content| content.delimiter() == Delimiter::Brace) {
         let fields: Vec<TokenTree> = fields.stream().into_iter().collect();
         // The compiler reports a semicolon between two, and goes on.
         let parts = fields.split(|token| is_punct(token, ';'));
@@ -260,15 +254,12 @@ mod tests {
     }
 
     #[test]
-    fn only_structs_with_named_fields_carry_a_profile() {
+    fn only_structs_carry_a_profile() {
         for input in [
             quote!(
                 enum E {}
             ),
             quote!(union U { a: f64 }),
-            quote!(
-                struct S(f64);
-            ),
         ] {
             let (item, messages) = item(input);
             assert!(item.is_some());
@@ -279,6 +270,18 @@ mod tests {
         ));
         assert!(item.is_none());
         assert_eq!(messages.len(), 1);
+    }
+
+    #[test]
+    fn fields_without_names_are_no_symbols() {
+        let (item, messages) = item(quote!(
+            struct S<'a, T>(pub PhantomData<&'a T>, core::primitive::f64)
+            where
+                T: Clone;
+        ));
+        let item = item.unwrap();
+        assert!(messages.is_empty() && item.fields.is_empty() && item.others.is_empty());
+        assert!(matches!(item.meaning(&format_ident!("core")), Meaning::Unknown));
     }
 
     #[test]

@@ -191,6 +191,13 @@ impl Parser<'_> {
 
     /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
     pub(super) fn unless_method(&mut self, receiver: Expression) -> Expression {
+        if let (Kind::Name(_), [TokenTree::Punct(dot), TokenTree::Literal(number), ..]) =
+            (&receiver.kind, self.rest)
+            && dot.as_char() == '.'
+        {
+            let place = Extent::between(receiver.extent, number.span().into());
+            return self.fault(place, "a field of a gap has a name, as in `struct Ball { radius: f64 }`");
+        }
         let [TokenTree::Punct(dot), TokenTree::Ident(member), ..] = self.rest else { return receiver };
         if dot.as_char() != '.' {
             return receiver;
