@@ -66,7 +66,7 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 
 // From a geometry (`profile`, `polynomial`, generated code by way of `generated`; `admissibility`: how far it holds), a
 // `medium` of `layer`s and a `load` to a `contact`; from there by `radius` and `memory` to a `snapshot`, a `field` of
-// pressures or its `matrix`. `evaluate`, `quadrature`, `scalar` and `dispatch` (to vectors) know nothing of contacts.
+// pressures or its `matrix`. `evaluate`, `quadrature`, `scalar`, `pairs` and `dispatch` (to vectors) know nothing of contacts.
 mod admissibility;
 mod contact;
 mod dispatch;
@@ -80,6 +80,7 @@ pub mod load;
 mod matrix;
 mod medium;
 mod memory;
+mod pairs;
 mod polynomial;
 #[cfg(doc)]
 #[doc = include_str!("printed_formulas.md")]
@@ -96,6 +97,7 @@ pub use cartcontact_macros::gap_profile;
 pub use contact::{Contact, ContactError};
 pub use layer::Layer;
 pub use medium::{Medium, MediumError};
+pub use pairs::Pairs;
 pub use polynomial::Polynomial;
 pub use profile::{GapProfile, Parameters, ProfileError, RadiusError};
 pub use scalar::Scalar;

@@ -12,6 +12,7 @@ use crate::evaluate::power::{
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
+use crate::pairs::Pairs;
 use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::radius::leading_term::radius_of_real_powers;
@@ -53,7 +54,7 @@ impl<T: fmt::Debug, S: fmt::Debug> fmt::Debug for Polynomial<T, S> {
     }
 }
 
-impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
+impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
     /// The profile Σ C r^n over the pairs (C, n), on its whole admissible range.
     ///
     /// # Errors
@@ -136,7 +137,7 @@ impl<T: Scalar, S: AsRef<[(T, T)]>> Polynomial<T, S> {
     }
 }
 
-impl<T: Scalar, S: AsRef<[(T, T)]>> GapProfile<T> for Polynomial<T, S> {
+impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
     fn gap(&self, r: T) -> T {
         power_sum(r, self.powers())
     }

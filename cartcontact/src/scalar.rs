@@ -27,6 +27,11 @@ use crate::evaluate::bits::nearest_integer;
 /// }
 /// assert_eq!(half(3.0_f32), 1.5);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a real number type",
+    label = "not a real number",
+    note = "write a number with a decimal point, as in `100.0`, and types as `f64` or `f32`"
+)]
 pub trait Scalar: RealField + Copy {
     /// The number nearest to a literal; exact whenever `Self` holds it.
     fn constant(value: f64) -> Self;
@@ -38,6 +43,7 @@ pub trait Scalar: RealField + Copy {
     fn infinity() -> Self;
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: RealField + Copy> Scalar for T {
     #[inline(always)]
     fn constant(value: f64) -> Self {

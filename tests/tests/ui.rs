@@ -15,6 +15,7 @@ fn faults_are_explained_where_they_are() {
         "positive",
         "items",
         "several",
+        "traits",
     ] {
         cases.compile_fail(format!("tests/ui/{concern}/*.rs"));
     }

@@ -128,6 +128,13 @@ pub(crate) use shortest::Shortest;
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a load with forces of type `{T}`",
+    label = "not a load",
+    note = "a constant load is `load::Constant(100.0)`, with a decimal point",
+    note = "a measured load is `load::PiecewiseLinear::new(...)` of pairs (time, force)",
+    note = "for any other implement `Load`: it has an impulse, which a function of time alone does not tell"
+)]
 pub trait Load<T: Scalar> {
     /// The force F(t) at a time t ≥ 0, in N; just after a jump, its value behind the jump.
     fn force(&self, t: T) -> T;

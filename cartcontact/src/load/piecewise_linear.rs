@@ -6,6 +6,7 @@ use super::descent::{Descent, may_add_up};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::pairs::Pairs;
 use crate::scalar::is_size;
 
 /// How many impulses a load keeps, so that any other is the sum of one of them and of few pieces.
@@ -61,7 +62,7 @@ impl<T, K: fmt::Debug> fmt::Debug for PiecewiseLinear<T, K> {
     }
 }
 
-impl<T: Scalar, K: AsRef<[(T, T)]>> PiecewiseLinear<T, K> {
+impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
     /// The load through `knots`, pairs (time, force) in the order of time.
     ///
     /// # Errors
@@ -157,7 +158,7 @@ fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
     }
 }
 
-impl<T: Scalar, K: AsRef<[(T, T)]>> Load<T> for PiecewiseLinear<T, K> {
+impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
     fn force(&self, t: T) -> T {
         self.force_after(t, |time| time <= t)
     }

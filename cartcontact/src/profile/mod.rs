@@ -52,6 +52,12 @@ use crate::quadrature::Rule;
 /// # References
 ///
 /// I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a gap profile",
+    label = "not a gap profile",
+    note = "for a geometry known at compile time write `#[gap_profile(...)]` above the struct",
+    note = "for one known at run time give the pairs (coefficient, exponent) to `Polynomial::new`"
+)]
 pub trait GapProfile<T: Scalar> {
     /// The gap Φ(r) between the undeformed surfaces, in mm.
     ///

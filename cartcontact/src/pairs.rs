@@ -1,0 +1,28 @@
+//! Pairs of numbers in any storage.
+
+/// Pairs of numbers: the terms of a [`Polynomial`](crate::Polynomial), or the knots of a
+/// [`PiecewiseLinear`](crate::load::PiecewiseLinear) load.
+///
+/// Arrays, slices and `Vec`s of pairs are such, as everything that is an `AsRef<[(T, T)]>`; there is nothing to implement.
+/// It has a name of its own so that the compiler can say what is wrong with other arguments.
+///
+/// # Examples
+///
+/// ```
+/// use cartcontact::Pairs;
+///
+/// fn first<T: Copy>(pairs: impl Pairs<T>) -> Option<(T, T)> {
+///     pairs.as_ref().first().copied()
+/// }
+/// assert_eq!(first([(0.025, 2.0), (1e-4, 4.0)]), Some((0.025, 2.0)));
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not hold pairs of numbers of one type",
+    label = "not an array, a slice or a `Vec` of pairs",
+    note = "write pairs in parentheses and numbers with a decimal point, as in `[(0.025, 2.0), (1e-4, 4.0)]`"
+)]
+pub trait Pairs<T>: AsRef<[(T, T)]> {}
+
+// The bound itself would be all that the compiler speaks of.
+#[diagnostic::do_not_recommend]
+impl<T, S: AsRef<[(T, T)]> + ?Sized> Pairs<T> for S {}
