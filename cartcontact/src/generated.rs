@@ -28,6 +28,7 @@ pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;
 pub use crate::radius::out_of_line;
 pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
+pub use crate::radius::table::spans::{AnyPower, Spans};
 pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};
 pub use crate::radius::table::{Quarters, Rows, Table};
 pub use crate::radius::whole_powers::{WholePowers, radii_of_whole_powers};

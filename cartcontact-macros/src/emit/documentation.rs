@@ -13,6 +13,7 @@ use crate::number::{Rational, decimal, integer, operand};
 use crate::proof::Proof;
 use crate::reading::item::Item;
 use crate::start::Start;
+use crate::start::roots::{Reach, Roots, Spans};
 use crate::start::table::Table;
 
 /// The lines of the documentation, to stand behind the item's own.
@@ -218,11 +219,15 @@ fn truncation(geometry: &Geometry) -> String {
 /// How the contact radius is found.
 fn solution(start: Option<&Start>, gap: &Gap) -> String {
     let Some(start) = start else { return String::new() };
-    let step =
-        format!("\n\nThe contact radius takes one step from a table of {} bytes", Table::size_in_bytes());
+    let step_from =
+        |bytes: usize| format!("\n\nThe contact radius takes one step from a table of {bytes} bytes");
+    let step = step_from(Table::size_in_bytes());
     let table = match start {
-        Start::Roots(roots) if roots.periods_of.is_some() => return format!("{step}."),
-        Start::Roots(roots) => &roots.table,
+        Start::Roots(Roots { reach: Reach::Window, table, .. }) => table,
+        Start::Roots(Roots { reach: Reach::Periods(_), .. }) => return format!("{step}."),
+        Start::Roots(Roots { reach: Reach::Spans(_), .. }) => {
+            return format!("{}.", step_from(Table::size_in_bytes() + Spans::size_in_bytes()));
+        }
         Start::Seeds(seeds) => &seeds.table,
         Start::LeadingTerm => return String::new(),
     };

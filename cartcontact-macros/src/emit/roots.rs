@@ -7,13 +7,20 @@ use super::coefficients::Coefficients;
 use super::{Names, local, table};
 use crate::closed_forms::PowerSum;
 use crate::number::code;
-use crate::start::roots::{Power, Roots};
+use crate::start::roots::{Power, Reach, Roots};
 
-/// The table and its series.
+/// The table and its series, and the spans beyond.
 pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     let (name, kind) = (table::name(), names.generated("Roots"));
     let (table, series) = (table::value(&roots.table, names), code(roots.series));
-    quote!(static #name: #kind = #kind { table: #table, series: #series };)
+    let spans = if let Reach::Spans(spans) = &roots.reach {
+        let (name, kind) = (local("SPANS"), names.generated("Spans"));
+        let bytes = Literal::byte_string(&spans.in_places());
+        quote!(static #name: #kind = #kind(*#bytes);)
+    } else {
+        TokenStream::new()
+    };
+    quote!(static #name: #kind = #kind { table: #table, series: #series }; #spans)
 }
 
 /// The radius from the table, if it is there.
@@ -55,11 +62,17 @@ fn term(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    let (Some(Power { k, q }), Some(only)) = (roots.periods_of, load_integral.summands.first()) else {
-        return names.generated("OwnTerm");
-    };
-    let single_term = names.generated("SingleTerm");
-    let (k, q) = (Literal::u32_unsuffixed(k), Literal::u32_unsuffixed(q));
-    let c = coefficients.unweighted(only);
-    quote!(#single_term::<_, #k, #q>::of(#c))
+    let c = load_integral.summands.first().map(|only| coefficients.unweighted(only));
+    match &roots.reach {
+        Reach::Window => names.generated("OwnTerm"),
+        Reach::Periods(Power { k, q }) => {
+            let single_term = names.generated("SingleTerm");
+            let (k, q) = (Literal::u32_unsuffixed(*k), Literal::u32_unsuffixed(*q));
+            quote!(#single_term::<_, #k, #q>::of(#c))
+        }
+        Reach::Spans(_) => {
+            let (any_power, spans) = (names.generated("AnyPower"), local("SPANS"));
+            quote!(#any_power::of(#c, &#spans))
+        }
+    }
 }

@@ -2,7 +2,8 @@
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::Rational;
+use super::convergent::convergent;
+use super::{Rational, fraction};
 
 /// `mantissa` · 2^`exponent`, where the mantissa has its highest bit set.
 #[derive(Clone, Copy)]
@@ -62,11 +63,23 @@ impl Float {
         (self.mantissa as f64).log2() + self.exponent as f64
     }
 
-    /// value^(`q`/`k`) within 2⁻¹¹⁰, for k up to 2¹².
+    /// value^(1/p) within 2⁻⁷⁴, for values from 2⁻²⁰⁴⁸ to 2²⁰⁴⁸ and p ≥ 4 up to 2³².
     ///
-    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It begins with ten decimal
-    /// digits at least; of an error e it leaves k e²/2.
-    pub(crate) fn root(value: &Rational, (q, k): (u32, u32)) -> Option<Self> {
+    /// That of a power near p, whose digits are few enough for [`root`](Self::root), multiplied by an exponential: of p with
+    /// more digits it is at most 2⁻²³ away from 1, and off by a few 2⁻⁵³ of that.
+    pub(crate) fn real_root(value: &Rational, p: &Rational) -> Option<Self> {
+        let (k, q) = convergent(p)?;
+        let logarithm = Self::of(value)?.log2() * core::f64::consts::LN_2;
+        let growth = ((p.recip() - fraction(q, k)).to_f64()? * logarithm).exp_m1();
+        Some(Self::root(value, (q, k))?.less(-(growth * ONE as f64) as i128))
+    }
+
+    /// value^(`q`/`k`) within 2⁻¹¹⁰, if it lies between 2⁻⁵¹² and 2⁵¹².
+    ///
+    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. Of an error e it leaves k e²/2, and
+    /// begins with one below 2⁻⁴³, so that k e is below 2⁻¹¹. What v and x^k lose in rounding, q and 2 k last digits, is
+    /// divided by k.
+    fn root(value: &Rational, (q, k): (u32, u32)) -> Option<Self> {
         let inverse = Self::of(&value.recip())?.power(q);
         let mut root = Self::power_of_two(-inverse.log2() / f64::from(k));
         for _ in 0..3 {
@@ -74,6 +87,11 @@ impl Float {
             root = root.less(surplus / i128::from(k));
         }
         Some(root)
+    }
+
+    /// The fraction f and the exponent e of f · 2^e, 1 ≤ f < 2.
+    pub(crate) fn split(self) -> (Self, i64) {
+        (Self { exponent: -127, ..self }, self.exponent + 127)
     }
 
     /// A number below 2 in fixed point.
@@ -118,7 +136,8 @@ fn upper_half(x: u128, y: u128) -> u128 {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
-    use crate::number::{fraction, integer};
+    use crate::number::integer;
+    use crate::tests::exact;
 
     /// value^q and root^k in exact arithmetic, for the three parts of the root.
     #[test]
@@ -135,6 +154,46 @@ mod tests {
                 assert_eq!(exact(parts[0]) + exact(parts[1]), Rational::from_float(sum).unwrap());
             }
         }
+    }
+
+    /// As above, for numbers whose exact powers are too long.
+    #[test]
+    fn roots_have_their_digits_whatever_the_power_is() {
+        for (q, k) in [(100_000, 714_159), (1_000_000_000, 4_123_456_789), (1, u32::MAX)] {
+            for octave in [-2047, -3, 0, 2047] {
+                let value = fraction(9, 8) * integer(2).pow(octave);
+                let (root, _) = Float::root(&value, (q, k)).unwrap().split();
+                let parts = root.in_parts().unwrap().map(|part| Rational::from_float(part.into()).unwrap());
+                let root = Float::of(&parts.into_iter().sum()).unwrap();
+                let [found, expected] = [root.power(k), Float::of(&value).unwrap().power(q)];
+                // The octave that was taken out makes a whole number of them.
+                let (found, expected) = (found.split().0, expected.split().0);
+                let error = found.mantissa.wrapping_sub(expected.mantissa) as i128;
+                let bound = i128::from(k) << (128 - 70);
+                assert!(error.abs() < bound, "{value}^({q}/{k}): {error}");
+            }
+        }
+    }
+
+    /// Of powers that differ by 10⁻¹² and 10⁻¹⁶, the first of which is nearer to 6 than to any other short fraction.
+    #[test]
+    fn roots_have_their_digits_however_many_the_power_has() {
+        for (power, digits) in [("6.000000000001", 12), ("7.1415926535897932", 16)] {
+            let p = exact(power);
+            for value in [fraction(9, 8), fraction(1, 3), integer(2).pow(2048), integer(2).pow(-2048)] {
+                let root = Float::real_root(&value, &p).unwrap();
+                let next = Float::real_root(&value, &(&p + fraction(1, 10_u64.pow(digits)))).unwrap();
+                let found = (root.mantissa.wrapping_sub(next.mantissa) as i128) as f64 / root.mantissa as f64;
+                let expected = value_log(&value) / p.to_f64().unwrap().powi(2) * 0.1_f64.powi(digits as i32);
+                // Of the second order is a share of the first, and 2⁻⁷⁴ is off.
+                let bound = 1e-9 * expected.abs() + 2f64.powi(-73);
+                assert!((found - expected).abs() < bound, "{value}^(1/{power}): {found:e}, not {expected:e}");
+            }
+        }
+    }
+
+    fn value_log(value: &Rational) -> f64 {
+        Float::of(value).unwrap().log2() * core::f64::consts::LN_2
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! generated code, so it is rounded once. Sizes are bounded wherever a short text could stand for a huge number.
 
 pub(crate) mod common_factor;
+mod convergent;
 pub(crate) mod float;
 mod rational;
 

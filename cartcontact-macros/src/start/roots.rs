@@ -9,8 +9,11 @@
 //! and (1 − s²) d/ds ((1 + s)/(1 − s))^α = 2α ((1 + s)/(1 − s))^α gives (k + 1) c₍ₖ₊₁₎ = 2α cₖ + (k − 1) c₍ₖ₋₁₎.
 //!
 //! A constant term has its window of y. Where C is a symbol, where no length belongs to C r^n, as n ≤ 1, and where a window would
-//! hold few radii, the table is one of y/C from 1 to 2^k, p = k/q: there the radius has become 2^q times as long. What J has
-//! beside a symbol C, the weight w of j = w C, is in the roots, so that the solver need not multiply by it.
+//! hold few radii, the table is one of y/C from 1 to 2^k, p = k/q: there the radius has become 2^q times as long. Where k is
+//! above 64, it is one from 1 to 2⁶⁴, with a second one of the roots of all powers of that. What J has beside a symbol C, the
+//! weight w of j = w C, is in the roots, so that the solver need not multiply by it.
+
+use core::ops::Range;
 
 use num_traits::{One, ToPrimitive};
 
@@ -23,19 +26,30 @@ use crate::start::table::{LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, top};
 pub(crate) struct Roots {
     pub(crate) table: Table,
     pub(crate) series: [f64; 12],
-    /// p, if the table is one of whole periods for any coefficient.
-    pub(crate) periods_of: Option<Power>,
+    pub(crate) reach: Reach,
 }
 
+/// Which load integrals a table leads to the radii of.
+pub(crate) enum Reach {
+    /// Those in it.
+    Window,
+    /// All over any coefficient, as the table is one of whole periods of this power.
+    Periods(Power),
+    /// The same, with what spans of 64 octaves multiply radii by.
+    Spans(Spans),
+}
+
+/// 2^(64 h/p) at h modulo 64: its fraction in three parts in the places 0, 3 and 1, its exponent in place 2.
+pub(crate) struct Spans(Vec<[f32; 4]>);
+
+/// So many spans hold the quotients of all normal numbers.
+const SPANS: i32 = 64;
+
 /// k/q.
-#[derive(Clone, Copy)]
 pub(crate) struct Power {
     pub(crate) k: u32,
     pub(crate) q: u32,
 }
-
-/// The largest k for which a root is known to have all its digits.
-const LARGEST_K: u32 = 1 << 12;
 
 /// Four times the lowest power with a window, in which slopes of the gap then differ by a factor of 2⁷ and more.
 const LOWEST_POWER: i64 = 23;
@@ -51,43 +65,66 @@ pub(crate) fn has_window(only: &Summand) -> bool {
 
 /// The table of a single term, if there is one.
 pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
-    let power = Power { k: only.exponent.numer().to_u32()?, q: only.exponent.denom().to_u32()? };
-    let p = only.exponent.to_f64().filter(|_| power.k <= LARGEST_K)?;
+    let exponent = &only.exponent;
+    let p = exponent.to_f64()?;
     let window = only.constant().filter(|_| has_window(only)).and_then(|j| {
         let size = j.to_f64()?;
         Some((j, top(geometry, |a| size * a.powf(p))? - OCTAVES))
     });
-    let table = match window {
-        Some((j, bottom)) => table(power, (bottom, OCTAVES), j),
-        None => {
-            let octaves = i32::try_from(power.k).ok().filter(|&k| k <= OCTAVES)?;
-            table(power, (0, octaves), only.weight().unwrap_or(&Rational::one()))
-        }
+    let (octaves, j, reach) = match (window, exponent.numer().to_i32()) {
+        (Some((j, bottom)), _) => (bottom..bottom + OCTAVES, Some(j), Reach::Window),
+        (None, Some(k @ ..=OCTAVES)) => (0..k, only.weight(), Reach::Periods(Power::of(exponent)?)),
+        (None, _) => (0..OCTAVES, only.weight(), Reach::Spans(Spans::of(exponent)?)),
     };
-    Some(Roots {
-        table: table?,
-        series: series(rounded(&only.exponent.recip())),
-        periods_of: window.is_none().then_some(power),
-    })
+    let table = table(exponent, octaves, j.unwrap_or(&Rational::one()))?;
+    Some(Roots { table, series: series(rounded(&exponent.recip())), reach })
 }
 
-/// The rows of so many octaves from 2^`bottom` on.
-fn table(Power { k, q }: Power, (bottom, octaves): (i32, i32), j: &Rational) -> Option<Table> {
+impl Power {
+    fn of(p: &Rational) -> Option<Self> {
+        Some(Self { k: p.numer().to_u32()?, q: p.denom().to_u32()? })
+    }
+}
+
+impl Spans {
+    fn of(p: &Rational) -> Option<Self> {
+        let mut rows = vec![[0.0; 4]; SPANS as usize];
+        for span in -SPANS / 2..SPANS / 2 {
+            let (fraction, octave) = Float::real_root(&integer(2).pow(span * OCTAVES), p)?.split();
+            let [first, second, third] = fraction.in_parts()?;
+            rows[span.rem_euclid(SPANS) as usize] = [first, third, octave as f32, second];
+        }
+        Some(Self(rows))
+    }
+
+    /// The bytes of the rows where the solver looks for them.
+    pub(crate) fn in_places(&self) -> Vec<u8> {
+        self.0.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect()
+    }
+
+    pub(crate) const fn size_in_bytes() -> usize {
+        size_of::<[[f32; 4]; SPANS as usize]>()
+    }
+}
+
+/// The rows of these octaves.
+fn table(p: &Rational, octaves: Range<i32>, j: &Rational) -> Option<Table> {
+    let first = octaves.start;
     let lowest = |quarter: i32| {
-        let middle = fraction(9 + 2 * quarter, 8) * integer(2).pow(bottom);
-        Float::root(&(middle / j), (q, k))
+        let middle = fraction(9 + 2 * quarter, 8) * integer(2).pow(first);
+        Float::real_root(&(middle / j), p)
     };
-    let octave = Float::root(&integer(2), (q, k))?;
+    let octave = Float::real_root(&integer(2), p)?;
     let mut roots = [lowest(0)?, lowest(1)?, lowest(2)?, lowest(3)?];
     let mut rows = Vec::new();
-    for at in bottom..bottom + octaves {
+    for at in octaves {
         for root in &mut roots {
             let is_held = [f64::from(at), root.log2()].iter().all(|octave| octave.abs() < LARGEST_SINGLE);
             rows.push(root.in_parts().map(|[first, second, third]| ([first, third, 0.0, second], is_held)));
             *root = root.times(octave);
         }
     }
-    Table::of(bottom * ROWS_PER_OCTAVE, &rows)
+    Table::of(first * ROWS_PER_OCTAVE, &rows)
 }
 
 /// c₁ and those that follow, for α = 1/p.
@@ -119,12 +156,30 @@ mod tests {
     }
 
     #[test]
+    fn spans_are_powers_of_the_first() {
+        let Spans(rows) = Spans::of(&fraction(637, 100)).unwrap();
+        let root = |span: i32| {
+            let [first, third, octave, second] = rows[span.rem_euclid(SPANS) as usize].map(f64::from);
+            (first + second + third).ln() + octave * core::f64::consts::LN_2
+        };
+        assert_eq!(rows[0], [1.0, 0.0, 0.0, 0.0]);
+        for span in -32..32 {
+            // Logarithms up to 450, rounded in sums and products.
+            let error = root(span) - f64::from(span) * root(1);
+            assert!(error.abs() < 1e-12, "{span}: {error:e}");
+        }
+        let expected = 64.0 / 6.37 * core::f64::consts::LN_2;
+        assert!((root(1) - expected).abs() < 4.0 * f64::EPSILON * expected);
+    }
+
+    #[test]
     fn rows_are_roots_of_their_middles() {
         for (k, q) in [(5, 1), (9, 2), (25, 4), (63, 10)] {
-            let table = table(Power { k, q }, (-7, 64), &fraction(1, 30)).unwrap();
+            let p = fraction(k, q);
+            let table = table(&p, -7..57, &fraction(1, 30)).unwrap();
             for (row, &[first, third, rest, second]) in (0..).zip(&table.rows) {
                 let middle = integer(2).pow(row / 4 - 7) * fraction(9 + 2 * (row % 4), 8);
-                let root = Float::root(&(middle * integer(30)), (q, k)).unwrap().in_parts().unwrap();
+                let root = Float::real_root(&(middle * integer(30)), &p).unwrap().in_parts().unwrap();
                 assert_eq!(([first, second], rest), ([root[0], root[1]], 0.0), "{row} of {k}/{q}");
                 assert!((third - root[2]).abs() <= 2f32.powi(-72) * first, "{row} of {k}/{q}: {third:e}");
             }

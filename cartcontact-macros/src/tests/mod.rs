@@ -9,6 +9,7 @@ mod faults;
 mod golden;
 mod own_units;
 mod random;
+mod single_terms;
 mod surfaces;
 
 use proc_macro2::TokenStream;

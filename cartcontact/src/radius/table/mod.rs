@@ -22,6 +22,7 @@
 
 mod cubics;
 pub(crate) mod roots;
+pub(crate) mod spans;
 pub(crate) mod units;
 
 use core::any::Any;

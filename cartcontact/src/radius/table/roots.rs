@@ -12,7 +12,8 @@
 //!
 //! **Any C.** Of j = w C with a symbol C, the weight w is in the table, which is one of y/C. With p = k/q in lowest terms, y/C
 //! multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. Powers of two are taken out of y,
-//! C and a, so that nothing leaves the format, and other units by powers of two change no digit.
+//! C and a, so that nothing leaves the format, and other units by powers of two change no digit. Where k is above 64 the table
+//! has 64 octaves, and a second one what whole spans of these multiply a by, see [`spans`](super::spans).
 //!
 //! **Accuracy.** A row has A in three parts of single precision, of which the first two make an exact sum, and y less u is
 //! exact. What rounds in the series is less than 1/34 of the sum, whose last addition leaves 1/2 ulp. Of y/C two roundings
@@ -78,17 +79,20 @@ struct Root<D> {
 /// y/j in the table, and how it differs from u there.
 #[derive(Debug)]
 pub struct Ratio<T> {
-    in_table: T,
+    pub(super) in_table: T,
     /// y − u j and y + u j, divided by a power of two.
-    difference: T,
-    sum: T,
-    /// What a root in the table is multiplied by.
-    unit: T,
+    pub(super) difference: T,
+    pub(super) sum: T,
+    /// How many times the octaves of the table were taken out.
+    pub(super) periods: i32,
 }
 
 /// The term of J, or what the table has of it.
 pub trait Term<T>: Copy {
     fn ratio(self, load_integral: T) -> Ratio<T>;
+
+    /// A root in the table and what it lacks, with the periods that were taken out.
+    fn with_periods(self, root: (T, T), periods: i32) -> (T, T);
 }
 
 impl<T: Scalar, D: Term<T>> Step<T> for Root<D> {
@@ -104,14 +108,22 @@ impl<T: Scalar, D: Term<T>> Step<T> for Root<D> {
 
     #[inline(always)]
     fn radius(self, row: &Row, _start: (), load_integral: T) -> T {
-        let Ratio { difference, sum, unit, .. } = self.term.ratio(load_integral);
-        let part = |place: usize| from_single::<T>(row.at(place));
-        // The second has the last place: where that is not read, compilers leave the last rows to code without vectors.
-        let (root, rest) = if is::<T, f32>() { (part(0), part(3)) } else { (part(0) + part(3), part(1)) };
+        let Ratio { difference, sum, periods, .. } = self.term.ratio(load_integral);
         let s = difference / sum;
-        // What need not wait for s is multiplied by the unit before.
-        let (root, rest) = (root * unit, rest * unit);
+        // What need not wait for s.
+        let (root, rest) = self.term.with_periods(row.root(), periods);
         root + ((root + rest) * s * growth_per_s(s, &self.series) + rest)
+    }
+}
+
+impl Row {
+    /// A number in three parts and what it lacks.
+    ///
+    /// The second has the last place: where that is not read, compilers leave the last rows to code without vectors.
+    #[inline(always)]
+    pub(super) fn root<T: Scalar>(&self) -> (T, T) {
+        let part = |place: usize| from_single::<T>(self.at(place));
+        if is::<T, f32>() { (part(0), part(3)) } else { (part(0) + part(3), part(1)) }
     }
 }
 
@@ -142,8 +154,13 @@ impl<T: Scalar> Term<T> for OwnTerm {
             in_table: load_integral,
             difference: load_integral - middle,
             sum: load_integral + middle,
-            unit: T::one(),
+            periods: 0,
         }
+    }
+
+    #[inline(always)]
+    fn with_periods(self, root: (T, T), _periods: i32) -> (T, T) {
+        root
     }
 }
 
@@ -186,7 +203,13 @@ impl<T: Scalar, const K: u32, const Q: i32> Term<T> for SingleTerm<T, K, Q> {
             in_table,
             difference: quotient - middle,
             sum: quotient + middle,
-            unit: power_of_two(periods.wrapping_sub(periods_below) as i32 * Q),
+            periods: periods.wrapping_sub(periods_below) as i32,
         }
+    }
+
+    #[inline(always)]
+    fn with_periods(self, (root, rest): (T, T), periods: i32) -> (T, T) {
+        let unit = power_of_two::<T>(periods * Q);
+        (root * unit, rest * unit)
     }
 }

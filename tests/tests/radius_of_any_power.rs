@@ -1,0 +1,136 @@
+//! Contact radii of a single term whose power is a fraction with a long numerator, so that no few octaves are a period of it.
+
+use cartcontact::{GapProfile, RadiusError, gap_profile};
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::radii::assert_same_one_by_one;
+use tests::random::Stream;
+
+macro_rules! powers {
+    ($($name:ident $constant:ident: $decimal:literal, $gap:expr, $constant_gap:expr;)*) => {
+        $(
+            #[gap_profile($gap)]
+            struct $name<T> {
+                c: T,
+            }
+
+            #[gap_profile($constant_gap)]
+            struct $constant;
+        )*
+
+        const KINDS: &[Kind] = &[$(Kind {
+            decimal: $decimal,
+            double: |c| Box::new($name { c }),
+            single: |c| Box::new($name { c }),
+            constant: (&$constant, &$constant),
+        }),*];
+    };
+}
+
+powers! {
+    Root RootOfOwn: "0.37", c * r^0.37, 0.03125 * r^0.37;
+    Cone ConeOfOwn: "1.1234", c * r^1.1234, 0.03125 * r^1.1234;
+    Blunt BluntOfOwn: "1.74", c * r^1.74, 0.03125 * r^1.74;
+    Pi PiOfOwn: "3.141592653589793", c * r^3.141592653589793, 0.03125 * r^3.141592653589793;
+    Near NearOfOwn: "2.000000000001", c * r^2.000000000001, 0.03125 * r^2.000000000001;
+    Flat FlatOfOwn: "12.3", c * r^12.3, 0.03125 * r^12.3;
+    Flatter FlatterOfOwn: "70.01", c * r^70.01, 0.03125 * r^70.01;
+}
+
+struct Kind {
+    decimal: &'static str,
+    double: fn(f64) -> Box<dyn GapProfile<f64>>,
+    single: fn(f32) -> Box<dyn GapProfile<f32>>,
+    /// With the coefficient 2⁻⁵.
+    constant: (&'static dyn GapProfile<f64>, &'static dyn GapProfile<f32>),
+}
+
+const CONSTANT: f64 = 0.03125;
+
+impl Kind {
+    fn power(&self) -> f64 {
+        4.0 + self.decimal.parse::<f64>().unwrap_or(f64::NAN)
+    }
+
+    /// By an oracle for the coefficient 1.
+    fn exact(&self, oracle: &Profile, (c, load_integral): (f64, f64)) -> Exact {
+        Exact::from(&oracle.radius(&(double(load_integral) / double(c))))
+    }
+
+    /// A load integral whose radius is within 10^±`decades`.
+    fn load_integral(&self, stream: &mut Stream, c: f64, decades: f64) -> f64 {
+        c * 10f64.powf(self.power() * stream.between(-decades, decades)) / self.power()
+    }
+}
+
+#[test]
+fn radii_are_exact() {
+    let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
+    for (index, kind) in (0..).zip(KINDS) {
+        let oracle = Profile::of_decimals(&[("1", kind.decimal)]);
+        let mut stream = Stream::of_case(1, index);
+        for round in 0..200 {
+            let is_constant = round % 4 == 0;
+            let c = if is_constant { CONSTANT } else { stream.magnitude(-100.0, 100.0) };
+            let load_integral = kind.load_integral(&mut stream, c, 180.0 / kind.power());
+            let found = if is_constant {
+                kind.constant.0.radius(load_integral)
+            } else {
+                (kind.double)(c).radius(load_integral)
+            };
+            let place = (kind.decimal, c, load_integral);
+            let expected = kind.exact(&oracle, (c, load_integral));
+            errors.add(found.unwrap_or(f64::NAN), expected, 1.0, &place);
+
+            let c = if is_constant { CONSTANT as f32 } else { stream.magnitude(-10.0, 10.0) as f32 };
+            let load_integral = kind.load_integral(&mut stream, c.into(), 24.0 / kind.power()) as f32;
+            let found = if is_constant {
+                kind.constant.1.radius(load_integral)
+            } else {
+                (kind.single)(c).radius(load_integral)
+            };
+            let place = (kind.decimal, c, load_integral);
+            let expected = kind.exact(&oracle, (c.into(), load_integral.into()));
+            errors_of_single.add(found.unwrap_or(f32::NAN).into(), expected, 1.0, &place);
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+#[test]
+fn other_units_of_load_change_no_digit() {
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(2, index);
+        for _ in 0..1000 {
+            let c = stream.magnitude(-3.0, 3.0);
+            let load_integral = kind.load_integral(&mut stream, c, 100.0 / kind.power());
+            let radius = (kind.double)(c).radius(load_integral);
+            let size = 2f64.powi(stream.below(1000) as i32 - 500);
+            let found = (kind.double)(c * size).radius(load_integral * size);
+            assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.decimal);
+        }
+    }
+}
+
+#[test]
+fn slices_have_the_same_radii() {
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(3, index);
+        let profile = (kind.double)(stream.magnitude(-3.0, 3.0));
+        let mut load_integrals: Vec<f64> = (0..600).map(|_| stream.magnitude(-200.0, 200.0)).collect();
+        load_integrals[70] = 0.0;
+        load_integrals[71] = f64::MIN_POSITIVE / 4.0;
+        load_integrals[72] = f64::MAX;
+        for profile in [&*profile, kind.constant.0] {
+            assert_same_one_by_one(profile, &load_integrals, &kind.decimal);
+        }
+        let mut radii = vec![f64::NAN; load_integrals.len()];
+        for bad in [-1.0, f64::INFINITY] {
+            load_integrals[300] = bad;
+            let refused = profile.radii(&load_integrals, &mut radii);
+            assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: bad }));
+        }
+    }
+}
