@@ -191,53 +191,115 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert(
+                        match __cartcontact::generated::radius_of_real_powers(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
-                                __cartcontact::generated::PositiveTerm::of(
-                                    <T as __cartcontact::Scalar>::constant(0.025f64),
-                                    <T as __cartcontact::Scalar>::constant(2.0f64),
-                                ),
-                                __cartcontact::generated::PositiveTerm::of(
-                                    <T as __cartcontact::Scalar>::constant(0.000109375f64),
-                                    <T as __cartcontact::Scalar>::constant(4.0f64),
-                                ),
-                            ]),
-                            false,
-                            |__a| {
-                                let __x = __a * __a;
-                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
-                                    __x,
-                                    [
-                                        <T as __cartcontact::Scalar>::constant(
-                                            0.0020833333333333333f64,
-                                        ),
-                                        <T as __cartcontact::Scalar>::constant(
-                                            9.114583333333334e-6f64,
-                                        ),
-                                    ],
-                                );
-                                let __log_slope = <T as __cartcontact::Scalar>::constant(
-                                    6.0f64,
-                                ) * __value
-                                    + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
-                                        * __slope;
-                                (__value * __x * __x * __x, __log_slope * __x * __x * __x)
-                            },
-                            |__a| __cartcontact::generated::precise_even_sum(
-                                __a,
-                                6u32,
-                                [
+                                (
                                     <T as __cartcontact::Scalar>::constant(
                                         0.0020833333333333333f64,
                                     ),
+                                    __cartcontact::generated::Exponent::whole(6),
+                                ),
+                                (
                                     <T as __cartcontact::Scalar>::constant(
                                         9.114583333333334e-6f64,
                                     ),
+                                    __cartcontact::generated::Exponent::whole(8),
+                                ),
+                            ]),
+                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
+                                __a,
+                                __scale,
+                                [
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.0020833333333333333f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::whole(6),
+                                    ),
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            9.114583333333334e-6f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::whole(8),
+                                    ),
                                 ],
                             ),
-                        )
+                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
+                                __a,
+                                __scale,
+                                [
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.0020833333333333333f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::whole(6),
+                                    ),
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            9.114583333333334e-6f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::whole(8),
+                                    ),
+                                ],
+                            ),
+                        ) {
+                            ::core::option::Option::Some(__a) => {
+                                ::core::result::Result::Ok(__a)
+                            }
+                            ::core::option::Option::None => {
+                                __cartcontact::generated::out_of_line(move || {
+                                    __cartcontact::generated::invert(
+                                        __load_integral,
+                                        __limit,
+                                        ::core::iter::IntoIterator::into_iter([
+                                            __cartcontact::generated::PositiveTerm::of(
+                                                <T as __cartcontact::Scalar>::constant(0.025f64),
+                                                <T as __cartcontact::Scalar>::constant(2.0f64),
+                                            ),
+                                            __cartcontact::generated::PositiveTerm::of(
+                                                <T as __cartcontact::Scalar>::constant(0.000109375f64),
+                                                <T as __cartcontact::Scalar>::constant(4.0f64),
+                                            ),
+                                        ]),
+                                        false,
+                                        |__a| {
+                                            let __x = __a * __a;
+                                            let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                                __x,
+                                                [
+                                                    <T as __cartcontact::Scalar>::constant(
+                                                        0.0020833333333333333f64,
+                                                    ),
+                                                    <T as __cartcontact::Scalar>::constant(
+                                                        9.114583333333334e-6f64,
+                                                    ),
+                                                ],
+                                            );
+                                            let __log_slope = <T as __cartcontact::Scalar>::constant(
+                                                6.0f64,
+                                            ) * __value
+                                                + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
+                                                    * __slope;
+                                            (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                                        },
+                                        |__a| __cartcontact::generated::precise_even_sum(
+                                            __a,
+                                            6u32,
+                                            [
+                                                <T as __cartcontact::Scalar>::constant(
+                                                    0.0020833333333333333f64,
+                                                ),
+                                                <T as __cartcontact::Scalar>::constant(
+                                                    9.114583333333334e-6f64,
+                                                ),
+                                            ],
+                                        ),
+                                    )
+                                })
+                            }
+                        }
                     })
                 }
             }

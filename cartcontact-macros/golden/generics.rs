@@ -306,37 +306,28 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert(
+                        match __cartcontact::generated::radius_of_real_powers(
                             __load_integral,
                             __limit,
-                            __cartcontact::generated::positive_terms([
-                                (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
-                                (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                            ::core::iter::IntoIterator::into_iter([
+                                (
+                                    __c0
+                                        * <S as __cartcontact::Scalar>::constant(
+                                            0.08333333333333333f64,
+                                        ),
+                                    __cartcontact::generated::Exponent::whole(6),
+                                ),
+                                (
+                                    __c1
+                                        * <S as __cartcontact::Scalar>::constant(
+                                            0.08547008547008547f64,
+                                        ),
+                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                ),
                             ]),
-                            __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
-                            |__a| {
-                                __cartcontact::generated::power_sum_and_log_slope(
-                                    __a,
-                                    [
-                                        (
-                                            __c0
-                                                * <S as __cartcontact::Scalar>::constant(
-                                                    0.08333333333333333f64,
-                                                ),
-                                            __cartcontact::generated::Exponent::whole(6),
-                                        ),
-                                        (
-                                            __c1
-                                                * <S as __cartcontact::Scalar>::constant(
-                                                    0.08547008547008547f64,
-                                                ),
-                                            __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                        ),
-                                    ],
-                                )
-                            },
-                            |__a| __cartcontact::generated::power_sum(
+                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
                                 __a,
+                                __scale,
                                 [
                                     (
                                         __c0
@@ -354,7 +345,84 @@ const _: () = {
                                     ),
                                 ],
                             ),
-                        )
+                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
+                                __a,
+                                __scale,
+                                [
+                                    (
+                                        __c0
+                                            * <S as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::whole(6),
+                                    ),
+                                    (
+                                        __c1
+                                            * <S as __cartcontact::Scalar>::constant(
+                                                0.08547008547008547f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                    ),
+                                ],
+                            ),
+                        ) {
+                            ::core::option::Option::Some(__a) => {
+                                ::core::result::Result::Ok(__a)
+                            }
+                            ::core::option::Option::None => {
+                                __cartcontact::generated::out_of_line(move || {
+                                    __cartcontact::generated::invert(
+                                        __load_integral,
+                                        __limit,
+                                        __cartcontact::generated::positive_terms([
+                                            (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                                            (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                                        ]),
+                                        __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
+                                        |__a| {
+                                            __cartcontact::generated::power_sum_and_log_slope(
+                                                __a,
+                                                [
+                                                    (
+                                                        __c0
+                                                            * <S as __cartcontact::Scalar>::constant(
+                                                                0.08333333333333333f64,
+                                                            ),
+                                                        __cartcontact::generated::Exponent::whole(6),
+                                                    ),
+                                                    (
+                                                        __c1
+                                                            * <S as __cartcontact::Scalar>::constant(
+                                                                0.08547008547008547f64,
+                                                            ),
+                                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                                    ),
+                                                ],
+                                            )
+                                        },
+                                        |__a| __cartcontact::generated::power_sum(
+                                            __a,
+                                            [
+                                                (
+                                                    __c0
+                                                        * <S as __cartcontact::Scalar>::constant(
+                                                            0.08333333333333333f64,
+                                                        ),
+                                                    __cartcontact::generated::Exponent::whole(6),
+                                                ),
+                                                (
+                                                    __c1
+                                                        * <S as __cartcontact::Scalar>::constant(
+                                                            0.08547008547008547f64,
+                                                        ),
+                                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                                ),
+                                            ],
+                                        ),
+                                    )
+                                })
+                            }
+                        }
                     })
                 }
             }

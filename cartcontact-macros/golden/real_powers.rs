@@ -249,41 +249,26 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert(
+                        match __cartcontact::generated::radius_of_real_powers(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
-                                __cartcontact::generated::PositiveTerm::of(
-                                    <T as __cartcontact::Scalar>::constant(0.01f64),
-                                    <T as __cartcontact::Scalar>::constant(1.5f64),
+                                (
+                                    <T as __cartcontact::Scalar>::constant(
+                                        0.0007792207792207792f64,
+                                    ),
+                                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
                                 ),
-                                __cartcontact::generated::PositiveTerm::of(
-                                    <T as __cartcontact::Scalar>::constant(0.002f64),
-                                    <T as __cartcontact::Scalar>::constant(3.25f64),
+                                (
+                                    <T as __cartcontact::Scalar>::constant(
+                                        0.00017077175697865354f64,
+                                    ),
+                                    __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                                 ),
                             ]),
-                            false,
-                            |__a| {
-                                __cartcontact::generated::power_sum_and_log_slope(
-                                    __a,
-                                    [
-                                        (
-                                            <T as __cartcontact::Scalar>::constant(
-                                                0.0007792207792207792f64,
-                                            ),
-                                            __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                                        ),
-                                        (
-                                            <T as __cartcontact::Scalar>::constant(
-                                                0.00017077175697865354f64,
-                                            ),
-                                            __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
-                                        ),
-                                    ],
-                                )
-                            },
-                            |__a| __cartcontact::generated::power_sum(
+                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
                                 __a,
+                                __scale,
                                 [
                                     (
                                         <T as __cartcontact::Scalar>::constant(
@@ -299,7 +284,84 @@ const _: () = {
                                     ),
                                 ],
                             ),
-                        )
+                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
+                                __a,
+                                __scale,
+                                [
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.0007792207792207792f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                    ),
+                                    (
+                                        <T as __cartcontact::Scalar>::constant(
+                                            0.00017077175697865354f64,
+                                        ),
+                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                    ),
+                                ],
+                            ),
+                        ) {
+                            ::core::option::Option::Some(__a) => {
+                                ::core::result::Result::Ok(__a)
+                            }
+                            ::core::option::Option::None => {
+                                __cartcontact::generated::out_of_line(move || {
+                                    __cartcontact::generated::invert(
+                                        __load_integral,
+                                        __limit,
+                                        ::core::iter::IntoIterator::into_iter([
+                                            __cartcontact::generated::PositiveTerm::of(
+                                                <T as __cartcontact::Scalar>::constant(0.01f64),
+                                                <T as __cartcontact::Scalar>::constant(1.5f64),
+                                            ),
+                                            __cartcontact::generated::PositiveTerm::of(
+                                                <T as __cartcontact::Scalar>::constant(0.002f64),
+                                                <T as __cartcontact::Scalar>::constant(3.25f64),
+                                            ),
+                                        ]),
+                                        false,
+                                        |__a| {
+                                            __cartcontact::generated::power_sum_and_log_slope(
+                                                __a,
+                                                [
+                                                    (
+                                                        <T as __cartcontact::Scalar>::constant(
+                                                            0.0007792207792207792f64,
+                                                        ),
+                                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                                    ),
+                                                    (
+                                                        <T as __cartcontact::Scalar>::constant(
+                                                            0.00017077175697865354f64,
+                                                        ),
+                                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                                    ),
+                                                ],
+                                            )
+                                        },
+                                        |__a| __cartcontact::generated::power_sum(
+                                            __a,
+                                            [
+                                                (
+                                                    <T as __cartcontact::Scalar>::constant(
+                                                        0.0007792207792207792f64,
+                                                    ),
+                                                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                                ),
+                                                (
+                                                    <T as __cartcontact::Scalar>::constant(
+                                                        0.00017077175697865354f64,
+                                                    ),
+                                                    __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                                ),
+                                            ],
+                                        ),
+                                    )
+                                })
+                            }
+                        }
                     })
                 }
             }

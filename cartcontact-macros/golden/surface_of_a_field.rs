@@ -240,52 +240,120 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert(
+                        match __cartcontact::generated::radius_of_real_powers(
                             __load_integral,
                             __limit,
-                            __cartcontact::generated::positive_terms([
-                                (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                                (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                            ]),
-                            __c0 < <T as __cartcontact::Scalar>::constant(0.0f64)
-                                || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64),
-                            |__a| {
-                                let __x = __a * __a;
-                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
-                                    __x,
-                                    [
-                                        __c0
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __c1
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                    ],
-                                );
-                                let __log_slope = <T as __cartcontact::Scalar>::constant(
-                                    6.0f64,
-                                ) * __value
-                                    + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
-                                        * __slope;
-                                (__value * __x * __x * __x, __log_slope * __x * __x * __x)
-                            },
-                            |__a| __cartcontact::generated::precise_even_sum(
-                                __a,
-                                6u32,
-                                [
+                            ::core::iter::IntoIterator::into_iter([
+                                (
                                     __c0
                                         * <T as __cartcontact::Scalar>::constant(
                                             0.08333333333333333f64,
                                         ),
+                                    __cartcontact::generated::Exponent::whole(6),
+                                ),
+                                (
                                     __c1
                                         * <T as __cartcontact::Scalar>::constant(
                                             0.08333333333333333f64,
                                         ),
+                                    __cartcontact::generated::Exponent::whole(8),
+                                ),
+                            ]),
+                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
+                                __a,
+                                __scale,
+                                [
+                                    (
+                                        __c0
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::whole(6),
+                                    ),
+                                    (
+                                        __c1
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::whole(8),
+                                    ),
                                 ],
                             ),
-                        )
+                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
+                                __a,
+                                __scale,
+                                [
+                                    (
+                                        __c0
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::whole(6),
+                                    ),
+                                    (
+                                        __c1
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::generated::Exponent::whole(8),
+                                    ),
+                                ],
+                            ),
+                        ) {
+                            ::core::option::Option::Some(__a) => {
+                                ::core::result::Result::Ok(__a)
+                            }
+                            ::core::option::Option::None => {
+                                __cartcontact::generated::out_of_line(move || {
+                                    __cartcontact::generated::invert(
+                                        __load_integral,
+                                        __limit,
+                                        __cartcontact::generated::positive_terms([
+                                            (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                                            (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                                        ]),
+                                        __c0 < <T as __cartcontact::Scalar>::constant(0.0f64)
+                                            || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64),
+                                        |__a| {
+                                            let __x = __a * __a;
+                                            let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                                __x,
+                                                [
+                                                    __c0
+                                                        * <T as __cartcontact::Scalar>::constant(
+                                                            0.08333333333333333f64,
+                                                        ),
+                                                    __c1
+                                                        * <T as __cartcontact::Scalar>::constant(
+                                                            0.08333333333333333f64,
+                                                        ),
+                                                ],
+                                            );
+                                            let __log_slope = <T as __cartcontact::Scalar>::constant(
+                                                6.0f64,
+                                            ) * __value
+                                                + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
+                                                    * __slope;
+                                            (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                                        },
+                                        |__a| __cartcontact::generated::precise_even_sum(
+                                            __a,
+                                            6u32,
+                                            [
+                                                __c0
+                                                    * <T as __cartcontact::Scalar>::constant(
+                                                        0.08333333333333333f64,
+                                                    ),
+                                                __c1
+                                                    * <T as __cartcontact::Scalar>::constant(
+                                                        0.08333333333333333f64,
+                                                    ),
+                                            ],
+                                        ),
+                                    )
+                                })
+                            }
+                        }
                     })
                 }
             }

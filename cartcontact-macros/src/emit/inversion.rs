@@ -12,7 +12,7 @@ use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
 use crate::number::{integer, literal};
 use crate::proof::Proof;
-use crate::start::Start;
+use crate::start::{Start, may_have_leading_term};
 
 /// The highest power of a dense polynomial; beyond, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -31,7 +31,7 @@ pub(super) fn methods(
     let (gap, Names { krate, scalar }) = (&geometry.gap, names);
     let preamble = coefficients.preamble();
     let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
-    let general = general(gap, forms, coefficients, names);
+    let general = outside_table(gap, forms, start, coefficients, names);
     let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
     let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
     let unlimited = unlimited.map(|found| unlimited_radius(found, coefficients, names));
@@ -125,6 +125,23 @@ fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names:
             #radius
         }
     }
+}
+
+/// The radius where what it starts with does not lead to it: outside the rows of a table of seeds from the leading term,
+/// if there may be one.
+fn outside_table(
+    gap: &Gap,
+    forms: &ClosedForms,
+    start: Option<&Start>,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
+    let general = general(gap, forms, coefficients, names);
+    if !(matches!(start, Some(Start::Seeds(_))) && may_have_leading_term(gap)) {
+        return general;
+    }
+    let found = leading_term::radius_of_real_powers(forms, coefficients, names);
+    found_or_general(&found, &general, names)
 }
 
 /// The radius of any load integral, whatever the geometry.

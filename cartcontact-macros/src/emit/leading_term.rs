@@ -15,10 +15,20 @@ const HIGHEST_POWER: u32 = 80;
 
 /// The radius from the leading term, if that leads to it.
 pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let [a, load_integral, limit, scale] = ["a", "load_integral", "limit", "scale"].map(local);
-    if let Some(powers) = whole_powers(&forms.stepped, coefficients, names) {
-        return quote!((#powers).radius(#load_integral, #limit));
+    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    match whole_powers(&forms.stepped, coefficients, names) {
+        Some(powers) => quote!((#powers).radius(#load_integral, #limit)),
+        None => radius_of_real_powers(forms, coefficients, names),
     }
+}
+
+/// The same for powers of any kind, which takes nothing beside it.
+pub(super) fn radius_of_real_powers(
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
+    let [a, load_integral, limit, scale] = ["a", "load_integral", "limit", "scale"].map(local);
     let radius = names.generated("radius_of_real_powers");
     let quick = names.generated("quick_power_sum_steepness");
     let precise = names.generated("scaled_power_sum_steepness");

@@ -17,7 +17,7 @@ pub(crate) enum Start {
     Seeds(Seeds),
     /// A series from the radius in the middle of a row, where the gap is one term.
     Roots(Roots),
-    /// Steps from the radius that one term has alone, where coefficients are symbols and no table holds them all.
+    /// Steps from the radius that one term has alone, where no table holds all coefficients, or none is near enough.
     LeadingTerm,
 }
 
@@ -36,7 +36,7 @@ impl Start {
 }
 
 /// Steps from a leading term have no use for a coefficient that is negative.
-fn may_have_leading_term(gap: &Gap) -> bool {
+pub(crate) fn may_have_leading_term(gap: &Gap) -> bool {
     let is_negative = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotPositive);
-    !gap.is_constant() && gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
+    gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
 }

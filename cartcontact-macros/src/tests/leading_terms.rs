@@ -1,0 +1,21 @@
+//! Where steps from the leading term lead to the radius.
+
+use super::{on_ball, on_unit};
+use crate::closed_forms::ClosedForms;
+use crate::geometry::Geometry;
+use crate::start::Start;
+
+fn has_leading_term(geometry: &Geometry) -> bool {
+    matches!(Start::of(geometry, &ClosedForms::of(&geometry.gap)), Some(Start::LeadingTerm))
+}
+
+/// A power so high has no rows in which a step leads to the radius.
+#[test]
+fn constants_without_a_table_begin_at_their_leading_term() {
+    let constant = on_unit("0.02 * r^2 + 1e-300 * r^400");
+    assert!(constant.is_ok_and(|geometry| has_leading_term(&geometry)));
+    let oblate = on_unit("0.02 * r^2 - 1e-300 * r^400, max_radius = 3");
+    assert!(oblate.is_ok_and(|geometry| !has_leading_term(&geometry)));
+    let of_fields = on_ball("radius * r^2 + 2 * r^3 + r^4");
+    assert!(of_fields.is_ok_and(|geometry| has_leading_term(&geometry)));
+}
