@@ -54,7 +54,7 @@ pub(super) fn radii(
     let powers = whole_powers(&forms.stepped, coefficients, names)?;
     let (general, radii_of_whole_powers) =
         (names.by_radius_within(), names.generated("radii_of_whole_powers"));
-    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    let [load_integral, limit, more] = ["load_integral", "limit", "more"].map(local);
     let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
     Some(quote! {
         #radii_of_whole_powers(
@@ -62,7 +62,7 @@ pub(super) fn radii(
             #limit,
             // Without it, wide vectors would end at the call.
             #[inline(always)]
-            |#load_integral| (#powers).solve(#load_integral),
+            |#load_integral, #more| (#powers).solve(#load_integral, #more),
             #general,
         )
     })

@@ -4,7 +4,8 @@
 //! units by powers of two change nothing but k and e.
 
 use super::blocks::fill;
-use super::leading_term::{Spread, Start, logarithm_alone};
+use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
+use super::out_of_line;
 use super::step::Target;
 use crate::Scalar;
 use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
@@ -40,13 +41,17 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
         if !is_plain::<T>() {
             return None;
         }
-        let (radius, is_found) = self.solve(load_integral);
-        (is_found & (radius <= limit)).then_some(radius)
+        let found = |(radius, is_found): (T, bool)| (is_found & (radius <= limit)).then_some(radius);
+        match found(self.solve(load_integral, 0)) {
+            None => out_of_line(|| found(self.solve(load_integral, MORE_STEPS))),
+            first => first,
+        }
     }
 
-    /// The radius at which J is `load_integral`, f32 or f64, and whether it is that.
+    /// The radius at which J is `load_integral`, f32 or f64, and whether it is that, with so many `more` steps than are
+    /// mostly enough.
     #[inline(always)]
-    pub fn solve(&self, load_integral: T) -> (T, bool) {
+    pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
         let logarithm_of_y = logarithm(load_integral * self.per_unit);
         let alone = self.coefficients.iter().zip(&self.powers).map(
@@ -67,7 +72,7 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
         let evaluate = |a| (self.steepness)(a, scaled);
         // Of the fraction alone, so that next to the ends of the format nothing is lost, either.
         let target = Target::in_units(fraction(load_integral), self.per_unit);
-        let (radius, is_near) = spread.root(target, start.fraction, evaluate, evaluate);
+        let (radius, is_near) = spread.root(more, target, start.fraction, evaluate, evaluate);
         (radius * power_of_two(start.octave), fits & is_near)
     }
 }
@@ -82,7 +87,7 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
 pub fn radii_of_whole_powers<T: Scalar>(
     (load_integrals, radii): (&[T], &mut [T]),
     limit: T,
-    solve: impl Fn(T) -> (T, bool),
+    solve: impl Fn(T, u32) -> (T, bool),
     general: impl Fn(T) -> Result<T, RadiusError>,
 ) -> Result<(), RadiusError> {
     let least = if is_plain::<T>() { BLOCK } else { usize::MAX };
@@ -101,31 +106,58 @@ fn leading<T: Scalar>(
     load_integrals: &[T],
     radii: &mut [T],
     limit: T,
-    solve: &impl Fn(T) -> (T, bool),
+    solve: &impl Fn(T, u32) -> (T, bool),
 ) -> usize {
     let blocks = load_integrals.as_chunks::<BLOCK>().0.iter().zip(radii.as_chunks_mut::<BLOCK>().0);
     let mut found = 0;
     for (load_integrals, radii) in blocks {
-        // Their own place, so that nothing that is read can be what is written.
-        let mut values = [T::zero(); BLOCK];
-        let mut are_found = true;
-        for (value, &load_integral) in values.iter_mut().zip(load_integrals) {
-            let (radius, is_found) = solve(load_integral);
-            *value = radius;
-            are_found &= is_found & (radius <= limit);
-        }
+        let attempt = block(
+            load_integrals,
+            radii,
+            limit,
+            #[inline(always)]
+            |load_integral| solve(load_integral, 0),
+        );
+        let are_found = attempt
+            || block(
+                load_integrals,
+                radii,
+                limit,
+                #[inline(always)]
+                |load_integral| solve(load_integral, MORE_STEPS),
+            );
         if !are_found {
             break;
         }
-        *radii = values;
         found += BLOCK;
     }
     found
 }
 
+/// The radii of a block; false if one of them is not found.
+#[inline(always)]
+fn block<T: Scalar>(
+    load_integrals: &[T; BLOCK],
+    radii: &mut [T; BLOCK],
+    limit: T,
+    solve: impl Fn(T) -> (T, bool),
+) -> bool {
+    // Their own place, so that nothing that is read can be what is written.
+    let mut values = [T::zero(); BLOCK];
+    let mut are_found = true;
+    for (value, &load_integral) in values.iter_mut().zip(load_integrals) {
+        let (radius, is_found) = solve(load_integral);
+        *value = radius;
+        are_found &= is_found & (radius <= limit);
+    }
+    *radii = values;
+    are_found
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::evaluate::power::integer_power;
 
     /// J = a⁶ + a⁸ + a¹⁰ with other coefficients.
     fn steepness<T: Scalar>(a: T, [b, c, d]: [T; 3]) -> Steepness<T> {
@@ -160,6 +192,41 @@ mod tests {
             let at = steepness(found, coefficients);
             let error = (at.power * at.value - 1.0).abs();
             assert!(error < 12.0 * f32::EPSILON, "{coefficients:?}: {found}, {error:e}");
+        }
+    }
+
+    /// J = Σ a^p for p from 6 to 10, whose terms are all equal at a = 1.
+    fn of_five<T: Scalar>(a: T, coefficients: [T; 5]) -> Steepness<T> {
+        let mut sum = Steepness { power: integer_power(a, 6), ..Steepness::of_nothing() };
+        for (p, c) in [6, 7, 8, 9, 10].into_iter().zip(coefficients) {
+            let term = c * integer_power(a, p) / sum.power;
+            sum.value += term;
+            sum.add_derivatives(term, T::constant(f64::from(p)));
+        }
+        sum
+    }
+
+    #[test]
+    fn radii_of_equal_terms_are_found() {
+        let five = WholePowers {
+            coefficients: [1.0; 5],
+            powers: [6, 7, 8, 9, 10],
+            steepness: of_five::<f64>,
+            per_unit: 1.0,
+        };
+        let planted: Vec<f64> = (0..1600).map(|k| 0.2 * 1.002_f64.powi(k)).collect();
+        let value = |a: f64| (6..=10).map(|p| a.powi(p)).sum::<f64>();
+        let load_integrals: Vec<f64> = planted.iter().map(|&a| value(a)).collect();
+        let mut radii = vec![0.0; planted.len()];
+        let general = |_: f64| Err(RadiusError::InvalidLoadIntegral { load_integral: f64::NAN });
+        let solve = |load_integral, more| five.solve(load_integral, more);
+        let all = radii_of_whole_powers((&load_integrals, &mut radii), f64::INFINITY, solve, general);
+        assert_eq!(all, Ok(()));
+        for ((&a, &load_integral), &of_slice) in planted.iter().zip(&load_integrals).zip(&radii) {
+            for found in [five.radius(load_integral, f64::INFINITY), Some(of_slice)] {
+                // Five terms and their sum are rounded in the test, which p divides, and the radius.
+                assert!(found.is_some_and(|found| (found / a - 1.0).abs() < 2.0 * f64::EPSILON), "{a}");
+            }
         }
     }
 
