@@ -45,15 +45,13 @@ impl<T: Scalar> Piece<T> {
         if self.duration().is_zero() {
             return self.end.1;
         }
-        let elapsed = t - self.start.0;
+        // From the smaller force on, so that what is added loses none of its digits.
+        let (from, to) =
+            if self.end.1 < self.start.1 { (self.end, self.start) } else { (self.start, self.end) };
+        let (elapsed, rise) = ((t - from.0).abs(), to.1 - from.1);
         let share = elapsed / self.duration();
         // A share so small has lost digits, which the slope has not.
-        let rise = if share < smallest_normal() {
-            self.rise() / self.duration() * elapsed
-        } else {
-            self.rise() * share
-        };
-        self.start.1 + rise
+        from.1 + if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share }
     }
 
     /// ∫F over the piece.
