@@ -101,7 +101,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         change.apply(self.initial_pressure(start, r), r)
     }
 
-    /// The pressure P(0, t) on the axis, the largest of all, in MPa, within 24 units in the last place: the bound of
+    /// The pressure P(0, t) on the axis, the largest of all, in MPa, within 8 units in the last place: a third of the bound of
     /// [`pressure`](Self::pressure) at r = 0.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
@@ -130,7 +130,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             if r >= self.radius {
                 *pressure = T::zero();
             } else if r > start.radius {
-                *pressure = march(self.contact, start, (self.time, self.radius), r).offset;
+                *pressure = march(self.contact, start, (self.time, self.radius), r).first_pressure();
             }
         }
     }
@@ -179,7 +179,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// An earlier stage; its radius is admissible because that of the snapshot is.
     fn past_stage(&self, time: T) -> Stage<T> {
         let loading = self.contact.loading(time);
-        let radius = self.contact.radius_under(loading.hereditary).unwrap_or(T::zero());
+        let radius = self.contact.radius_under_loading(loading).unwrap_or(T::zero());
         self.contact.stage_under(loading, time, radius)
     }
 }

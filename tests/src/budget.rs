@@ -51,8 +51,8 @@ const fn allow_as_seen(
     Allowance { quantity, double, single, seen, reason }
 }
 
-/// What is seen is the worst in tests; of random sums it was 1.49 in `f64` and 1.81 in `f32`, of the load integral of
-/// c r + d r^2.5 + e r^6, whose weights are rounded as the coefficients are.
+/// What is seen is the worst in tests. A constant is off by ε/2 at the most, which is a unit of a result just below a power
+/// of two, and the result is rounded by half a unit: 1.5.
 const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
 
 /// Φ(r).
@@ -76,6 +76,13 @@ pub const LOAD_INTEGRAL_DROP: Allowance = allow_as_seen(
 pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// G(a, r), up to 1 − r/a = 1e-12.
 pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
+/// Any of the six before, of a gap whose coefficients depend on fields: the exact value is that for the values of the fields.
+pub const FUNCTION_OF_FIELDS: Allowance = allow(
+    "function of a geometry with fields",
+    [0.6, 0.6],
+    [0.5, 0.5],
+    "the result is rounded, nothing else is: weights, products, quotients and powers of fields are in double words",
+);
 /// G(a, r) against ¼ ∫ δ₀′(s) (s² − r²) ds.
 ///
 /// The worst of 90 000 random ones was 11.2 ε.
@@ -107,14 +114,14 @@ pub const RADIUS_OF_SUMS: Allowance = allow(
 );
 /// a(t), so that it is within 2 ε.
 ///
-/// The worst was seen in r^0.25; of the paper's joint it is 1.22 in `f64` and 1.36 in `f32`. In random scenes up to 1 radius
-/// in 2000 is off by more than 1.1.
+/// In `f64`, of 45 000 random scenes with powers from 1 on none is off by more than 1, and of 9000 of r^0.25 one in a
+/// thousand, by 1.1 at the most; in `f32` 3 radii in ten thousand are.
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [2.0, 2.0],
-    [1.57, 1.5],
-    "as the radius, and π m/4, its inverse, χ ∫F, Y and J are rounded before the inversion, by some 2.5 ε of J, which its \
-     degree, above 4, divides: up to 1.2 ulp",
+    [1.1, 1.43],
+    "as the radius, and ∫F, its share of J and J are rounded before the inversion, by up to 2 ε of J, which its degree, above \
+     4, divides: up to 1 ulp",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
 pub const CONTACT_APPROACH: Allowance = allow(
@@ -125,28 +132,28 @@ pub const CONTACT_APPROACH: Allowance = allow(
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst away from the axis was seen between two ways to the same pressure, with jumps that are told and that are found;
-/// against the oracle it is 1.8. On the axis, where the factor is 3, [`PEAK_PRESSURE`] is up to 5.6 times it.
+/// The worst was seen in steep pressures next to the edge. On the axis, where the factor is 3, [`PEAK_PRESSURE`] is up to 2.5
+/// times it.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
-    [2.0, 1.0],
+    [1.4, 1.0],
     "dozens of nodes, whose ages are rounded before they go into exponentials; the factor is how far the rounding of \
      a moves the edge",
 );
 /// P(0, t).
 ///
-/// The worst was seen in r^12; of the paper's joint it is 13.4 in a million random scenes in `f32`. Up to 1 peak in 300 of
-/// r^12, and in 1500 of others, is off by more than 8, all of them where many e-foldings have drained.
+/// The worst of 54 000 random scenes in `f64`, and of 12 million in `f32`.
 pub const PEAK_PRESSURE: Allowance = allow(
     "peak pressure",
-    [24.0, 24.0],
-    [14.3, 16.8],
-    "as the pressure, with the factor 3 that it has at r = 0",
+    [8.0, 8.0],
+    [6.76, 7.36],
+    "as the pressure, but scaled to the load that it carries: of what all nodes have in common only the kernel of the initial \
+     pressure and the radius are left",
 );
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance =
-    allow("pressure field", [16.0, 16.0], [3.7, 2.0], "both have the error of a pressure");
+    allow("pressure field", [16.0, 16.0], [2.4, 2.0], "both have the error of a pressure");
 /// 2π ∫ P r dr against F: 1e-14.
 pub const BALANCE: Allowance = allow_as_seen(
     "force balance",
@@ -176,7 +183,7 @@ pub const TERMS: f64 = 6.0;
 pub const FOLD: f64 = 2.0;
 
 /// All of them.
-pub const TABLE: [Allowance; 17] = [
+pub const TABLE: [Allowance; 18] = [
     GAP,
     APPROACH,
     APPROACH_SLOPE,
@@ -184,6 +191,7 @@ pub const TABLE: [Allowance; 17] = [
     LOAD_INTEGRAL_DROP,
     LOG_KERNEL,
     PRESSURE_KERNEL,
+    FUNCTION_OF_FIELDS,
     PRESSURE_KERNEL_BY_QUADRATURE,
     RADIUS,
     RADIUS_OF_SUMS,

@@ -5,11 +5,13 @@ mod error;
 mod loading;
 mod radii;
 mod radius;
+mod scales;
 
 use core::fmt;
 
 pub use error::ContactError;
 pub(crate) use loading::Loading;
+use scales::Scales;
 
 use crate::load::Load;
 use crate::medium::Medium;
@@ -45,9 +47,7 @@ pub struct Contact<T, P, L> {
     medium: Medium<T>,
     load: L,
     max_radius: T,
-    /// 4/(π m), the load integral of a hereditary load of 1, in mm⁵/N: kept, as a product takes a third of the time of a
-    /// quotient.
-    integral_per_load: T,
+    scales: Scales<T>,
 }
 
 // Not derived, because geometries are mostly unit structs without `Debug`.
@@ -67,8 +67,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         profile.check()?;
         load.check()?;
         let max_radius = profile.max_radius();
-        let integral_per_load = load_per_integral(&medium).recip();
-        Ok(Self { profile, medium, load, max_radius, integral_per_load })
+        let scales = Scales::of(&medium);
+        Ok(Self { profile, medium, load, max_radius, scales })
     }
 
     /// The geometry.
@@ -204,18 +204,29 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The hereditary load of a radius is this times its load integral: π m/4.
     pub(crate) fn load_per_integral(&self) -> T {
-        load_per_integral(&self.medium)
+        self.scales.load_per_integral
     }
 
     /// The load integral over its hereditary load.
     pub(crate) fn integral_per_load(&self) -> T {
-        self.integral_per_load
+        self.scales.integral_per_load
     }
 
     /// The load integral J = Y/(π m/4) of a hereditary load.
     #[inline(always)]
     pub(crate) fn load_integral_of(&self, hereditary: T) -> T {
-        hereditary * self.integral_per_load
+        hereditary * self.scales.integral_per_load
+    }
+
+    /// The load integral under a load: J = (F + χ ∫F)/(π m/4).
+    #[inline(always)]
+    fn load_integral_under(&self, loading: Loading<T>) -> T {
+        self.scales.load_integral(loading)
+    }
+
+    /// The contact radius under a load.
+    pub(crate) fn radius_under_loading(&self, loading: Loading<T>) -> Result<T, RadiusError> {
+        self.radius_of(self.load_integral_under(loading))
     }
 
     /// The contact radius under a hereditary load Y.
@@ -267,11 +278,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let surplus = surplus_that_counts(surplus, loading.force);
         Stage { time, radius, surplus, impulse: loading.impulse.into() }
     }
-}
-
-/// The hereditary load of a radius over its load integral: π m/4.
-fn load_per_integral<T: Scalar>(medium: &Medium<T>) -> T {
-    medium.m() * T::frac_pi_4()
 }
 
 /// Compares the length of a slice with the one it must have.

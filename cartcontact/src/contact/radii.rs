@@ -68,13 +68,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// The load integrals; false if not all of them, of the times and of the forces are of common size.
     #[inline(always)]
     fn take_load_integrals(&mut self) -> bool {
-        let (sizes, chi, integral_per_load) =
-            (CommonSizes::new(), self.contact.medium.chi(), self.contact.integral_per_load);
+        let (sizes, chi, scales) = (CommonSizes::new(), self.contact.medium.chi(), self.contact.scales);
         let mut are_common = sizes.contain_rate(chi);
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let common_time = sizes.time_near(time);
             let loading = self.contact.loading(common_time);
-            *load_integral = loading.hereditary * integral_per_load;
+            *load_integral = scales.load_integral(loading);
             are_common &= (common_time == time) & sizes.contain_load(loading, *load_integral);
         }
         are_common
@@ -85,7 +84,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
         let contact = self.contact;
         self.load_integrals.iter_mut().zip(self.times).all(|(load_integral, &time)| {
             contact.valid_loading(time).is_ok_and(|loading| {
-                *load_integral = contact.load_integral_of(loading.hereditary);
+                *load_integral = contact.scales.load_integral(loading);
                 contact.has_digits(loading)
             })
         })

@@ -1,4 +1,4 @@
-//! Sums of thousands of impulses.
+//! Sums of thousands of impulses, or of what fades and is gained.
 
 use crate::Scalar;
 

@@ -56,6 +56,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         self.edge_before(self.count)
     }
 
+    /// How the last row follows from the base; none if there are no rows.
+    pub(super) fn change(&self) -> Option<Change<T>> {
+        self.count.checked_sub(1).map(|last| self.since_base.get(last))
+    }
+
     /// Goes on to the next rows, at the first of `times`.
     pub(super) fn advance(&mut self, contact: &'a Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
         self.base = self.last();
@@ -182,7 +187,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             Some(panel) => panel.first_pressure(before, now, r),
             None => {
                 let start = contact.stage(before.time, before.radius);
-                march(contact, start, (now.time, now.radius), r).offset
+                march(contact, start, (now.time, now.radius), r).first_pressure()
             }
         }
     }

@@ -9,10 +9,11 @@
 //! them.
 //!
 //! **Rounding.** Taking every row from the one before it would add up N roundings. Rows are therefore taken
-//! from the last row before their block; only radii covered within the block go row by row. The roundings
-//! that add up are at most `BLOCK` + N/`BLOCK`, and where a row changes too much for blocks, the memory has
-//! lost them after some dozen rows.
+//! from the last row before their block; only radii covered within the block go row by row. Where a row changes too much
+//! for blocks, the memory has lost its roundings after some dozen rows; those of many blocks are kept from adding up by
+//! [`anchors`].
 
+mod anchors;
 mod block;
 mod panel;
 mod runs;
@@ -25,6 +26,7 @@ use crate::memory::faded_folds;
 use crate::profile::GapProfile;
 use crate::scalar::is_size;
 use crate::snapshot::Snapshot;
+use anchors::Anchors;
 use block::{Block, Edge};
 use runs::Runs;
 use sweep::TILE;
@@ -82,17 +84,22 @@ where
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
     let mut block = Block::after(Edge { time: first.time(), radius: first.radius() });
+    let mut anchors = Anchors::at(0, block.last());
     let (mut squares, mut done) = ([T::zero(); TILE], 1);
     while done < times.len() {
         if let Some(now) = anew(contact, block.last().time, times[done])? {
             now.pressures(radii, &mut values[done * width..][..width]);
             block = Block::after(Edge { time: now.time(), radius: now.radius() });
+            anchors = Anchors::at(done, block.last());
             done += 1;
             continue;
         }
         block.advance(contact, &times[done..])?;
         block.fill(contact, &runs, &mut squares, &mut values[(done - 1) * width..]);
         done += block.len();
+        if let Some(change) = block.change() {
+            anchors.pass(change, (done - 1, block.last()), &runs, values);
+        }
     }
     Ok(())
 }

@@ -21,10 +21,10 @@ pub(super) const TILE: usize = 1024;
 /// negative, so that its rounding, the same in every block of equal times, does not add up.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Change<T> {
-    kept: T,
-    gain: T,
-    on_axis: T,
-    slope: T,
+    pub(super) kept: T,
+    pub(super) gain: T,
+    pub(super) on_axis: T,
+    pub(super) slope: T,
 }
 
 impl<T: Scalar> Change<T> {
@@ -33,6 +33,7 @@ impl<T: Scalar> Change<T> {
     /// Taking its parabola from the axis instead of from `reach` costs up to ε reach/(a − r) near the edge.
     pub(super) fn of(transition: Transition<T>, folds: T) -> Self {
         let Transition { decay, offset, slope, reach } = transition;
+        let (decay, offset, slope) = (decay.value, offset.value, slope.value);
         let on_axis = offset + slope * reach * reach;
         if decay > T::constant(0.5) {
             Self { kept: T::one(), gain: (-folds).exp_m1(), on_axis, slope }
@@ -66,7 +67,7 @@ impl<T: Scalar> Change<T> {
 
     /// Whether the decay is near 1: all but the last change of a block.
     #[inline(always)]
-    fn is_slow(self) -> bool {
+    pub(super) fn is_slow(self) -> bool {
         self.kept == T::one()
     }
 

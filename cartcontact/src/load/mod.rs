@@ -30,7 +30,7 @@ pub(crate) use shortest::Shortest;
 /// must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the contact
 /// recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not report are
 /// found too, at the cost of thousands of calls of [`force`](Self::force) each: about fifty between two times to full accuracy,
-/// some five hundred kinks to 1e-12. With more of them pressures are off, by 1e-7 with a thousand and by up to some 1e-3
+/// some five hundred kinks to 1e-12. With more of them pressures are off, by 1e-7 with a thousand and by up to 3e-3
 /// with several thousand: sampled data need `next_knot`, or [`PiecewiseLinear`]. A load that oscillates is followed wave
 /// by wave: a pressure takes some 40 forces for each wave of the last forty e-foldings, however small its waves are.
 ///

@@ -37,6 +37,7 @@ mod time_form;
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::scalar::is_nothing;
+use fading::Fading;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
 pub(crate) use line::Line;
@@ -58,19 +59,22 @@ pub(crate) struct Stage<T> {
 
 /// How pressures at radii r up to `reach` change from one stage to another:
 /// P ← decay · P + offset + slope (reach² − r²).
+///
+/// Along a record of a hundred thousand pieces each of them changes a little that many times, and is rounded as often.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transition<T> {
-    pub(crate) decay: T,
-    pub(crate) offset: T,
-    pub(crate) slope: T,
+    pub(crate) decay: CompensatedSum<T>,
+    pub(crate) offset: CompensatedSum<T>,
+    pub(crate) slope: CompensatedSum<T>,
     pub(crate) reach: T,
 }
 
-/// ∫ δ₀′(s) e^(−χ age) {s² − low², 1} ds over the radii from `low` to those of a stretch's end.
+/// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to those of a stretch's end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Increment<T> {
     offset: T,
     slope: T,
+    spread: T,
 }
 
 impl<T: Scalar> Stage<T> {
@@ -98,7 +102,8 @@ pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
 
 impl<T: Scalar> Transition<T> {
     pub(crate) fn none(reach: T) -> Self {
-        Self { decay: T::one(), offset: T::zero(), slope: T::zero(), reach }
+        let zero = CompensatedSum::from(T::zero());
+        Self { decay: T::one().into(), offset: zero, slope: zero, reach }
     }
 
     /// The pressure after the transition, at a radius up to `reach`, from that before it.
@@ -106,8 +111,13 @@ impl<T: Scalar> Transition<T> {
     /// Between the exact and the rounded edge the strip that the radius has too much leaves a negative rest.
     #[inline(always)]
     pub(crate) fn apply(&self, pressure: T, radius: T) -> T {
-        let gain = self.offset + self.slope * ((self.reach - radius) * (self.reach + radius));
-        not_negative(self.decay * pressure + gain)
+        let gain = self.offset.value + self.slope.value * ((self.reach - radius) * (self.reach + radius));
+        not_negative(self.decay.value * pressure + gain)
+    }
+
+    /// The pressure after it at the radius `reach`, if there was none before it.
+    pub(crate) fn first_pressure(&self) -> T {
+        self.offset.value
     }
 
     /// Whether two ways to the same transition, at whose end the contact has some radius, differ by little more than
@@ -121,23 +131,22 @@ impl<T: Scalar> Transition<T> {
         let edge = radius * condition / (radius - self.reach).max(radius * T::default_epsilon());
         let tolerance = T::default_epsilon() * T::constant(64.0) * (T::constant(8.0) + edge);
         let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());
-        agree(self.offset, other.offset) && agree(self.slope, other.slope)
+        agree(self.offset.value, other.offset.value) && agree(self.slope.value, other.slope.value)
     }
 
-    /// Continues with a stretch of some e-foldings that adds `increment` beyond the radius `low`.
-    fn advance(&mut self, folds: T, quarter_m: T, increment: Increment<T>, low: T) {
-        let after = fading::after(folds);
+    /// Continues with a stretch of some fading that adds `increment` beyond the radius `low`.
+    fn advance(&mut self, fading: Fading<T>, quarter_m: T, increment: Increment<T>, low: T) {
         let (offset, slope) = self.gain(quarter_m, increment, low);
-        self.decay = after(self.decay, T::zero());
-        self.offset = after(self.offset, offset);
-        self.slope = after(self.slope, slope);
+        fading.pass(&mut self.decay, T::zero());
+        fading.pass(&mut self.offset, offset);
+        fading.pass(&mut self.slope, slope);
     }
 
     /// Adds what takes no time.
     fn add(&mut self, quarter_m: T, increment: Increment<T>, low: T) {
         let (offset, slope) = self.gain(quarter_m, increment, low);
-        self.offset += offset;
-        self.slope += slope;
+        self.offset.add(offset);
+        self.slope.add(slope);
     }
 
     fn gain(&self, quarter_m: T, increment: Increment<T>, low: T) -> (T, T) {
@@ -154,13 +163,14 @@ pub(crate) fn not_negative<T: Scalar>(pressure: T) -> T {
 
 impl<T: Scalar> Increment<T> {
     fn zero() -> Self {
-        Self { offset: T::zero(), slope: T::zero() }
+        Self { offset: T::zero(), slope: T::zero(), spread: T::zero() }
     }
 
     /// Of all at the radius s: `weight` is ∫ δ₀′ e^(−χ age) ds.
     #[inline(always)]
     fn at(s: T, weight: T, low: T) -> Self {
-        Self { offset: weight * ((s - low) * (s + low)), slope: weight }
+        let rise = (s - low) * (s + low);
+        Self { offset: weight * rise, slope: weight, spread: weight * rise * rise }
     }
 
     /// Of all at some radii, with a weight for each.
@@ -179,7 +189,16 @@ impl<T: Scalar> Increment<T> {
             #[inline(always)]
             |_, weight| weight,
         );
-        Self { offset, slope }
+        let spread = sum(
+            radii,
+            weights,
+            #[inline(always)]
+            |s, weight| {
+                let rise = (s - low) * (s + low);
+                weight * rise * rise
+            },
+        );
+        Self { offset, slope, spread }
     }
 
     /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided
@@ -195,25 +214,27 @@ impl<T: Scalar> Increment<T> {
 
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
-        Self { offset: self.offset + other.offset, slope: self.slope + other.slope }
+        Self {
+            offset: self.offset + other.offset,
+            slope: self.slope + other.slope,
+            spread: self.spread + other.spread,
+        }
     }
 
     fn times(self, factor: T) -> Self {
-        Self { offset: self.offset * factor, slope: self.slope * factor }
+        Self { offset: self.offset * factor, slope: self.slope * factor, spread: self.spread * factor }
     }
 
-    /// Scales what a thin layer adds to the pressure to the load that it carries, in units of π m/4.
+    /// Scaled to the load that it carries, which is (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds, in units of π m/4.
     ///
-    /// After a long history the rounding of radii is a share of the layer's thickness, but not of its load
-    /// (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds. With s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)² the last term is left out.
-    fn scale_to_load(&mut self, load: T, (low, high): (T, T)) {
-        let two = T::constant(2.0);
-        let square = low * low;
-        let carried = (self.slope * square + two * self.offset) * square;
-        let is_thin = high - low <= high * T::default_epsilon().sqrt();
-        if is_thin && carried > T::zero() {
-            *self = self.times(two * load / carried);
-        }
+    /// That load follows from the forces at both ends of the stretch, and the pressure from it, but for where in the stretch
+    /// it is laid: the roundings of m, and those of δ₀′ and of ages that all nodes have in common, cancel. After a long
+    /// history the rounding of radii is a share of the layer's thickness, but not of its load.
+    fn scaled_to_load(self, load: T, low: T) -> Self {
+        let (two, square) = (T::constant(2.0), low * low);
+        // s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)²: of a thin layer the first counts, which cancels against the slope.
+        let carried = (self.slope * square + two * self.offset) * square + self.spread;
+        if load > T::zero() && carried > T::zero() { self.times(two * load / carried) } else { self }
     }
 }
 

@@ -67,6 +67,14 @@ impl<'a, T: Scalar> Course<'a, T> {
         }
     }
 
+    /// Whether the forces at its ends tell those between them.
+    pub(super) fn is_straight(&self) -> bool {
+        match self {
+            Self::Step { .. } | Self::Linear { .. } => true,
+            Self::Smooth(_) => false,
+        }
+    }
+
     /// How long before the end Y was smaller than at the end by `deficit`.
     #[inline(always)]
     pub(super) fn age(&self, deficit: T) -> T {

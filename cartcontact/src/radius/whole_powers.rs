@@ -33,7 +33,7 @@ pub struct WholePowers<T, F, const N: usize> {
     pub per_unit: T,
 }
 
-impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T, F, N> {
+impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePowers<T, F, N> {
     /// The radius at which J is `load_integral`; none beyond `limit`, where the steps have not come near, and for
     /// other scalars than f32 and f64.
     #[inline(always)]
@@ -42,8 +42,10 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T>, const N: usize> WholePowers<T,
             return None;
         }
         let found = |(radius, is_found): (T, bool)| (is_found & (radius <= limit)).then_some(radius);
+        // A copy, as what others see has to be kept for them: of many radii the logarithms would be taken anew for each.
+        let again = *self;
         match found(self.solve(load_integral, 0)) {
-            None => out_of_line(|| found(self.solve(load_integral, MORE_STEPS))),
+            None => out_of_line(move || found(again.solve(load_integral, MORE_STEPS))),
             first => first,
         }
     }

@@ -7,9 +7,7 @@ mod media;
 use core::fmt::{Debug, Display};
 
 use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
-use cartcontact::{
-    Contact, ContactError, GapProfile, Layer, Medium, MediumError, ProfileError, RadiusError,
-};
+use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, MediumError, ProfileError, RadiusError};
 use tests::profiles::{Oblate, Paraboloid, cases};
 
 const NOT_A_SIZE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0];

@@ -10,6 +10,10 @@
 //! rounded radii: there the strip stays, and fades with the rest. To count it as new would be wrong under a load that falls
 //! as fast as e^(−χ t), under which it would soon be all the pressure there is.
 //!
+//! **The load** that a stretch adds follows from the forces at its ends, and what its integral gives is scaled to it: then
+//! forces balance, and on the axis most of what is rounded cancels. Of a cut stretch, and of forces that are all
+//! rounding, nothing is known.
+//!
 //! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
 //! [`run`](super::run), the others one by one.
 //!
@@ -17,7 +21,7 @@
 
 mod steps;
 
-use super::fading::faded_folds;
+use super::fading::{Fading, faded_folds};
 use super::run::{MOST_PIECES, Run};
 use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
@@ -59,14 +63,13 @@ where
         (false, _) => march.advance_from_knot_to_knot(),
     }
     march.add_strip();
-    march.transition.offset = not_negative(march.transition.offset);
+    march.transition.offset = not_negative(march.transition.offset.value).into();
     march.transition
 }
 
-/// What is left of the gain of a stretch at its end, F₂ − E F₁: a difference of what the forces have in common with
-/// few e-foldings, and of little with many.
-fn kept_of<T: Scalar>((first, last): (T, T), folds: T) -> T {
-    if folds < T::one() { (last - first) - first * (-folds).exp_m1() } else { last - first * (-folds).exp() }
+/// Whether a difference is not one of nearly the same.
+fn has_digits<T: Scalar>(difference: T, sizes: T) -> bool {
+    sizes <= T::constant(16.0) * difference
 }
 
 /// A transition on its way.
@@ -156,16 +159,23 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             return 0;
         }
         let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
-        let Some(last) = run.len().checked_sub(1).and_then(|last| pieces.get(last)) else {
+        let (Some(first), Some(last)) = (pieces.first(), pieces[..run.len()].last()) else {
             return 0;
         };
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
         if let Some(increment) = run.increment(contact, self.transition.reach, share) {
-            let folds = chi * (end - self.now.time);
+            let fading = Fading::over(chi * (end - self.now.time));
+            let forces = (first.start.1, force);
+            let (kept, sizes) = fading.kept_of(forces);
+            let increment = if has_digits(kept, sizes) {
+                increment.scaled_to_load(kept * contact.integral_per_load(), self.transition.reach)
+            } else {
+                increment
+            };
             // Times know nothing of rounded radii: what they lay includes the strips.
             self.add_strip();
-            self.transition.advance(folds, self.quarter_m(), increment, self.transition.reach);
+            self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);
             self.now.impulse = run.impulse;
             let radius = self.radius_under(end, force);
             let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
@@ -207,7 +217,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let force = skipped.end.1;
         let radius = self.radius_under(time, force);
         self.leave_strip();
-        self.transition.advance(chi * skipped.duration(), self.quarter_m(), Increment::zero(), radius);
+        self.transition.advance(
+            Fading::over(chi * skipped.duration()),
+            self.quarter_m(),
+            Increment::zero(),
+            radius,
+        );
         self.now = self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
     }
@@ -227,27 +242,32 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// gains `gain`.
     fn cover(&mut self, high: T, course: Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        let folds = course.folds(chi);
+        let fading = Fading::over(course.folds(chi));
         let (depth, is_covered) = (high - self.now.radius, self.is_covered());
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
-            self.cover_at_once(high, folds, forces, gain);
+            self.cover_at_once(high, fading, forces, gain);
             return;
         }
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
-        let is_left_out = surplus != exact_surplus;
+        let (is_left_out, is_straight) = (surplus != exact_surplus, course.is_straight());
         let low = self.transition.reach.max(self.now.radius);
         let stretch = Stretch { contact, course, low, high, surplus, is_whole: is_covered };
         let (mut increment, is_over_time) = stretch.increment();
-        if is_covered && (is_over_time || is_left_out) {
-            self.add_strip();
-        } else if is_covered {
-            self.leave_strip();
+        if is_covered {
+            let (kept, sizes) = fading.kept_of(forces);
+            let of_strips = if is_over_time || is_left_out {
+                self.add_strip();
+                T::zero()
+            } else {
+                self.leave_strip();
+                fading.after(-self.now.surplus, surplus)
+            };
+            if is_straight && has_digits(kept, sizes) || is_left_out && !is_over_time {
+                increment = increment.scaled_to_load((kept - of_strips) * contact.integral_per_load(), low);
+            }
         }
-        if is_covered && is_left_out && !is_over_time {
-            increment.scale_to_load(kept_of(forces, folds) / contact.load_per_integral(), (low, high));
-        }
-        self.transition.advance(folds, self.quarter_m(), increment, low);
+        self.transition.advance(fading, self.quarter_m(), increment, low);
         self.now = Stage { radius: high, surplus, ..self.now };
         // Of a surplus that is left out there is none.
         self.has_strip = is_over_time;
@@ -259,11 +279,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     /// Lets time pass in which nothing is covered.
-    fn fade(&mut self, folds: T) {
+    fn fade(&mut self, fading: Fading<T>) {
         if self.is_covered() {
             self.add_strip();
         }
-        self.transition.advance(folds, self.quarter_m(), Increment::zero(), self.now.radius);
+        self.transition.advance(fading, self.quarter_m(), Increment::zero(), self.now.radius);
     }
 
     /// The surplus at a later radius, up to which the hereditary load gains `gain`.
@@ -301,14 +321,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
     /// the course; with one radius for all of it the pressure is off by the share by which the radius grew. All of it
     /// includes the strip, which is as old as the rest.
-    fn cover_at_once(&mut self, high: T, folds: T, forces: (T, T), gain: T) {
+    fn cover_at_once(&mut self, high: T, fading: Fading<T>, forces: (T, T), gain: T) {
         self.add_strip();
         // Half-way is no other place, but there second derivatives are those of the gain.
         let at = if is_plain::<T>() { high } else { high - (high - self.now.radius) * T::constant(0.5) };
-        let kept = Stage { radius: at, surplus: kept_of(forces, folds), ..self.now };
+        let (kept, _) = fading.kept_of(forces);
+        let kept = Stage { radius: at, surplus: kept, ..self.now };
         let low = self.transition.reach.max(self.now.radius);
         let increment = Increment::at(at, kept.strip(self.contact.integral_per_load()), low);
-        self.transition.advance(folds, self.quarter_m(), increment, low);
+        self.transition.advance(fading, self.quarter_m(), increment, low);
         let surplus = surplus_that_counts(self.surplus_at(high, gain), forces.1);
         self.now = Stage { radius: high, surplus, ..self.now };
     }

@@ -12,8 +12,9 @@
 //! What drains follows from the force wherever a step resolves it, so that the two ways agree in the end even if the impulse
 //! is that of another load.
 
-use super::{March, kept_of};
+use super::March;
 use crate::load::{ForceSeries, Load, Shortest};
+use crate::memory::fading::Fading;
 use crate::memory::stretch::Course;
 use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
@@ -175,13 +176,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (gained, _) = self.take_impulse(force, end);
         let radius = self.radius_under(end, last);
         let folds = chi * (end - self.now.time);
-        let (gain, kept) = ((last - first) + chi * gained, kept_of((first, last), folds));
+        let fading = Fading::over(folds);
+        let (gain, (kept, _)) = ((last - first) + chi * gained, fading.kept_of((first, last)));
         // More than such a force can make is the rounding of an impulse, which says nothing of what has drained.
         let is_of_force = chi * gained <= folds * (force.largest() + force.largest());
         let age =
             if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
-        self.fade(folds);
-        self.cover(radius, Course::Step { age }, (first * (-folds).exp(), last), gain);
+        self.fade(fading);
+        self.cover(radius, Course::Step { age }, (fading.after(first, T::zero()), last), gain);
         self.now.time = end;
         self.jump(last, self.force_now());
     }

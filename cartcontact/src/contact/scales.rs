@@ -1,0 +1,90 @@
+//! Hereditary loads as load integrals: Y = (π m/4) J, Eq. (14).
+
+use super::Loading;
+use crate::Scalar;
+use crate::evaluate::binary::{scale, split};
+use crate::evaluate::double_word::DoubleWord;
+use crate::medium::Medium;
+use crate::scalar::{is_single, smallest_normal};
+
+/// π/4 less its word in each format, from the next digits of π; of the last of them 1/2 counts for 2⁻¹⁰⁶ and 2⁻⁴⁸.
+const REST_OF_QUARTER_PI: f64 = 3.061616997868383e-17;
+const REST_OF_QUARTER_PI_IN_SINGLE: f64 = -2.1855695e-8;
+
+/// The factors between the two, each of them rounded once.
+///
+/// A contact radius is off by what its load integral is, over the degree of J: of F 4/(π m) + ∫F 4 χ/(π m), each product
+/// of which is rounded as often as its factors are, there is less than of (F + χ ∫F)/(π m/4).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scales<T> {
+    /// π m/4, in N/mm⁵.
+    pub(super) load_per_integral: T,
+    /// 4/(π m), in mm⁵/N: kept, as a product takes a third of the time of a quotient.
+    pub(super) integral_per_load: T,
+    /// 4 χ/(π m), in mm⁵/(N s).
+    integral_per_impulse: T,
+    /// Whether that has all its digits.
+    has_digits: bool,
+}
+
+impl<T: Scalar> Scales<T> {
+    pub(super) fn of(medium: &Medium<T>) -> Self {
+        // Fractions, because halves of words leave the format before the words do.
+        let ((m, exponent), chi) = (split(medium.m()), medium.chi());
+        let rest = if is_single::<T>() { REST_OF_QUARTER_PI_IN_SINGLE } else { REST_OF_QUARTER_PI };
+        let load = DoubleWord::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);
+        let integral = DoubleWord::of(T::one()).over(load);
+        let integral_per_load = scale(integral.rounded(), -exponent);
+        let integral_per_impulse = if chi.is_zero() {
+            // It may carry a derivative.
+            chi * integral_per_load
+        } else {
+            let (chi, exponent_of_chi) = split(chi);
+            scale(integral.times_word(chi).rounded(), exponent_of_chi - exponent)
+        };
+        let has_digits =
+            chi.is_zero() || (integral_per_impulse >= smallest_normal() && integral_per_impulse.is_finite());
+        let load_per_integral = scale(load.rounded(), exponent);
+        Self { load_per_integral, integral_per_load, integral_per_impulse, has_digits }
+    }
+
+    /// The load integral under a load.
+    #[inline(always)]
+    pub(super) fn load_integral(&self, loading: Loading<T>) -> T {
+        if self.has_digits {
+            loading.force * self.integral_per_load + loading.impulse * self.integral_per_impulse
+        } else {
+            loading.hereditary * self.integral_per_load
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scales<T: Scalar>(m: f64, chi: f64) -> Option<[f64; 3]> {
+        let medium = Medium::from_constants(T::constant(m), T::constant(chi)).ok()?;
+        let Scales { load_per_integral, integral_per_load, integral_per_impulse, .. } = Scales::of(&medium);
+        Some([load_per_integral, integral_per_load, integral_per_impulse].map(T::value))
+    }
+
+    /// Against numbers of 40 digits, rounded.
+    #[test]
+    fn factors_are_rounded_once() {
+        let exact = [0.294_524_311_274_043_1, 3.395_305_452_627_100_7, 0.005_092_958_178_940_651];
+        assert_eq!(scales::<f64>(0.375, 0.0015), Some(exact));
+        let exact = [0.294_524_3_f32, 3.395_305_4, 0.005_092_958_5].map(f64::from);
+        assert_eq!(scales::<f32>(0.375, 0.0015), Some(exact));
+    }
+
+    #[test]
+    fn factors_are_there_up_to_the_ends_of_the_format() {
+        for exponent in [-1000, -500, 500, 1000] {
+            let unit = 2f64.powi(exponent);
+            let exact = scales::<f64>(0.375, 0.0015)
+                .map(|[load, integral, impulse]| [load * unit, integral / unit, impulse]);
+            assert_eq!(scales::<f64>(0.375 * unit, 0.0015 * unit), exact);
+        }
+    }
+}

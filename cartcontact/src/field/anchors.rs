@@ -1,0 +1,104 @@
+//! Rows long before the present one, from which it is taken anew now and then, so that roundings do not add up.
+//!
+//! Blocks of equal times change a row by equal shares, whose roundings have the same sign. After every 64 blocks the last row
+//! is taken from the one before all of them, after every 64² from the one before these, and so on: of N blocks 64 roundings
+//! of every length add up, instead of N. Radii that the contact had not reached there keep what they have.
+
+use super::block::Edge;
+use super::runs::Runs;
+use super::sweep::Change;
+use crate::Scalar;
+use crate::evaluate::compensated_sum::CompensatedSum;
+
+/// How many blocks, or lengths of the next shorter kind, an anchor lasts.
+const RATIO: usize = 64;
+
+/// How many kinds of lengths there are; the longest is a quarter of a million blocks.
+const LENGTHS: usize = 3;
+
+/// The rows that began the present length of every kind, shortest first.
+pub(super) struct Anchors<T>([Anchor<T>; LENGTHS]);
+
+/// A row, and how pressures have changed since.
+#[derive(Clone, Copy)]
+struct Anchor<T> {
+    row: usize,
+    edge: Edge<T>,
+    /// How many blocks ago it was.
+    age: usize,
+    since: LongChange<T>,
+}
+
+/// Many changes one after the other, see [`Change`]; of the decay all but 1.
+#[derive(Clone, Copy)]
+struct LongChange<T> {
+    gain: CompensatedSum<T>,
+    on_axis: CompensatedSum<T>,
+    slope: CompensatedSum<T>,
+}
+
+impl<T: Scalar> Anchors<T> {
+    /// All at a row with an edge.
+    pub(super) fn at(row: usize, edge: Edge<T>) -> Self {
+        Self([Anchor::at(row, edge); LENGTHS])
+    }
+
+    /// Passes a block by whose change the last row, with an edge, follows from the one before it, and takes that row of
+    /// `values` anew if it is time to.
+    pub(super) fn pass(
+        &mut self,
+        change: Change<T>,
+        (row, edge): (usize, Edge<T>),
+        runs: &Runs<'_, T>,
+        values: &mut [T],
+    ) {
+        if !change.is_slow() {
+            // Of what was rounded before, half is lost, too.
+            *self = Self::at(row, edge);
+            return;
+        }
+        self.0.iter_mut().for_each(|anchor| anchor.pass(change));
+        let lasts = |(kind, anchor): (usize, &Anchor<T>)| anchor.age < RATIO.pow(kind as u32 + 1);
+        let due = self.0.iter().enumerate().take_while(|&place| !lasts(place)).count();
+        if let Some(longest) = due.checked_sub(1) {
+            self.0[longest].renew(row, runs, values);
+            self.0[..due].fill(Anchor::at(row, edge));
+        }
+    }
+}
+
+impl<T: Scalar> Anchor<T> {
+    fn at(row: usize, edge: Edge<T>) -> Self {
+        let none = CompensatedSum::from(T::zero());
+        Self { row, edge, age: 0, since: LongChange { gain: none, on_axis: none, slope: none } }
+    }
+
+    fn pass(&mut self, change: Change<T>) {
+        self.since.pass(change);
+        self.age += 1;
+    }
+
+    /// Takes a later row from this one, at the radii that were covered here.
+    fn renew(&self, row: usize, runs: &Runs<'_, T>, values: &mut [T]) {
+        let (radii, change) = (runs.radii, self.since.rounded());
+        let (before, now) = values[self.row * radii.len()..].split_at_mut((row - self.row) * radii.len());
+        for run in runs.iter() {
+            let columns = run.split(run.count_inside(radii, self.edge.radius)).0.columns();
+            change.apply_to_row(&before[columns.clone()], &radii[columns.clone()], &mut now[columns]);
+        }
+    }
+}
+
+impl<T: Scalar> LongChange<T> {
+    fn pass(&mut self, change: Change<T>) {
+        let Self { gain, on_axis, slope } = self;
+        gain.add(change.gain + change.gain * gain.value);
+        on_axis.add(change.gain * on_axis.value + change.on_axis);
+        slope.add(change.gain * slope.value + change.slope);
+    }
+
+    fn rounded(&self) -> Change<T> {
+        let [gain, on_axis, slope] = [self.gain, self.on_axis, self.slope].map(|sum| sum.value);
+        Change { kept: T::one(), gain, on_axis, slope }
+    }
+}
