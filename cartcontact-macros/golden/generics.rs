@@ -55,6 +55,28 @@ const _: () = {
             ),
         ]
     }
+    #[allow(
+        clippy::multiple_bound_locations,
+        reason = "the struct may bound its parameter in place"
+    )]
+    #[allow(
+        clippy::possible_missing_comma,
+        reason = "generated operators seem to span an attribute's lines"
+    )]
+    #[inline]
+    fn __precise_coefficients<'a, S: Copy, T>(
+        __profile: &Any<'a, S, T>,
+    ) -> [__cartcontact::generated::Precise<S>; 2usize]
+    where
+        T: Clone,
+        S: __cartcontact::Scalar,
+    {
+        let __field_c = __cartcontact::generated::Precise::of(__profile.c);
+        [
+            __field_c,
+            __field_c.power(__cartcontact::generated::Exponent::in_parts(-1, 0.5, 0.0)),
+        ]
+    }
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
         quarters: __cartcontact::generated::Quarters {
             first: -232,
@@ -97,7 +119,9 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::power_sum(
                 __r,
                 [
@@ -108,19 +132,22 @@ const _: () = {
         }
         #[inline]
         fn approach(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
-                        __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
+                        __c0
+                            * __cartcontact::generated::Precise::<S>::constant(0.5, 0.0),
                         __cartcontact::generated::Exponent::whole(2),
                     ),
                     (
                         __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.4444444444444444f64,
-                            ),
+                            * __cartcontact::generated::Precise::<
+                                S,
+                            >::constant(0.4444444444444444, 2.4671622769447922e-17),
                         __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
                     ),
                 ],
@@ -128,16 +155,18 @@ const _: () = {
         }
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::power_sum(
                 __a,
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(1)),
                     (
                         __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                1.1111111111111112f64,
-                            ),
+                            * __cartcontact::generated::Precise::<
+                                S,
+                            >::constant(1.1111111111111112, -4.9343245538895844e-17),
                         __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                 ],
@@ -145,22 +174,24 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, __a: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::power_sum(
                 __a,
                 [
                     (
                         __c0
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.08333333333333333f64,
-                            ),
+                            * __cartcontact::generated::Precise::<
+                                S,
+                            >::constant(0.08333333333333333, 4.625929269271485e-18),
                         __cartcontact::generated::Exponent::whole(6),
                     ),
                     (
                         __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.08547008547008547f64,
-                            ),
+                            * __cartcontact::generated::Precise::<
+                                S,
+                            >::constant(0.08547008547008547, -1.6605899940974564e-18),
                         __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
@@ -168,19 +199,24 @@ const _: () = {
         }
         #[inline]
         fn log_kernel(&self, __x: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::power_sum(
                 __x,
                 [
                     (
-                        __c0 * <S as __cartcontact::Scalar>::constant(0.0625f64),
+                        __c0
+                            * __cartcontact::generated::Precise::<
+                                S,
+                            >::constant(0.0625, 0.0),
                         __cartcontact::generated::Exponent::whole(4),
                     ),
                     (
                         __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.04938271604938271f64,
-                            ),
+                            * __cartcontact::generated::Precise::<
+                                S,
+                            >::constant(0.04938271604938271, 2.741291418827547e-18),
                         __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0),
                     ),
                 ],
@@ -248,7 +284,9 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::pressure_kernel(
                 __a,
                 __r,

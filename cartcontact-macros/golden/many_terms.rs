@@ -710,7 +710,7 @@ const _: () = {
         ];
         /// The largest contact radius that the geometry is proved for, in mm; infinity if there is no limit.
         pub const MAX_RADIUS: ::core::primitive::f64 = 5.0f64;
-        /// How much of the gap the expansion of its surfaces changes, at most, up to `MAX_RADIUS`.
+        /// How much of the exact gap the expansion of its surfaces neglects, at most, up to `MAX_RADIUS`.
         pub const TRUNCATION_ERROR: ::core::primitive::f64 = 6.06e-10f64;
     }
 };

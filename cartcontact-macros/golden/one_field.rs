@@ -28,7 +28,7 @@
 /// load integral         4 ×, 0 + of double words
 /// log kernel            3 ×, 0 + of double words
 /// pressure kernel       5 ×, 2 + of double words
-/// coefficients          1 × or ÷, 0 + or −, in addition, and a plain × for each term at the most
+/// coefficients          1 ×, 0 + of double words, ÷ among the ×, in addition, and a × for each term at the most
 /// ```
 struct Ball {
     radius: f64,
@@ -56,6 +56,26 @@ const _: () = {
     {
         let __field_radius = <T as __cartcontact::Scalar>::constant(__profile.radius);
         [<T as __cartcontact::Scalar>::constant(0.5f64) / __field_radius]
+    }
+    #[allow(
+        clippy::multiple_bound_locations,
+        reason = "the struct may bound its parameter in place"
+    )]
+    #[allow(
+        clippy::possible_missing_comma,
+        reason = "generated operators seem to span an attribute's lines"
+    )]
+    #[inline]
+    fn __precise_coefficients<T>(
+        __profile: &Ball,
+    ) -> [__cartcontact::generated::Precise<T>; 1usize]
+    where
+        T: __cartcontact::Scalar,
+    {
+        let __field_radius = __cartcontact::generated::Precise::<
+            T,
+        >::constant(__profile.radius, 0.0);
+        [__cartcontact::generated::Precise::<T>::constant(0.5, 0.0) / __field_radius]
     }
     static __TABLE: __cartcontact::generated::Roots = __cartcontact::generated::Roots {
         table: __cartcontact::generated::Table {
@@ -93,39 +113,54 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            let [__c0]: [T; 1usize] = __coefficients(self);
+            let [__c0]: [__cartcontact::generated::Precise<T>; 1usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(__r, 2u32, [__c0])
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            let [__c0]: [T; 1usize] = __coefficients(self);
+            let [__c0]: [__cartcontact::generated::Precise<T>; 1usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
-                [__c0 * <T as __cartcontact::Scalar>::constant(0.5f64)],
+                [__c0 * __cartcontact::generated::Precise::<T>::constant(0.5, 0.0)],
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            let [__c0]: [T; 1usize] = __coefficients(self);
+            let [__c0]: [__cartcontact::generated::Precise<T>; 1usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(__a, 1u32, [__c0])
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            let [__c0]: [T; 1usize] = __coefficients(self);
+            let [__c0]: [__cartcontact::generated::Precise<T>; 1usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __a,
                 6u32,
-                [__c0 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64)],
+                [
+                    __c0
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(0.08333333333333333, 4.625929269271485e-18),
+                ],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            let [__c0]: [T; 1usize] = __coefficients(self);
+            let [__c0]: [__cartcontact::generated::Precise<T>; 1usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
-                [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
+                [__c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0)],
             )
         }
         #[inline]
@@ -148,11 +183,13 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            let [__c0]: [T; 1usize] = __coefficients(self);
+            let [__c0]: [__cartcontact::generated::Precise<T>; 1usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
-                [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
+                [__c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0)],
             )
         }
         #[inline(always)]

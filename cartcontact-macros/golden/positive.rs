@@ -28,7 +28,7 @@
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
 /// pressure kernel       7 ×, 5 + of double words
-/// coefficients          3 × or ÷, 0 + or −, in addition, and a plain × for each term at the most
+/// coefficients          3 ×, 0 + of double words, ÷ among the ×, in addition, and a × for each term at the most
 /// ```
 struct Worn {
     radius: f64,
@@ -60,6 +60,36 @@ const _: () = {
         [
             __field_c,
             <T as __cartcontact::Scalar>::constant(0.125f64)
+                / ({
+                    let __base = __field_radius;
+                    __base * __base * __base
+                }),
+        ]
+    }
+    #[allow(
+        clippy::multiple_bound_locations,
+        reason = "the struct may bound its parameter in place"
+    )]
+    #[allow(
+        clippy::possible_missing_comma,
+        reason = "generated operators seem to span an attribute's lines"
+    )]
+    #[inline]
+    fn __precise_coefficients<T>(
+        __profile: &Worn,
+    ) -> [__cartcontact::generated::Precise<T>; 2usize]
+    where
+        T: __cartcontact::Scalar,
+    {
+        let __field_radius = __cartcontact::generated::Precise::<
+            T,
+        >::constant(__profile.radius, 0.0);
+        let __field_c = __cartcontact::generated::Precise::<
+            T,
+        >::constant(__profile.c, 0.0);
+        [
+            __field_c,
+            __cartcontact::generated::Precise::<T>::constant(0.125, 0.0)
                 / ({
                     let __base = __field_radius;
                     __base * __base * __base
@@ -106,56 +136,79 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<T>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(__r, 2u32, [__c0, __c1])
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<T>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
                 [
-                    __c0 * <T as __cartcontact::Scalar>::constant(0.5f64),
-                    __c1 * <T as __cartcontact::Scalar>::constant(0.3333333333333333f64),
+                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.5, 0.0),
+                    __c1
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(0.3333333333333333, 1.850371707708594e-17),
                 ],
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<T>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __a,
                 1u32,
                 [
                     __c0,
-                    __c1 * <T as __cartcontact::Scalar>::constant(1.3333333333333333f64),
+                    __c1
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(1.3333333333333333, 7.401486830834377e-17),
                 ],
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<T>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __a,
                 6u32,
                 [
                     __c0
-                        * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
-                    __c1 * <T as __cartcontact::Scalar>::constant(0.08333333333333333f64),
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(0.08333333333333333, 4.625929269271485e-18),
+                    __c1
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(0.08333333333333333, 4.625929269271485e-18),
                 ],
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<T>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
                 [
-                    __c0 * <T as __cartcontact::Scalar>::constant(0.0625f64),
+                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0),
                     __c1
-                        * <T as __cartcontact::Scalar>::constant(0.027777777777777776f64),
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(0.027777777777777776, 1.5419764230904951e-18),
                 ],
             )
         }
@@ -185,14 +238,18 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let [__c0, __c1]: [__cartcontact::generated::Precise<T>; 2usize] = __precise_coefficients(
+                self,
+            );
             __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
                 [
-                    __c0 * <T as __cartcontact::Scalar>::constant(0.0625f64),
+                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0),
                     __c1
-                        * <T as __cartcontact::Scalar>::constant(0.027777777777777776f64),
+                        * __cartcontact::generated::Precise::<
+                            T,
+                        >::constant(0.027777777777777776, 1.5419764230904951e-18),
                 ],
             )
         }

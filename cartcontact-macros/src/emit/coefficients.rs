@@ -1,10 +1,12 @@
 //! The coefficients of the gap in generated code: literals where they are constants, otherwise computed once per
-//! call from the fields.
+//! call from the fields, in words or in double words.
 
 use num_traits::{One, Zero};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::expression::Writer;
+use super::power_sum::exponent;
 use super::{Names, bounded_generics, local};
 use crate::closed_forms::{Factor, PowerSum, Summand};
 use crate::gap::Term;
@@ -18,15 +20,76 @@ use crate::reading::name::unraw;
 /// in a table, which takes much less time to compile.
 pub(super) const FEW: usize = 8;
 
+/// The digits of the coefficients.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Digits {
+    OfAWord,
+    /// Twice those of a word: for sums that are rounded once.
+    OfTwo,
+}
+
+#[derive(Clone, Copy)]
 pub(super) struct Coefficients<'a> {
     item: &'a Item,
     geometry: &'a Geometry,
     names: &'a Names,
+    digits: Digits,
 }
 
 impl<'a> Coefficients<'a> {
     pub(super) fn new(item: &'a Item, geometry: &'a Geometry, names: &'a Names) -> Self {
-        Self { item, geometry, names }
+        Self { item, geometry, names, digits: Digits::OfAWord }
+    }
+
+    /// The same for a sum that is rounded once: with twice the digits, unless all its factors are constants or fields
+    /// times powers of two, which words hold.
+    pub(super) fn for_rounding_once(&self, sum: &PowerSum) -> Self {
+        let are_words = sum.summands.iter().all(|summand| self.is_word(summand));
+        if are_words { *self } else { self.precise() }
+    }
+
+    fn precise(&self) -> Self {
+        Self { digits: Digits::OfTwo, ..*self }
+    }
+
+    fn is_word(&self, summand: &Summand) -> bool {
+        summand.weight().is_none_or(|weight| {
+            let multiple = self.geometry.gap.terms[summand.term].coefficient.as_multiple_of_field();
+            multiple.is_some_and(number::is_power_of_two) && number::is_power_of_two(weight)
+        })
+    }
+
+    /// The type of a coefficient.
+    fn scalar(&self) -> TokenStream {
+        let (scalar, precise) = (&self.names.scalar, self.names.generated("Precise"));
+        match self.digits {
+            Digits::OfAWord => scalar.into_token_stream(),
+            Digits::OfTwo => quote!(#precise<#scalar>),
+        }
+    }
+
+    fn number(&self, value: &Rational) -> TokenStream {
+        let Names { scalar, .. } = self.names;
+        match self.digits {
+            Digits::OfAWord => self.names.number(value),
+            Digits::OfTwo => {
+                let (precise, parts) = (self.names.generated("Precise"), number::nearest_and_rest(value));
+                let parts = number::code(parts);
+                quote!(#precise::<#scalar>::constant #parts)
+            }
+        }
+    }
+
+    /// A power of a coefficient that is no integer.
+    fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
+        let (power, number) = (self.names.generated("real_power"), self.names.number(exponent_of_base));
+        match self.digits {
+            Digits::OfAWord => quote!(#power(#base, #number)),
+            Digits::OfTwo => {
+                let exponent = exponent(exponent_of_base, self.names);
+                quote!(#base.power(#exponent))
+            }
+        }
     }
 
     /// The coefficient of the term with that index.
@@ -41,10 +104,10 @@ impl<'a> Coefficients<'a> {
     pub(super) fn factor(&self, summand: &Summand) -> TokenStream {
         let variable = variable(summand.term);
         match &summand.factor {
-            Factor::Constant(value) => self.names.number(value),
+            Factor::Constant(value) => self.number(value),
             Factor::Weight(weight) if weight.is_one() => quote!(#variable),
             Factor::Weight(weight) => {
-                let weight = self.names.number(weight);
+                let weight = self.number(weight);
                 quote!(#variable * #weight)
             }
         }
@@ -63,7 +126,7 @@ impl<'a> Coefficients<'a> {
         self.table(summands).unwrap_or_else(|| {
             let factors = summands.iter().map(|summand| match summand {
                 Some(summand) => self.factor(summand),
-                None => self.names.number(&Rational::zero()),
+                None => self.number(&Rational::zero()),
             });
             quote!([#(#factors),*])
         })
@@ -120,26 +183,31 @@ impl<'a> Coefficients<'a> {
 
     /// Binds the coefficients that are not constants; empty if all are.
     pub(super) fn preamble(&self) -> TokenStream {
-        let (scalar, (variables, count)) = (&self.names.scalar, self.variables());
+        let (scalar, (variables, count)) = (self.scalar(), self.variables());
         if count == 0 {
             return TokenStream::new();
         }
-        let coefficients = name();
+        let coefficients = self.name();
         quote!(let #variables: [#scalar; #count] = #coefficients(self);)
     }
 
-    /// The function that computes the coefficients that are not constants; empty if all are.
-    pub(super) fn function(&self) -> TokenStream {
+    /// The functions that compute the coefficients that are not constants, in words and in double words; empty if all
+    /// are.
+    pub(super) fn functions(&self) -> [TokenStream; 2] {
+        [self.function(), self.precise().function()]
+    }
+
+    fn function(&self) -> TokenStream {
         let values: Vec<TokenStream> =
             self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect();
         if values.is_empty() {
             return TokenStream::new();
         }
-        let (scalar, ident, count) = (&self.names.scalar, &self.item.ident, values.len());
+        let (scalar, ident, count) = (self.scalar(), &self.item.ident, values.len());
         let arguments = self.item.generics.arguments();
         let generics = bounded_generics(self.item, self.names);
         let (parameters, bounds) = (generics.declared(), generics.bounds());
-        let (coefficients, profile) = (name(), local("profile"));
+        let (coefficients, profile) = (self.name(), local("profile"));
         let fields = self.fields(&quote!(#profile), &|field| {
             self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
         });
@@ -156,32 +224,50 @@ impl<'a> Coefficients<'a> {
 
     /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
-        coefficient.expression(field_variable, &self.names.constant(), &self.names.generated("real_power"))
+        coefficient.expression(&Writer {
+            variable: field_variable,
+            number: &|value| self.number(value),
+            power: &|base, exponent| self.power(base, exponent),
+        })
     }
 
     /// Binds the needed fields of `profile`, an expression, as scalars ([`field_variable`]).
     pub(super) fn fields(&self, profile: &TokenStream, needed: &dyn Fn(&Field) -> bool) -> TokenStream {
-        let constant = self.names.constant();
         let bindings = self.item.fields.iter().filter(|field| needed(field)).map(|field| {
             let (ident, variable) = (&field.ident, field_variable(&field.ident));
-            match field.kind {
-                FieldKind::TypeParameter(_) => quote!(let #variable = #profile.#ident;),
-                FieldKind::F64 => quote!(let #variable = #constant(#profile.#ident);),
-                FieldKind::F32 => quote!(let #variable = #constant(<f64 as ::core::convert::From<f32>>::from(#profile.#ident));),
-            }
+            let value = self.value_of_field(&field.kind, quote!(#profile.#ident));
+            quote!(let #variable = #value;)
         });
         quote!(#(#bindings)*)
+    }
+
+    fn value_of_field(&self, kind: &FieldKind, value: TokenStream) -> TokenStream {
+        let value = match kind {
+            FieldKind::F32 => quote!(<f64 as ::core::convert::From<f32>>::from(#value)),
+            _ => value,
+        };
+        let (scalar, constant, precise) =
+            (&self.names.scalar, self.names.constant(), self.names.generated("Precise"));
+        match (self.digits, kind) {
+            (Digits::OfAWord, FieldKind::TypeParameter(_)) => value,
+            (Digits::OfAWord, _) => quote!(#constant(#value)),
+            (Digits::OfTwo, FieldKind::TypeParameter(_)) => quote!(#precise::of(#value)),
+            (Digits::OfTwo, _) => quote!(#precise::<#scalar>::constant(#value, 0.0)),
+        }
+    }
+
+    /// The name of the function that computes them.
+    fn name(&self) -> Ident {
+        local(match self.digits {
+            Digits::OfAWord => "coefficients",
+            Digits::OfTwo => "precise_coefficients",
+        })
     }
 
     fn symbolic(&self) -> impl Iterator<Item = (usize, &Coefficient)> {
         let terms = self.geometry.gap.terms.iter().map(|term| &term.coefficient).enumerate();
         terms.filter(|(_, coefficient)| coefficient.as_constant().is_none())
     }
-}
-
-/// The name of the function that computes them.
-fn name() -> Ident {
-    local("coefficients")
 }
 
 fn variable(term: usize) -> Ident {

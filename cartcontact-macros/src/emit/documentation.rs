@@ -55,7 +55,7 @@ contact radius, mm    the {a} with (π m/4) J({a}) = F(t) + χ ∫F dτ    (14)
         admissibility(item, geometry),
         truncation(geometry),
         solution(start, gap),
-        effort(operations, shared),
+        effort(operations, (!gap.is_constant()).then_some(shared)),
     );
     // A space, as in a comment written by hand.
     text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") }).collect()
@@ -237,18 +237,18 @@ fn solution(start: Option<&Start>, gap: &Gap) -> String {
 }
 
 /// The operations of one call of each evaluator, unless all are left to the run-time crate.
-fn effort(operations: &[Operations], shared: Operations) -> String {
+fn effort(operations: &[Operations], shared: Option<Operations>) -> String {
     if operations.iter().all(|count| count.calls_library) {
         return String::new();
     }
     let names =
         ["gap", "approach", "slope of the approach", "load integral", "log kernel", "pressure kernel"];
     let lines = names.iter().zip(operations).map(|(name, count)| format!("{name:21} {count}\n"));
-    let beside = if shared == Operations::default() {
-        String::new()
-    } else {
-        format!("coefficients          {shared}, in addition, and a plain × for each term at the most\n")
-    };
+    let beside = shared.map_or_else(String::new, |shared| {
+        format!(
+            "coefficients          {shared}, ÷ among the ×, in addition, and a × for each term at the most\n"
+        )
+    });
     let legend = if operations.iter().any(|count| count.is_double) {
         "Double words round a result only once; a × of them takes 24 plain operations, a + 11.\n\n"
     } else {

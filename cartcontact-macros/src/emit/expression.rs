@@ -9,31 +9,25 @@ use crate::gap::coefficient::{Atom, Coefficient, Product};
 use crate::number::{self, Rational};
 
 impl Coefficient {
-    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators.
-    ///
-    /// Numbers become `constant(0.125f64)`, powers that are no integers `power(x, constant(0.5f64))`; a product has
-    /// one division at most.
-    pub(crate) fn expression(
-        &self,
-        variable: fn(&Ident) -> Ident,
-        constant: &TokenStream,
-        power: &TokenStream,
-    ) -> TokenStream {
-        let writer = Writer { variable, constant, power };
+    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators; a
+    /// product has one division at most.
+    pub(crate) fn expression(&self, writer: &Writer<'_>) -> TokenStream {
         writer.sum(self)
     }
 }
 
-struct Writer<'a> {
-    variable: fn(&Ident) -> Ident,
-    constant: &'a TokenStream,
-    power: &'a TokenStream,
+/// How parts of an expression are written.
+pub(crate) struct Writer<'a> {
+    pub(crate) variable: fn(&Ident) -> Ident,
+    pub(crate) number: &'a dyn Fn(&Rational) -> TokenStream,
+    /// A power that is no integer.
+    pub(crate) power: &'a dyn Fn(&TokenStream, &Rational) -> TokenStream,
 }
 
 impl Writer<'_> {
     fn sum(&self, coefficient: &Coefficient) -> TokenStream {
         let mut products = coefficient.products.iter();
-        let Some(first) = products.next() else { return self.number(&number::integer(0)) };
+        let Some(first) = products.next() else { return (self.number)(&number::integer(0)) };
         let start = self.product(first);
         let start = if first.number.is_negative() { quote!(-#start) } else { start };
         products.fold(start, |sum, product| {
@@ -49,7 +43,7 @@ impl Writer<'_> {
         let mut numerator: Vec<TokenStream> =
             above.into_iter().map(|(atom, exponent)| self.raised(atom, exponent)).collect();
         if numerator.is_empty() || !product.number.abs().is_one() {
-            numerator.insert(0, self.number(&product.number.abs()));
+            numerator.insert(0, (self.number)(&product.number.abs()));
         }
         let denominator: Vec<TokenStream> =
             below.into_iter().map(|(atom, exponent)| self.raised(atom, &exponent.abs())).collect();
@@ -79,16 +73,8 @@ impl Writer<'_> {
                 let repeated = repeated(&variable, exponent);
                 quote!(({ let #variable = #base; #repeated }))
             }
-            _ => {
-                let (power, exponent) = (self.power, self.number(exponent));
-                quote!(#power(#base, #exponent))
-            }
+            _ => (self.power)(&base, exponent),
         }
-    }
-
-    fn number(&self, value: &Rational) -> TokenStream {
-        let (constant, literal) = (self.constant, number::literal(value));
-        quote!(#constant(#literal))
     }
 }
 
@@ -120,7 +106,15 @@ mod tests {
     use crate::gap::coefficient::samples::{number, power};
 
     fn code(of: &Coefficient) -> String {
-        of.expression(Ident::clone, &quote!(c), &quote!(p)).to_string()
+        let number = |value: &Rational| {
+            let literal = number::literal(value);
+            quote!(c(#literal))
+        };
+        let power = |base: &TokenStream, exponent: &Rational| {
+            let exponent = number(exponent);
+            quote!(p(#base, #exponent))
+        };
+        of.expression(&Writer { variable: Ident::clone, number: &number, power: &power }).to_string()
     }
 
     #[test]

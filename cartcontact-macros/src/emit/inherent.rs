@@ -83,7 +83,7 @@ fn constants(geometry: &Geometry) -> TokenStream {
     let error = geometry.truncation.as_ref().and_then(|truncation| truncation.error.as_ref());
     let error = error.map(literal).map(|error| {
         quote! {
-            /// How much of the gap the expansion of its surfaces changes, at most, up to `MAX_RADIUS`.
+            /// How much of the exact gap the expansion of its surfaces neglects, at most, up to `MAX_RADIUS`.
             pub const TRUNCATION_ERROR: #number = #error;
         }
     });

@@ -92,9 +92,10 @@ pub(crate) fn solver(
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let quadrature_hints = quadrature_hints(geometry, &coefficients, &names);
-    let shared = coefficients.function();
+    let [shared, precise_shared] = coefficients.functions();
     let header = implementation(item, &names);
-    let beside = Operations::of_function(&shared);
+    let mut beside = Operations::of_function(&shared);
+    beside.is_double = true;
     let lines = documentation::lines(item, geometry, &forms, start.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
     let scope = scope(
@@ -102,6 +103,7 @@ pub(crate) fn solver(
         &quote! {
             #import
             #shared
+            #precise_shared
             #beside_inversion
             #[automatically_derived]
             #header {
@@ -134,9 +136,9 @@ fn evaluators(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> (TokenStream, Vec<Operations>) {
-    let (scalar, preamble) = (&names.scalar, coefficients.preamble());
-    let method = |name: &str, variable: &Ident, body: TokenStream| {
-        let name = Ident::new(name, Span::call_site());
+    let scalar = &names.scalar;
+    let method = |name: &str, variable: &Ident, coefficients: &Coefficients<'_>, body: TokenStream| {
+        let (name, preamble) = (Ident::new(name, Span::call_site()), coefficients.preamble());
         quote! {
             #[inline]
             fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
@@ -151,9 +153,10 @@ fn evaluators(
         ("log_kernel", "x", &forms.log_kernel),
     ] {
         let variable = local(variable);
-        let value = power_sum::value(sum, &variable, coefficients, names);
+        let coefficients = coefficients.for_rounding_once(sum);
+        let value = power_sum::value(sum, &variable, &coefficients, names);
         operations.push(value.operations);
-        methods.push(method(name, &variable, value.code));
+        methods.push(method(name, &variable, &coefficients, value.code));
     }
     for (name, sum) in [
         ("quick_approach", &forms.approach),
@@ -161,7 +164,8 @@ fn evaluators(
         ("quick_load_integral", &forms.load_integral),
     ] {
         let a = local("a");
-        methods.push(method(name, &a, power_sum::quick_value(sum, &a, coefficients, names)));
+        let code = power_sum::quick_value(sum, &a, coefficients, names);
+        methods.push(method(name, &a, coefficients, code));
     }
     let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));

@@ -8,7 +8,7 @@ use core::fmt::{Display, Formatter, Result};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The binary operators of a piece of code, and whether it also calls the run-time crate.
-#[derive(Default, PartialEq, Eq)]
+#[derive(Default)]
 pub(super) struct Operations {
     /// Divisions among them.
     multiplications: u32,

@@ -12,7 +12,7 @@
 //! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
 //! multiplication, with the same effect.
 
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -20,7 +20,7 @@ use super::coefficients::{Coefficients, FEW};
 use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
-use crate::number::{Rational, code, rounded};
+use crate::number::{Rational, code, nearest_and_rest, rounded};
 
 /// The highest power that is written out as a product.
 const LONGEST_PRODUCT: u32 = 3;
@@ -88,7 +88,7 @@ impl Whole {
     }
 }
 
-/// The value of the sum at `x`, with one rounding besides those of the coefficients.
+/// The value of the sum at `x`, with one rounding besides those of the coefficients, which may be precise.
 pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> Counted {
     let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
         let code = by_powers("power_sum", sum, x, coefficients, names);
@@ -213,7 +213,7 @@ fn table(sum: &PowerSum) -> Option<Vec<(f64, i32)>> {
     sum.summands.iter().map(term).collect()
 }
 
-fn exponent(exponent: &Rational, names: &Names) -> TokenStream {
+pub(super) fn exponent(exponent: &Rational, names: &Names) -> TokenStream {
     let of = names.generated("Exponent");
     if exponent.is_integer() {
         let whole = Literal::i32_unsuffixed(whole_part(exponent));
@@ -235,8 +235,6 @@ fn whole_part(exponent: &Rational) -> i32 {
 
 /// An exponent of which nothing is rounded, in any format: its whole part, the fraction, and what that lacks.
 fn in_parts(exponent: &Rational) -> (i32, f64, f64) {
-    let fraction = exponent - exponent.floor();
-    let nearest = rounded(&fraction);
-    let rest = fraction - Rational::from_float(nearest).unwrap_or_else(Rational::zero);
-    (whole_part(exponent), nearest, rounded(&rest))
+    let (nearest, rest) = nearest_and_rest(&(exponent - exponent.floor()));
+    (whole_part(exponent), nearest, rest)
 }

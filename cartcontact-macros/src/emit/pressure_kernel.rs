@@ -17,10 +17,11 @@ use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
 /// The highest even exponent of a kernel that is rounded once, and of a quick one; the highest of a quick one for all
-/// whole exponents.
+/// whole exponents. Of a higher power alone a kernel of its own rounds less.
 const HIGHEST_EVEN: u32 = 8;
 const HIGHEST_QUICK_EVEN: u32 = 24;
 const HIGHEST_QUICK_WHOLE: u32 = 12;
+const HIGHEST_ALONE: u32 = 8;
 
 /// The kernel as it is asked for, and as pressures are made of it.
 pub(super) fn methods(
@@ -31,20 +32,18 @@ pub(super) fn methods(
 ) -> [TokenStream; 2] {
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
     let terms = || power_sum::terms(&forms.gap, coefficients, names);
-    let kernel = match highest_multiple(gap, 2, HIGHEST_EVEN) {
-        Some(_) => ("even_pressure_kernel", weights(2)),
-        None => ("pressure_kernel", terms()),
-    };
-    let quick_kernel = if highest_multiple(gap, 2, HIGHEST_QUICK_EVEN).is_some() {
+    let (kernel, precise) = precise_kernel(gap, forms, coefficients, names);
+    let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
+    let quick_kernel = if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
         ("quick_even_pressure_kernel", weights(2))
-    } else if highest_multiple(gap, 1, HIGHEST_QUICK_WHOLE).is_some() {
+    } else if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
         ("quick_whole_pressure_kernel", weights(1))
     } else {
         ("quick_pressure_kernel", terms())
     };
-    let (scalar, preamble) = (&names.scalar, coefficients.preamble());
+    let scalar = &names.scalar;
     let (a, r) = (local("a"), local("r"));
-    let method = |method, (function, terms), inline| {
+    let method = |method, (function, terms), preamble: TokenStream, inline| {
         let (method, function) = (Ident::new(method, Span::call_site()), names.generated(function));
         quote! {
             #inline
@@ -55,10 +54,25 @@ pub(super) fn methods(
         }
     };
     [
-        method("pressure_kernel", kernel, quote!(#[inline])),
+        method("pressure_kernel", kernel, precise.preamble(), quote!(#[inline])),
         // Loops over many radii take the quick one with wide vectors, which would end at a call.
-        method("quick_pressure_kernel", quick_kernel, quote!(#[inline(always)])),
+        method("quick_pressure_kernel", quick_kernel, coefficients.preamble(), quote!(#[inline(always)])),
     ]
+}
+
+/// The function and the terms of the kernel that is rounded once, and its coefficients.
+fn precise_kernel<'a>(
+    gap: &Gap,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'a>,
+    names: &Names,
+) -> ((&'static str, TokenStream), Coefficients<'a>) {
+    if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
+        let precise = coefficients.for_rounding_once(&forms.log_kernel);
+        return (("even_pressure_kernel", weights(2, &forms.log_kernel, &precise)), precise);
+    }
+    let precise = coefficients.for_rounding_once(&forms.gap);
+    (("pressure_kernel", power_sum::terms(&forms.gap, &precise, names)), precise)
 }
 
 /// Those of the kernel as it is asked for.

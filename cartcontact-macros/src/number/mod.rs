@@ -59,6 +59,18 @@ pub(crate) fn rounded(value: &Rational) -> f64 {
     value.to_f64().unwrap_or(0.0).clamp(f64::MIN, f64::MAX)
 }
 
+/// The nearest finite `f64`, and the one nearest to what that lacks.
+pub(crate) fn nearest_and_rest(value: &Rational) -> (f64, f64) {
+    let nearest = rounded(value);
+    let rest = value - Rational::from_float(nearest).unwrap_or_else(Rational::zero);
+    (nearest, rounded(&rest))
+}
+
+/// Whether the number is a power of two, but for its sign.
+pub(crate) fn is_power_of_two(value: &Rational) -> bool {
+    [value.numer(), value.denom()].iter().all(|part| part.magnitude().count_ones() == 1)
+}
+
 /// The nearest finite `f64` as a literal in its shortest form, such as `0.025f64`.
 pub(crate) fn literal(value: &Rational) -> Literal {
     let nearest = rounded(value);

@@ -1,5 +1,5 @@
-//! The two arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, and
-//! double words where it is asked for itself.
+//! The arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, words that
+//! make up for rounded squares, and double words where it is asked for itself.
 
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
@@ -7,32 +7,36 @@ use super::power::{double_term, term};
 use super::real_exponent_kernel;
 use crate::Scalar;
 
-/// What numbers made of words of type `T` can do.
-pub(crate) trait Arithmetic<T>: Copy {
+/// What polynomials need of numbers made of words of type `T`.
+pub(crate) trait Ring<T>: Copy {
     fn of(word: T) -> Self;
     fn sum(x: T, y: T) -> Self;
     fn product(x: T, y: T) -> Self;
+    fn plus(self, other: Self) -> Self;
+    fn plus_word(self, word: T) -> Self;
+    fn times(self, other: Self) -> Self;
+    fn times_word(self, word: T) -> Self;
+    fn rounded(self) -> T;
+}
+
+/// What other functions need of them.
+pub(crate) trait Arithmetic<T>: Ring<T> {
     /// n, rounded to what the number can hold.
     fn exponent(n: Exponent<T>) -> Self;
     /// c x^n.
     fn term(c: Self, x: T, n: Exponent<T>) -> Self;
     /// K(q) for any exponent n, from 1 − q and q.
     fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self;
-    fn plus(self, other: Self) -> Self;
-    fn plus_word(self, word: T) -> Self;
-    fn times(self, other: Self) -> Self;
-    fn times_word(self, word: T) -> Self;
     fn over(self, other: Self) -> Self;
     /// The square root of a positive number.
     fn sqrt(self) -> Self;
-    fn rounded(self) -> T;
 }
 
 /// A word, rounded after every operation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Word<T>(T);
 
-impl<T: Scalar> Arithmetic<T> for Word<T> {
+impl<T: Scalar> Ring<T> for Word<T> {
     #[inline(always)]
     fn of(word: T) -> Self {
         Self(word)
@@ -44,18 +48,6 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
     #[inline(always)]
     fn product(x: T, y: T) -> Self {
         Self(x * y)
-    }
-    #[inline(always)]
-    fn exponent(n: Exponent<T>) -> Self {
-        Self(n.value())
-    }
-    #[inline(always)]
-    fn term(c: Self, x: T, n: Exponent<T>) -> Self {
-        Self(term(c.0, x, n))
-    }
-    #[inline(always)]
-    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
-        Self(real_exponent_kernel::quick_kernel(inset.0, ratio.0, n.value()))
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
@@ -74,6 +66,25 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
         Self(self.0 * word)
     }
     #[inline(always)]
+    fn rounded(self) -> T {
+        self.0
+    }
+}
+
+impl<T: Scalar> Arithmetic<T> for Word<T> {
+    #[inline(always)]
+    fn exponent(n: Exponent<T>) -> Self {
+        Self(n.value())
+    }
+    #[inline(always)]
+    fn term(c: Self, x: T, n: Exponent<T>) -> Self {
+        Self(term(c.0, x, n))
+    }
+    #[inline(always)]
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
+        Self(real_exponent_kernel::quick_kernel(inset.0, ratio.0, n.value()))
+    }
+    #[inline(always)]
     fn over(self, other: Self) -> Self {
         Self(self.0 / other.0)
     }
@@ -81,13 +92,54 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
+}
+
+/// A word with what the products that it is made of lack, to first order; its own operations are rounded.
+///
+/// Powers by Horner's rule repeat the rounding of what they are powers of, in every step with the same sign.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corrected<T> {
+    value: T,
+    lacks: T,
+}
+
+impl<T: Scalar> Ring<T> for Corrected<T> {
+    #[inline(always)]
+    fn of(word: T) -> Self {
+        Self { value: word, lacks: T::zero() }
+    }
+    #[inline(always)]
+    fn sum(x: T, y: T) -> Self {
+        Self::of(x + y)
+    }
+    #[inline(always)]
+    fn product(x: T, y: T) -> Self {
+        let product = DoubleWord::product(x, y);
+        Self { value: product.high(), lacks: product.low() }
+    }
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        Self { value: self.value + other.value, lacks: self.lacks + other.lacks }
+    }
+    #[inline(always)]
+    fn plus_word(self, word: T) -> Self {
+        Self { value: self.value + word, lacks: self.lacks }
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        Self { value: self.value * other.value, lacks: self.value * other.lacks + self.lacks * other.value }
+    }
+    #[inline(always)]
+    fn times_word(self, word: T) -> Self {
+        Self { value: self.value * word, lacks: self.lacks * word }
+    }
     #[inline(always)]
     fn rounded(self) -> T {
-        self.0
+        self.value + self.lacks
     }
 }
 
-impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
+impl<T: Scalar> Ring<T> for DoubleWord<T> {
     #[inline]
     fn of(word: T) -> Self {
         Self::of(word)
@@ -99,18 +151,6 @@ impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
     #[inline]
     fn product(x: T, y: T) -> Self {
         Self::product(x, y)
-    }
-    #[inline]
-    fn exponent(n: Exponent<T>) -> Self {
-        n.double()
-    }
-    #[inline]
-    fn term(c: Self, x: T, n: Exponent<T>) -> Self {
-        double_term(c, x, n)
-    }
-    #[inline]
-    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
-        real_exponent_kernel::kernel(inset, ratio, n.double())
     }
     #[inline]
     fn plus(self, other: Self) -> Self {
@@ -129,15 +169,30 @@ impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
         Self::times_word(self, word)
     }
     #[inline]
+    fn rounded(self) -> T {
+        Self::rounded(self)
+    }
+}
+
+impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
+    #[inline]
+    fn exponent(n: Exponent<T>) -> Self {
+        n.double()
+    }
+    #[inline]
+    fn term(c: Self, x: T, n: Exponent<T>) -> Self {
+        double_term(c, x, n)
+    }
+    #[inline]
+    fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
+        real_exponent_kernel::kernel(inset, ratio, n.double())
+    }
+    #[inline]
     fn over(self, other: Self) -> Self {
         Self::over(self, other)
     }
     #[inline]
     fn sqrt(self) -> Self {
         Self::sqrt(self)
-    }
-    #[inline]
-    fn rounded(self) -> T {
-        Self::rounded(self)
     }
 }

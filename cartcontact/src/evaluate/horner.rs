@@ -1,5 +1,6 @@
 //! Polynomials with coefficients in ascending order, densely stored: c\[0\] + c\[1\] x + c\[2\] x² + …
 
+use super::coefficient::{Coefficient, added, number, rounded};
 use super::double_word::DoubleWord;
 use crate::Scalar;
 
@@ -35,19 +36,27 @@ pub fn even_sum<T: Scalar, const N: usize>(r: T, coefficients: [T; N]) -> T {
 
 /// x^lowest Σ c\[k\] x^k, rounded once: Horner's rule in twice the working precision.
 ///
-/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients; otherwise 2^−100 times the sizes of the
+/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients, which may be precise; otherwise 2^−100 times the sizes of the
 /// terms besides.
 #[inline]
-pub fn precise_sum<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
+pub fn precise_sum<T: Scalar, C: Coefficient<T>, const N: usize>(
+    x: T,
+    lowest: u32,
+    coefficients: [C; N],
+) -> T {
     let sum = precise_horner(DoubleWord::of(x), lowest, &coefficients);
-    sum.rounded_or(|| plain_horner(x, lowest, coefficients))
+    sum.rounded_or(|| plain_horner(x, lowest, rounded(coefficients)))
 }
 
 /// r^lowest Σ c\[k\] r^(2k), rounded once, see [`precise_sum`].
 #[inline]
-pub fn precise_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
+pub fn precise_even_sum<T: Scalar, C: Coefficient<T>, const N: usize>(
+    r: T,
+    lowest: u32,
+    coefficients: [C; N],
+) -> T {
     let even = precise_horner(DoubleWord::product(r, r), lowest / 2, &coefficients);
-    let plain = || plain_horner(r * r, lowest / 2, coefficients);
+    let plain = || plain_horner(r * r, lowest / 2, rounded(coefficients));
     if lowest % 2 == 1 { even.times_word(r).rounded_or(|| plain() * r) } else { even.rounded_or(plain) }
 }
 
@@ -57,14 +66,14 @@ fn plain_horner<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; 
 }
 
 #[inline(always)]
-fn precise_horner<T: Scalar, const N: usize>(
+fn precise_horner<T: Scalar, C: Coefficient<T>, const N: usize>(
     x: DoubleWord<T>,
     lowest: u32,
-    coefficients: &[T; N],
+    coefficients: &[C; N],
 ) -> DoubleWord<T> {
     let Some((&last, rest)) = coefficients.split_last() else { return DoubleWord::of(T::zero()) };
-    let step = |sum: DoubleWord<T>, &coefficient: &T| sum.times(x).plus_word(coefficient);
-    let sum = rest.iter().rev().fold(DoubleWord::of(last), step);
+    let step = |sum: DoubleWord<T>, &coefficient: &C| added(sum.times(x), coefficient);
+    let sum = rest.iter().rev().fold(number(last), step);
     // One by one: a power of x alone may overflow though the result does not.
     (0..lowest).fold(sum, |sum, _| sum.times(x))
 }

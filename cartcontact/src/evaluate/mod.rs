@@ -3,7 +3,7 @@
 //! | what | modules |
 //! |---|---|
 //! | digits and exponents of numbers | `bits` (of f32 and f64, without branches), `binary` (of every scalar, subnormals too), `exponent` |
-//! | numbers of more digits | `halved` (an error of ε/1000), `double_word` (of ε²), `compensated_sum`; `arithmetic` is a trait of plain and double words |
+//! | numbers of more digits | `halved` (an error of ε/1000), `double_word` (of ε²), `compensated_sum`; `arithmetic` is a trait of plain and double words, `coefficient` those of fields |
 //! | functions | `exponential`, `logarithm` (plain words, for loops of vectors), `double_functions` (double words), `series` |
 //! | sums of powers | `horner` (all powers of a polynomial), `power` (any exponents), `steepness` (a sum with its derivatives) |
 //! | pressure kernels | `pressure_kernel`, `real_exponent_kernel` |
@@ -11,6 +11,7 @@
 pub(crate) mod arithmetic;
 pub(crate) mod binary;
 pub(crate) mod bits;
+pub(crate) mod coefficient;
 pub(crate) mod compensated_sum;
 pub(crate) mod double_functions;
 pub(crate) mod double_word;

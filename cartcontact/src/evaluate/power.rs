@@ -2,6 +2,7 @@
 
 use super::binary::{divide, scale, split};
 use super::bits::with_half_its_digits;
+use super::coefficient::{Coefficient, number};
 use super::double_functions;
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
@@ -49,8 +50,11 @@ pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Expo
 
 /// Σ c x^n over the terms (c, n), rounded once.
 #[inline]
-pub fn power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>), IntoIter: Clone>) -> T {
-    weighted_power_sum(x, terms.into_iter().map(|(c, n)| (DoubleWord::of(c), n)))
+pub fn power_sum<T: Scalar, C: Coefficient<T>>(
+    x: T,
+    terms: impl IntoIterator<Item = (C, Exponent<T>), IntoIter: Clone>,
+) -> T {
+    weighted_power_sum(x, terms.into_iter().map(|(c, n)| (number(c), n)))
 }
 
 /// Σ c x^n with coefficients that are not rounded, rounded once.

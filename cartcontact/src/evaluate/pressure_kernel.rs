@@ -20,7 +20,8 @@
 
 use core::marker::PhantomData;
 
-use super::arithmetic::{Arithmetic, Word};
+use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
+use super::coefficient::{Coefficient, added, multiplied, number, rounded};
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use crate::Scalar;
@@ -29,17 +30,20 @@ use crate::scalar::{floor, is_plain, smallest_normal};
 /// Longest tent: the time for it grows with its length, that of logarithms does not.
 const LONGEST_TENT: u32 = 72;
 
+/// How many even powers repeat the rounding of a² too little to matter.
+const FEW: usize = 2;
+
 /// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
 #[inline]
-pub fn pressure_kernel<T: Scalar>(
+pub fn pressure_kernel<T: Scalar, C: Coefficient<T>>(
     a: T,
     r: T,
-    terms: impl IntoIterator<Item = (T, Exponent<T>)> + Clone,
+    terms: impl IntoIterator<Item = (C, Exponent<T>)> + Clone,
 ) -> T {
     let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::PowerFirst);
     sum.rounded_or(|| {
         let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
-        sum.rounded_or(|| sum_of_kernels::<T, Word<T>>(a, r, terms, Order::ZeroFirst).rounded())
+        sum.rounded_or(|| sum_of_kernels::<T, Word<T>, C>(a, r, terms, Order::ZeroFirst).rounded())
     })
 }
 
@@ -52,16 +56,21 @@ pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Ite
 
 /// G(a, r) of a gap of even powers, zero for r ≥ a, rounded once: `weights[k − 1]` is C/(n+2)² for n = 2 k.
 #[inline]
-pub fn even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
+pub fn even_pressure_kernel<T: Scalar, C: Coefficient<T>, const N: usize>(a: T, r: T, weights: [C; N]) -> T {
     let sum: DoubleWord<T> = sum_of_even_kernels(a, r, &weights);
-    sum.rounded_or(|| quick_even_pressure_kernel(a, r, weights))
+    sum.rounded_or(|| quick_even_pressure_kernel(a, r, rounded(weights)))
 }
 
 /// [`even_pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline(always)]
 pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
-    let sum: Word<T> = sum_of_even_kernels(a, r, &weights);
-    sum.rounded()
+    let plain = || sum_of_even_kernels::<T, Word<T>>(a, r, &weights).rounded();
+    if N <= FEW {
+        return plain();
+    }
+    let sum = sum_of_even_kernels::<T, Corrected<T>>(a, r, &weights).rounded();
+    // Beyond 2^996 the exact squares overflow although the rounded ones do not.
+    if sum.is_finite() { sum } else { plain() }
 }
 
 /// G(a, r) of a gap of low whole powers in plain arithmetic, zero for r ≥ a, within 8 ε: `weights[n − 1]` is
@@ -82,10 +91,10 @@ enum Order {
 }
 
 #[inline]
-fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
+fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
     a: T,
     r: T,
-    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+    terms: impl IntoIterator<Item = (C, Exponent<T>)>,
     order: Order,
 ) -> A {
     let zero = A::of(T::zero());
@@ -95,7 +104,7 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
     let (edge, two) = (Edge::<T, A>::between(a, r), T::constant(2.0));
     terms.into_iter().fold(zero, |sum, (c, n)| {
         let next = A::exponent(n.plus(2));
-        let weight = A::of(c).over(next.times(next).times_word(two));
+        let weight = number::<T, A>(c).over(next.times(next).times_word(two));
         // In two steps, because quick powers above the third take double words, too, and those of most gaps are below.
         let times_power = |factor: A| A::term(factor, a, n).times_word(a).times_word(a);
         if let Order::ZeroFirst = order {
@@ -117,7 +126,7 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>>(
 ///
 /// all of it by Horner's rule, so that nothing on the way is larger than the weights or the result.
 #[inline(always)]
-fn sum_of_even_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[T]) -> A {
+fn sum_of_even_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[impl Coefficient<T>]) -> A {
     let (a_squared, r_squared) = (A::product(a, a), A::product(r, r));
     let inset = A::sum(a, -r).times(A::sum(a, r));
     match nested_sums(a_squared, r_squared, weights) {
@@ -134,7 +143,7 @@ fn sum_of_even_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[T]) -
 ///
 /// so that with the D and Σ r^j D_j of [`nested_sums`] the sum is a D + 2 r Σ r^j D_j.
 #[inline(always)]
-fn sum_of_whole_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[T]) -> A {
+fn sum_of_whole_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[T]) -> A {
     let inset = A::sum(a, -r);
     match nested_sums(A::of(a), A::of(r), weights) {
         Some((d, sum)) if r < a => {
@@ -147,17 +156,17 @@ fn sum_of_whole_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[T]) 
 
 /// D_0 and Σ_j r^j D_j, with D_j = E_j + a D_{j+1} and E_j = w_{j+1} + a E_{j+1}.
 #[inline(always)]
-fn nested_sums<T: Scalar, A: Arithmetic<T>>(a: A, r: A, weights: &[T]) -> Option<(A, A)> {
+fn nested_sums<T: Scalar, A: Ring<T>>(a: A, r: A, weights: &[impl Coefficient<T>]) -> Option<(A, A)> {
     let (&highest, lower) = weights.split_last()?;
     let Some((&second, lower)) = lower.split_last() else {
-        return Some((A::of(highest), A::of(highest)));
+        return Some((number(highest), number(highest)));
     };
-    let product = a.times_word(highest);
-    let mut e = product.plus_word(second);
+    let product = multiplied(a, highest);
+    let mut e = added(product, second);
     let mut d = e.plus(product);
-    let mut sum = r.times_word(highest).plus(d);
+    let mut sum = multiplied(r, highest).plus(d);
     for &weight in lower.iter().rev() {
-        e = a.times(e).plus_word(weight);
+        e = added(a.times(e), weight);
         d = a.times(d).plus(e);
         sum = r.times(sum).plus(d);
     }

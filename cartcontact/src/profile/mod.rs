@@ -36,6 +36,10 @@ use crate::quadrature::Rule;
 /// number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is left, within 8 ε: where a result is
 /// above 6e299, or 4e34 in f32, and where it or a power on the way is hardly larger than the smallest normal number.
 ///
+/// Of coefficients that depend on fields nothing is rounded, if `T` holds the fields: their products and quotients have
+/// twice the digits, and so have their powers, but for those that are not whole in dual numbers. Contact radii take such
+/// coefficients rounded.
+///
 /// # Examples
 ///
 /// ```
@@ -216,7 +220,8 @@ pub trait GapProfile<T: Scalar> {
     }
 
     /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its mean
-    /// over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end.
+    /// over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. Of
+    /// coefficients known at run time some ε before the end, up to 100 ε where powers are above 100; never beyond it.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: how long ago the

@@ -30,6 +30,7 @@ use crate::Scalar;
 use crate::evaluate::binary::estimated_root_of_product;
 use crate::profile::RadiusError;
 use crate::scalar::is;
+use crate::scalar::lesser;
 
 /// A positive term of J: 1/j and the power p.
 #[derive(Clone, Copy, Debug)]
@@ -79,12 +80,15 @@ pub fn invert<T: Scalar>(
     }
     let seed = Seed::of(target, positive);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
+    let mut target = target;
     if limit.is_finite() && (negative || limit <= seed.high) {
-        // As a caller has it who asks for the end of the range: in plain arithmetic it may be less.
+        // As a caller has it who asks for the end of the range: in plain arithmetic it may be less, and with fields, whose
+        // coefficients are rounded here, by some roundings.
         let largest = load_integral(limit);
-        if target > largest {
+        if target > largest * (T::one() + T::default_epsilon() * T::constant(16.0)) {
             return Err(beyond(target, largest, limit));
         }
+        target = lesser(target, largest);
         bracket.high = limit;
     } else if negative {
         while evaluate(bracket.high).0 < target {
@@ -93,7 +97,9 @@ pub fn invert<T: Scalar>(
     }
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(negative, seed.highest_power);
-    Ok(iterate(target, seed.radius.min(bracket.high), bracket, close, (evaluate, load_integral)))
+    let radius = iterate(target, seed.radius.min(bracket.high), bracket, close, (evaluate, load_integral));
+    // The last step may end a few units in the last place beyond the bracket.
+    Ok(lesser(radius, limit))
 }
 
 /// The least of the one-term radii, and bounds of the root from below and, without negative terms, above.

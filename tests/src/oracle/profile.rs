@@ -69,6 +69,12 @@ impl Profile {
         Self { terms: terms.iter().map(|&(c, n)| Term::of(number(c), number(n))).collect() }
     }
 
+    /// The gap of the pairs (C, n).
+    #[must_use]
+    pub fn of_numbers(terms: Vec<(Real, Real)>) -> Self {
+        Self { terms: terms.into_iter().map(|(c, n)| Term::of(c, n)).collect() }
+    }
+
     /// Φ(r).
     #[must_use]
     pub fn gap(&self, r: &Real) -> Real {

@@ -83,6 +83,14 @@ impl Coefficient {
         }
     }
 
+    /// What a field alone is multiplied by, if it is that.
+    pub(crate) fn as_multiple_of_field(&self) -> Option<&Rational> {
+        match self.products.as_slice() {
+            [only] if matches!(only.single_atom(), Some(Atom::Field { .. })) => Some(&only.number),
+            _ => None,
+        }
+    }
+
     pub(crate) fn depends_on(&self, field: &Ident) -> bool {
         self.products.iter().flat_map(|product| product.powers.iter()).any(|(atom, _)| match atom {
             Atom::Field { ident, .. } => ident == field,

@@ -1,0 +1,179 @@
+//! Coefficients of sums that are rounded once: words, or what follows from fields with twice the digits.
+//!
+//! A field is a word, but its product with a weight such as 1/3 is none, nor is a quotient of fields: rounded, every one
+//! of them would move its term by as much as the rounding of the sum does.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::arithmetic::Ring;
+use super::double_word::DoubleWord;
+use super::exponent::Exponent;
+use super::power::{double_term, real_power};
+use crate::Scalar;
+
+/// What a power may be multiplied by.
+pub trait Coefficient<T>: Copy {
+    /// The number rounded and, if it is more than a word, what that lacks.
+    fn parts(self) -> (T, Option<T>);
+}
+
+impl<T: Scalar> Coefficient<T> for T {
+    #[inline(always)]
+    fn parts(self) -> (T, Option<T>) {
+        (self, None)
+    }
+}
+
+/// The coefficient in an arithmetic.
+#[inline(always)]
+pub(crate) fn number<T: Scalar, A: Ring<T>>(coefficient: impl Coefficient<T>) -> A {
+    match coefficient.parts() {
+        (word, None) => A::of(word),
+        (high, Some(low)) => A::sum(high, low),
+    }
+}
+
+/// The coefficient added to a number.
+#[inline(always)]
+pub(crate) fn added<T: Scalar, A: Ring<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
+    match coefficient.parts() {
+        (word, None) => number.plus_word(word),
+        (high, Some(low)) => number.plus(A::sum(high, low)),
+    }
+}
+
+/// The product of a number and the coefficient.
+#[inline(always)]
+pub(crate) fn multiplied<T: Scalar, A: Ring<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
+    match coefficient.parts() {
+        (word, None) => number.times_word(word),
+        (high, Some(low)) => number.times(A::sum(high, low)),
+    }
+}
+
+/// The coefficients rounded.
+#[inline(always)]
+pub(crate) fn rounded<T, C: Coefficient<T>, const N: usize>(coefficients: [C; N]) -> [T; N] {
+    coefficients.map(|coefficient| coefficient.parts().0)
+}
+
+/// A coefficient with twice the digits of a word, wherever the halves of its words do not overflow.
+#[derive(Clone, Copy, Debug)]
+pub struct Precise<T>(DoubleWord<T>);
+
+impl<T: Scalar> Precise<T> {
+    /// What is nothing but a word.
+    #[inline]
+    pub fn of(word: T) -> Self {
+        Self(DoubleWord::of(word))
+    }
+
+    /// The sum of a literal and of what it lacks.
+    #[inline]
+    pub fn constant(nearest: f64, rest: f64) -> Self {
+        let word = T::constant(nearest);
+        Self::checked(DoubleWord::sum(word, T::constant((nearest - word.value()) + rest)), word)
+    }
+
+    /// The power of a positive number. Nothing but its first order counts of what the word lacks.
+    #[inline]
+    pub fn power(self, exponent: Exponent<T>) -> Self {
+        let (high, n) = (self.0.high(), exponent.value());
+        let power = double_term(DoubleWord::of(T::one()), high, exponent);
+        let lacking = power.high() * (n * (self.0.low() / high));
+        Self::checked(power.plus_word(lacking), real_power(high, n))
+    }
+
+    /// The number, or what plain arithmetic gives.
+    #[inline(always)]
+    fn checked(number: DoubleWord<T>, plain: T) -> Self {
+        if number.rounded().is_finite() { Self(number) } else { Self::of(plain) }
+    }
+}
+
+impl<T: Scalar> Coefficient<T> for Precise<T> {
+    #[inline(always)]
+    fn parts(self) -> (T, Option<T>) {
+        (self.0.high(), Some(self.0.low()))
+    }
+}
+
+impl<T: Scalar> Add for Precise<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::checked(self.0.plus(other.0), self.0.high() + other.0.high())
+    }
+}
+
+impl<T: Scalar> Sub for Precise<T> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<T: Scalar> Mul for Precise<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self::checked(self.0.times(other.0), self.0.high() * other.0.high())
+    }
+}
+
+impl<T: Scalar> Div for Precise<T> {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        Self::checked(self.0.over(other.0), self.0.high() / other.0.high())
+    }
+}
+
+impl<T: Scalar> Neg for Precise<T> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Number = Precise<f64>;
+
+    #[test]
+    fn products_and_quotients_keep_what_is_lost() {
+        let third = Number::constant(1.0 / 3.0, 1.850_371_707_708_594e-17);
+        let radius = Number::of(7.3);
+        let one = third * radius / (radius * radius * radius) * radius * radius * Number::of(3.0);
+        let (high, low) = (one - Number::of(1.0)).parts();
+        assert!((high + low.unwrap_or(f64::NAN)).abs() < 1e-31, "{high:e}");
+        let single = Precise::<f32>::constant(1.0 / 3.0, 1.850_371_707_708_594e-17).parts();
+        assert!((1.0 / 3.0 - f64::from(single.0) - single.1.map_or(f64::NAN, f64::from)).abs() < 1e-15);
+    }
+
+    /// (x + δ)^(3/2) squared is (x + δ)³.
+    #[test]
+    fn powers_know_what_their_base_lacks() {
+        let base = Number::of(2.0) / Number::of(3.0);
+        let power = base.power(Exponent::in_parts(1, 0.5, 0.0));
+        let inverse = base.power(Exponent::in_parts(-2, 0.5, 0.0));
+        let (high, low) = (power * power - base * base * base).parts();
+        assert!((high + low.unwrap_or(f64::NAN)).abs() < 1e-30, "{high:e}");
+        assert!((power * inverse - Number::of(1.0)).parts().0.abs() < 1e-30);
+    }
+
+    #[test]
+    fn nothing_is_lost_at_the_ends_of_the_range_but_digits() {
+        let large = Number::of(1e305);
+        assert_eq!((large * Number::constant(0.1, -5.551_115_123_125_783e-18)).parts().0, 1e305 * 0.1);
+        assert_eq!((Number::of(1e305) / Number::of(1e304)).parts().0, 1e305 / 1e304);
+        assert_eq!((Number::of(1.0) / (large * large)).parts().0, 0.0);
+        assert_eq!(Precise::<f32>::constant(1e300, 0.0).parts().0, f32::INFINITY);
+        assert_eq!(Number::of(0.0).power(Exponent::in_parts(0, 0.5, 0.0)).parts().0, 0.0);
+        assert!(Number::of(-1.0).power(Exponent::in_parts(0, 0.5, 0.0)).parts().0.is_nan());
+    }
+}

@@ -1,0 +1,152 @@
+//! The functions of geometries with fields against the oracle, at random values of the fields and random radii, the same
+//! ones in every run.
+
+use cartcontact::{GapProfile, gap_profile};
+use tests::budget::FUNCTION_OF_FIELDS;
+use tests::kernel::{self, Kernel};
+use tests::measure::{Errors, Exact};
+use tests::oracle::number::whole;
+use tests::oracle::{Profile, Real, decimal, double};
+use tests::random::Stream;
+
+/// So many values of the fields and radii for every geometry, each in both precisions.
+const DRAWS: u64 = 150;
+const SEED: u64 = 20_261_123;
+
+/// The terms (coefficient, exponent) of a gap.
+type Terms = Vec<(Real, Real)>;
+
+mod shapes {
+    use super::gap_profile;
+
+    #[gap_profile(c * r^5)]
+    pub(super) struct Fifth {
+        pub(super) c: f64,
+    }
+    #[gap_profile(c * r^2.3)]
+    pub(super) struct Decimal {
+        pub(super) c: f64,
+    }
+    #[gap_profile(c * r^2 + d * r^2.5)]
+    pub(super) struct Halves {
+        pub(super) c: f64,
+        pub(super) d: f64,
+    }
+    #[gap_profile(b * r + r^2 / 30 + d * r^3)]
+    pub(super) struct WithAConstant {
+        pub(super) b: f64,
+        pub(super) d: f64,
+    }
+    #[gap_profile(r^2.3 / (3 * radius))]
+    pub(super) struct DecimalOfALength {
+        pub(super) radius: f64,
+    }
+    #[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3))]
+    pub(super) struct Ball {
+        pub(super) radius: f64,
+    }
+    #[gap_profile(sphere(radius), order = 16)]
+    pub(super) struct Sphere {
+        pub(super) radius: f64,
+    }
+    #[gap_profile(upper = sphere(first), lower = sphere(second), order = 4)]
+    pub(super) struct TwoSpheres {
+        pub(super) first: f64,
+        pub(super) second: f64,
+    }
+    // The powers have all digits of the base, 3 (b + d), and the second has no quarters.
+    #[gap_profile((3 * (b + d))^-1.5 * r^2 + (b / 7)^2.2 * r^4)]
+    pub(super) struct Powers {
+        pub(super) b: f64,
+        pub(super) d: f64,
+    }
+}
+
+/// Compares all functions of a geometry, made of three numbers, with those of its terms.
+fn check<P: GapProfile<f64> + GapProfile<f32>>(
+    profile: impl Fn([f64; 3]) -> P,
+    terms: impl Fn([Real; 3]) -> Terms,
+) {
+    let [mut errors, mut errors_of_single] =
+        [Errors::of(FUNCTION_OF_FIELDS), Errors::of_single(FUNCTION_OF_FIELDS)];
+    for case in 0..DRAWS {
+        let mut stream = Stream::of_case(SEED, case);
+        let fields = [(); 3].map(|()| stream.magnitude(-1.0, 3.0));
+        let a = stream.magnitude(-1.0, 2.0);
+        let r = a * (1.0 - stream.magnitude(-6.0, 0.0));
+        let solver = profile(fields);
+        let oracle = Profile::of_numbers(terms(fields.map(double)));
+        for Kernel { double: compute, oracle: define, .. } in kernel::ALL {
+            let expected = Exact::from(&define(&oracle, &double(a), &double(r)));
+            errors.add(compute(&solver, a, r), expected, 1.0, &(fields, a, r));
+        }
+        // The same in numbers that single precision holds.
+        let (fields, a, r) = (fields.map(single), a as f32, r as f32);
+        let solver = profile(fields);
+        let oracle = Profile::of_numbers(terms(fields.map(double)));
+        for Kernel { single: compute, oracle: define, .. } in kernel::ALL {
+            let expected = Exact::from(&define(&oracle, &double(a.into()), &double(r.into())));
+            let is_in_range = (f64::from(f32::MIN_POSITIVE)..1e34).contains(&expected.nearest);
+            if is_in_range {
+                errors_of_single.add(compute(&solver, a, r).into(), expected, 1.0, &(fields, a, r));
+            }
+        }
+    }
+    errors.check_worst();
+    errors_of_single.check_worst();
+}
+
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+/// The terms of a sphere up to r^(2 `count`): R − √(R² − r²).
+fn of_sphere(radius: &Real, count: i64) -> Terms {
+    let mut coefficient = whole(1) / (whole(2) * radius);
+    let mut terms = Vec::new();
+    for k in 1..=count {
+        terms.push((coefficient.clone(), whole(2 * k)));
+        coefficient = coefficient * whole(2 * k - 1) / (whole(2 * k + 2) * radius * radius);
+    }
+    terms
+}
+
+#[test]
+fn weights_of_fields_are_not_rounded() {
+    check(|[c, ..]| shapes::Fifth { c }, |[c, ..]| vec![(c, whole(5))]);
+    check(|[c, ..]| shapes::Decimal { c }, |[c, ..]| vec![(c, decimal("2.3"))]);
+    check(|[c, d, _]| shapes::Halves { c, d }, |[c, d, _]| vec![(c, whole(2)), (d, decimal("2.5"))]);
+    check(
+        |[b, d, _]| shapes::WithAConstant { b, d },
+        |[b, d, _]| vec![(b, whole(1)), (whole(1) / whole(30), whole(2)), (d, whole(3))],
+    );
+}
+
+#[test]
+fn quotients_of_fields_are_not_rounded() {
+    check(
+        |[radius, ..]| shapes::DecimalOfALength { radius },
+        |[radius, ..]| vec![(whole(1) / (whole(3) * radius), decimal("2.3"))],
+    );
+    check(|[radius, ..]| shapes::Ball { radius }, |[radius, ..]| of_sphere(&radius, 2));
+    check(|[radius, ..]| shapes::Sphere { radius }, |[radius, ..]| of_sphere(&radius, 8));
+    check(
+        |[first, second, _]| shapes::TwoSpheres { first, second },
+        |[first, second, _]| {
+            let pairs = of_sphere(&first, 2).into_iter().zip(of_sphere(&second, 2));
+            pairs.map(|((first, n), (second, _))| (first + second, n)).collect()
+        },
+    );
+}
+
+#[test]
+fn powers_of_fields_are_not_rounded() {
+    check(
+        |[b, d, _]| shapes::Powers { b, d },
+        |[b, d, _]| {
+            let power = |base: Real, exponent: &str| (decimal(exponent) * base.ln()).exp();
+            let first = power(whole(3) * (&b + d), "-1.5");
+            vec![(first, whole(2)), (power(b / whole(7), "2.2"), whole(4))]
+        },
+    );
+}
