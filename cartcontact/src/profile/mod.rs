@@ -146,7 +146,8 @@ pub trait GapProfile<T: Scalar> {
     /// # Accuracy
     ///
     /// About 1 unit in the last place, times 2 Σ|terms of J|/(a J′) where terms of both signs cancel; 4 where a J′, up to
-    /// n + 4 times J, overflows and an interval is halved instead: a [`Contact`](crate::Contact) refuses that.
+    /// n + 4 times J, overflows and an interval is halved instead: a [`Contact`](crate::Contact) refuses that. It refuses
+    /// subnormal load integrals, too, whose radius has no more digits than they.
     ///
     /// # Examples
     ///
