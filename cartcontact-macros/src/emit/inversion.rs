@@ -75,13 +75,12 @@ fn from_start(
 ) -> (TokenStream, Option<TokenStream>) {
     match start {
         Start::Roots(table) => {
-            let sum = &forms.load_integral;
-            let radii = roots::radii(table, sum, coefficients, names);
-            (roots::radius(table, sum, coefficients, names), Some(radii))
+            let [radius, radii] = roots::radius_and_radii(table, &forms.load_integral, coefficients, names);
+            (radius, Some(radii))
         }
         Start::Seeds(found) => {
-            let radii = seeds::radii(found, &forms.seeded, coefficients, names);
-            (seeds::radius(found, &forms.seeded, coefficients, names), Some(radii))
+            let [radius, radii] = seeds::radius_and_radii(found, &forms.seeded, coefficients, names);
+            (radius, Some(radii))
         }
         Start::LeadingTerm => {
             let radii = leading_term::radii(forms, coefficients, names);

@@ -23,36 +23,21 @@ pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     quote!(static #name: #kind = #kind { table: #table, series: #series }; #spans)
 }
 
-/// The radius from the table, if it is there.
-pub(super) fn radius(
+/// The radius from the table, if it is there, and the radii of a slice, elsewhere by `radius_within`.
+pub(super) fn radius_and_radii(
     roots: &Roots,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
     names: &Names,
-) -> TokenStream {
+) -> [TokenStream; 2] {
     let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
-    let [load_integral, limit] = ["load_integral", "limit"].map(local);
-    quote!(#table.radius(#load_integral, #limit, #term))
-}
-
-/// The radii of a slice from the table, and elsewhere by `radius_within`.
-pub(super) fn radii(
-    roots: &Roots,
-    load_integral: &PowerSum,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
     let general = names.by_radius_within();
-    let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
-    let [load_integrals, limit, radii] = ["load_integrals", "limit", "radii"].map(local);
-    quote! {
-        #table.radii(
-            (#load_integrals, #radii),
-            #limit,
-            #term,
-            #general,
-        )
-    }
+    let [load_integral, load_integrals, limit, radii] =
+        ["load_integral", "load_integrals", "limit", "radii"].map(local);
+    [
+        quote!(#table.radius(#load_integral, #limit, #term)),
+        quote!(#table.radii((#load_integrals, #radii), #limit, #term, #general,)),
+    ]
 }
 
 /// The term of J: what the table has, or its coefficient for a table of any.

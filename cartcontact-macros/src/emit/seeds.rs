@@ -24,47 +24,37 @@ pub(super) fn items(
     quote!(#table #function)
 }
 
-/// The radius from the table, if it is there.
-pub(super) fn radius(
+/// The radius from the table, if it is there, and the radii of a slice, elsewhere by `radius_within`.
+pub(super) fn radius_and_radii(
     seeds: &Seeds,
     seeded: &Seeded,
     coefficients: &Coefficients<'_>,
     names: &Names,
-) -> TokenStream {
+) -> [TokenStream; 2] {
     let (variables, _) = coefficients.variables();
     let binding = units(seeds, seeded, coefficients, names);
-    let [a, units, load_integral, limit] = ["a", "units", "load_integral", "limit"].map(local);
-    let (table, steepness) = (table::name(), steepness::name());
-    quote!({
-        #binding
-        #table.radius(#load_integral, #limit, #units, |#a| #steepness(#a, #variables))
-    })
-}
-
-/// The radii of a slice from the table, and elsewhere by `radius_within`.
-pub(super) fn radii(
-    seeds: &Seeds,
-    seeded: &Seeded,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
-    let (general, (variables, _)) = (names.by_radius_within(), coefficients.variables());
-    let binding = units(seeds, seeded, coefficients, names);
-    let [a, units, limit] = ["a", "units", "limit"].map(local);
-    let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
-    let (table, steepness) = (table::name(), steepness::name());
-    quote! {
-        #binding
-        #table.radii(
-            (#load_integrals, #radii),
-            #limit,
-            #units,
-            // Without it, wide vectors would end at the call.
-            #[inline(always)]
-            move |#a| #steepness(#a, #variables),
-            #general,
-        )
-    }
+    let (table, steepness, general) = (table::name(), steepness::name(), names.by_radius_within());
+    let [a, units, load_integral, load_integrals, limit, radii] =
+        ["a", "units", "load_integral", "load_integrals", "limit", "radii"].map(local);
+    let step = quote!(|#a| #steepness(#a, #variables));
+    [
+        quote!({
+            #binding
+            #table.radius(#load_integral, #limit, #units, #step)
+        }),
+        quote! {
+            #binding
+            #table.radii(
+                (#load_integrals, #radii),
+                #limit,
+                #units,
+                // Without it, wide vectors would end at the call.
+                #[inline(always)]
+                move #step,
+                #general,
+            )
+        },
+    ]
 }
 
 /// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.

@@ -7,7 +7,7 @@
 //! than 7e-18 after g¹³, and less than 2e-11 after g⁹ for single precision.
 
 use super::bits::{nearest_integer, power_of_two};
-use super::series::inverse_factorials;
+use super::series::{four_terms, inverse_factorials};
 use crate::Scalar;
 use crate::scalar::{is, is_plain};
 
@@ -42,14 +42,11 @@ fn reduced<T: Scalar>(x: T) -> (T, i32) {
     let (n, octaves) = nearest_integer(x * T::constant(core::f64::consts::LOG2_E));
     let g = (n * T::constant(high) - x) + n * T::constant(low);
     let square = g * g;
-    let four_terms = |k: usize| {
-        let [c0, c1, c2, c3] = TAYLOR[k].map(T::constant);
-        (c0 + c1 * g) + (c2 + c3 * g) * square
-    };
+    let row = |k: usize| four_terms(&TAYLOR[k], g, square);
     let fourth = square * square;
-    let rest = if is_single { four_terms(1) } else { four_terms(1) + fourth * four_terms(2) };
+    let rest = if is_single { row(1) } else { row(1) + fourth * row(2) };
     // The largest terms come last, and only they round.
-    (g + square * (four_terms(0) + fourth * rest), octaves)
+    (g + square * (row(0) + fourth * rest), octaves)
 }
 
 /// The largest x of which a normal number is left.

@@ -3,7 +3,7 @@
 use core::f64::consts::{LN_2, SQRT_2};
 
 use super::bits::{exponent, fraction};
-use super::series::odd_reciprocals;
+use super::series::{four_terms, odd_reciprocals};
 use crate::Scalar;
 use crate::scalar::{is, smallest_normal};
 
@@ -24,17 +24,13 @@ pub(crate) fn log_of_ratio<T: Scalar>(ratio: T, depth: T) -> T {
     let beyond = if octaves == 0 { -depth } else { fraction - one };
     let t = beyond / (beyond + two);
     let square = t * t;
-    let four_terms = |k: usize| {
-        let [c0, c1, c2, c3] = ARTANH[k].map(T::constant);
-        let fourth = square * square;
-        (c0 + c1 * square) + (c2 + c3 * square) * fourth
-    };
+    let fourth = square * square;
+    let row = |k: usize| four_terms(&ARTANH[k], square, fourth);
     let rest = if is::<T, f32>() {
-        four_terms(0)
+        row(0)
     } else {
-        let fourth = square * square;
         let eighth = fourth * fourth;
-        four_terms(0) + eighth * (four_terms(1) + eighth * four_terms(2))
+        row(0) + eighth * (row(1) + eighth * row(2))
     };
     T::from_subset(&(octaves as f32)) * T::constant(LN_2) + two * (t + t * (square * rest))
 }

@@ -23,5 +23,5 @@ pub(crate) mod logarithm;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;
 pub(crate) mod real_exponent_kernel;
-mod series;
+pub(crate) mod series;
 pub(crate) mod steepness;

@@ -1,5 +1,15 @@
 //! The coefficients of the series of artanh and of the exponential, in rows as they are summed side by side.
 
+use crate::Scalar;
+
+/// c₀ + c₁ x + c₂ x² + c₃ x³ from x and x²: in pairs, so that a processor waits for few of them.
+#[inline(always)]
+pub(crate) fn four_terms<T: Scalar>(coefficients: &[f64; 4], x: T, square: T) -> T {
+    // Not by `map` of the array, which compilers may leave as a call.
+    let c = |place: usize| T::constant(coefficients[place]);
+    (c(0) + c(1) * x) + (c(2) + c(3) * x) * square
+}
+
 /// 1/(2k + 1) from a k on.
 pub(crate) const fn odd_reciprocals<const WIDTH: usize, const ROWS: usize>(
     first: usize,

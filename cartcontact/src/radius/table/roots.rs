@@ -25,6 +25,7 @@ use crate::Scalar;
 use crate::evaluate::bits::{
     exponent, fraction, is_normal, least_of_quarter, middle_of_quarter, power_of_two, quarter,
 };
+use crate::evaluate::series::four_terms;
 use crate::profile::RadiusError;
 use crate::scalar::{from_single, is};
 
@@ -128,18 +129,14 @@ impl Row {
 }
 
 /// c₁ + c₂ s + …
-///
-/// By fours side by side, so that a processor waits for few of them.
 #[inline(always)]
 fn growth_per_s<T: Scalar>(s: T, series: &[f64; 12]) -> T {
     let square = s * s;
-    let four_terms = |k: usize| {
-        let [c0, c1, c2, c3] = [0, 1, 2, 3].map(|place| T::constant(series[k + place]));
-        (c0 + c1 * s) + (c2 + c3 * s) * square
-    };
+    let (rows, _) = series.as_chunks();
+    let row = |k: usize| four_terms(&rows[k], s, square);
     let fourth = square * square;
-    let eight_terms = four_terms(0) + four_terms(4) * fourth;
-    if is::<T, f32>() { eight_terms } else { eight_terms + four_terms(8) * (fourth * fourth) }
+    let eight_terms = row(0) + row(1) * fourth;
+    if is::<T, f32>() { eight_terms } else { eight_terms + row(2) * (fourth * fourth) }
 }
 
 /// One whose j is in the table.
@@ -164,47 +161,61 @@ impl<T: Scalar> Term<T> for OwnTerm {
     }
 }
 
-/// C w aᵖ with p = `K`/`Q`, with a table for all C that has w in it.
+/// A symbol C that load integrals are divided by.
 #[derive(Clone, Copy, Debug)]
-pub struct SingleTerm<T, const K: u32, const Q: i32> {
-    /// One over the fraction of C, and the exponent of C.
+pub(super) struct Divisor<T> {
+    /// One over the fraction of C.
     inverse: T,
     exponent: i32,
 }
+
+impl<T: Scalar> Divisor<T> {
+    #[inline(always)]
+    pub(super) fn of(c: T) -> Self {
+        Self { inverse: fraction(c).recip(), exponent: exponent(c) }
+    }
+
+    /// y/C, of whose quarters of octaves `fold` makes those in the table and the periods that were taken out.
+    #[inline(always)]
+    pub(super) fn ratio(self, load_integral: T, fold: impl Fn(i32) -> (i32, i32)) -> Ratio<T> {
+        let exponent_of_load = exponent(load_integral);
+        let quotient = fraction(load_integral) * self.inverse;
+        let middle = middle_of_quarter(quotient);
+        let (place, periods) = fold(quarter(quotient) + 4 * (exponent_of_load - self.exponent));
+        // With their signs set, exponents are none of normal numbers; zero lies in no table.
+        let has_place = is_normal::<T>(exponent_of_load) & is_normal::<T>(self.exponent);
+        let in_table = if has_place { least_of_quarter(place) } else { T::zero() };
+        Ratio { in_table, difference: quotient - middle, sum: quotient + middle, periods }
+    }
+}
+
+/// C w aᵖ with p = `K`/`Q`, with a table for all C that has w in it.
+#[derive(Clone, Copy, Debug)]
+pub struct SingleTerm<T, const K: u32, const Q: i32>(Divisor<T>);
 
 impl<T: Scalar, const K: u32, const Q: i32> SingleTerm<T, K, Q> {
     /// From C.
     #[inline(always)]
     pub fn of(c: T) -> Self {
-        Self { inverse: fraction(c).recip(), exponent: exponent(c) }
+        Self(Divisor::of(c))
     }
 }
 
 impl<T: Scalar, const K: u32, const Q: i32> Term<T> for SingleTerm<T, K, Q> {
     #[inline(always)]
     fn ratio(self, load_integral: T) -> Ratio<T> {
-        let exponent_of_load = exponent(load_integral);
-        let quotient = fraction(load_integral) * self.inverse;
-        let middle = middle_of_quarter(quotient);
-        // Whole periods are added so that there is no number below zero.
-        let periods_below = const { MOST_OCTAVES.div_ceil(K) };
-        let quarters = quarter(quotient) + 4 * (exponent_of_load - self.exponent);
-        let quarters = (quarters as u32).wrapping_add(periods_below * 4 * K);
-        let periods =
-            (quarters >> 2).wrapping_mul(const { (1 << DIGITS_OF_INVERSE) / K + 1 }) >> DIGITS_OF_INVERSE;
-        // With their signs set, exponents are none of normal numbers; zero lies in no table.
-        let has_place = is_normal::<T>(exponent_of_load) & is_normal::<T>(self.exponent);
-        let in_table = if has_place {
-            least_of_quarter(quarters.wrapping_sub(periods * 4 * K) as i32)
-        } else {
-            T::zero()
-        };
-        Ratio {
-            in_table,
-            difference: quotient - middle,
-            sum: quotient + middle,
-            periods: periods.wrapping_sub(periods_below) as i32,
-        }
+        self.0.ratio(
+            load_integral,
+            #[inline(always)]
+            |quarters| {
+                // Whole periods are added so that there is no number below zero.
+                let periods_below = const { MOST_OCTAVES.div_ceil(K) };
+                let quarters = (quarters as u32).wrapping_add(periods_below * 4 * K);
+                let inverse = const { (1 << DIGITS_OF_INVERSE) / K + 1 };
+                let periods = (quarters >> 2).wrapping_mul(inverse) >> DIGITS_OF_INVERSE;
+                (quarters.wrapping_sub(periods * 4 * K) as i32, periods.wrapping_sub(periods_below) as i32)
+            },
+        )
     }
 
     #[inline(always)]

@@ -11,11 +11,9 @@
 //! rounding in their product.
 
 use super::Row;
-use super::roots::{Ratio, Term};
+use super::roots::{Divisor, Ratio, Term};
 use crate::Scalar;
-use crate::evaluate::bits::{
-    exponent, fraction, is_normal, least_of_quarter, middle_of_quarter, power_of_two, quarter,
-};
+use crate::evaluate::bits::power_of_two;
 use crate::evaluate::halved::Halved;
 
 /// Quarters of octaves in a span: all that a table has rows for.
@@ -38,9 +36,7 @@ impl Spans {
 /// C w aᵖ with any p, with a table for all C that has w in it.
 #[derive(Clone, Copy, Debug)]
 pub struct AnyPower<T> {
-    /// One over the fraction of C, and the exponent of C.
-    inverse: T,
-    exponent: i32,
+    divisor: Divisor<T>,
     spans: &'static Spans,
 }
 
@@ -48,27 +44,18 @@ impl<T: Scalar> AnyPower<T> {
     /// From C.
     #[inline(always)]
     pub fn of(c: T, spans: &'static Spans) -> Self {
-        Self { inverse: fraction(c).recip(), exponent: exponent(c), spans }
+        Self { divisor: Divisor::of(c), spans }
     }
 }
 
 impl<T: Scalar> Term<T> for AnyPower<T> {
     #[inline(always)]
     fn ratio(self, load_integral: T) -> Ratio<T> {
-        let exponent_of_load = exponent(load_integral);
-        let quotient = fraction(load_integral) * self.inverse;
-        let middle = middle_of_quarter(quotient);
-        let quarters = quarter(quotient) + 4 * (exponent_of_load - self.exponent);
-        // With their signs set, exponents are none of normal numbers; zero lies in no table.
-        let has_place = is_normal::<T>(exponent_of_load) & is_normal::<T>(self.exponent);
-        let in_table =
-            if has_place { least_of_quarter((quarters as u32 % QUARTERS) as i32) } else { T::zero() };
-        Ratio {
-            in_table,
-            difference: quotient - middle,
-            sum: quotient + middle,
-            periods: quarters.div_euclid(QUARTERS as i32),
-        }
+        self.divisor.ratio(
+            load_integral,
+            #[inline(always)]
+            |quarters| ((quarters as u32 % QUARTERS) as i32, quarters.div_euclid(QUARTERS as i32)),
+        )
     }
 
     #[inline(always)]

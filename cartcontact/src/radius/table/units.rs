@@ -81,7 +81,7 @@ impl<T: Scalar> EqualTerms<T> {
     #[inline(always)]
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
-        let [least, most] = [least, most].map(T::constant);
+        let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
         // A term with another sign than in the table has a negative size; the unit may be NaN then, or not.
         let has_table = [per_size, low.0, high.0]
