@@ -101,8 +101,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         change.apply(self.initial_pressure(start, r), r)
     }
 
-    /// The pressure P(0, t) on the axis, the largest of all, in MPa, within 8 units in the last place: a third of the bound of
-    /// [`pressure`](Self::pressure) at r = 0.
+    /// The pressure P(0, t) on the axis, the largest of all, in MPa, within 8 units in the last place: a third of the bound
+    /// of [`pressure`](Self::pressure) at r = 0.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }

@@ -218,15 +218,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         hereditary * self.scales.integral_per_load
     }
 
-    /// The load integral under a load: J = (F + χ ∫F)/(π m/4).
-    #[inline(always)]
-    fn load_integral_under(&self, loading: Loading<T>) -> T {
-        self.scales.load_integral(loading)
-    }
-
     /// The contact radius under a load.
     pub(crate) fn radius_under_loading(&self, loading: Loading<T>) -> Result<T, RadiusError> {
-        self.radius_of(self.load_integral_under(loading))
+        self.radius_of(self.scales.load_integral(loading))
     }
 
     /// The contact radius under a hereditary load Y.

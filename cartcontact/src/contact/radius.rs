@@ -32,7 +32,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         // At a time that is none a load need not have a force.
         let time = sizes.time_near(t);
         let loading = self.loading(time);
-        let load_integral = self.load_integral_under(loading);
+        let load_integral = self.scales.load_integral(loading);
         let is_common = (time == t) & sizes.contain_rate(chi) & sizes.contain_load(loading, load_integral);
         if !is_common || !is_advancing() {
             return None;
@@ -44,7 +44,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline(never)]
     fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
         let loading = self.loading_at(t)?;
-        let load_integral = self.load_integral_under(loading);
+        let load_integral = self.scales.load_integral(loading);
         let radius = self.radius_of(load_integral).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
@@ -123,7 +123,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// Whether there is no load, or one with all its digits.
     pub(super) fn has_digits(&self, loading: Loading<T>) -> bool {
         loading.hereditary.is_zero()
-            || loading.has_digits(self.medium.chi(), self.load_integral_under(loading))
+            || loading.has_digits(self.medium.chi(), self.scales.load_integral(loading))
     }
 
     /// The last time up to `t` at which the radius is still admissible, or where a jump of the load ends that; by

@@ -48,7 +48,7 @@ impl<T: Scalar> Scales<T> {
         Self { load_per_integral, integral_per_load, integral_per_impulse, has_digits }
     }
 
-    /// The load integral under a load.
+    /// The load integral under a load: J = (F + χ ∫F)/(π m/4).
     #[inline(always)]
     pub(super) fn load_integral(&self, loading: Loading<T>) -> T {
         if self.has_digits {

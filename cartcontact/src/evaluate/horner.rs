@@ -36,8 +36,8 @@ pub fn even_sum<T: Scalar, const N: usize>(r: T, coefficients: [T; N]) -> T {
 
 /// x^lowest Σ c\[k\] x^k, rounded once: Horner's rule in twice the working precision.
 ///
-/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients, which may be precise; otherwise 2^−100 times the sizes of the
-/// terms besides.
+/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients, which may be precise; otherwise 2^−100 times
+/// the sizes of the terms besides.
 #[inline]
 pub fn precise_sum<T: Scalar, C: Coefficient<T>, const N: usize>(
     x: T,

@@ -29,8 +29,7 @@ use super::{beyond, needs_search};
 use crate::Scalar;
 use crate::evaluate::binary::estimated_root_of_product;
 use crate::profile::RadiusError;
-use crate::scalar::is;
-use crate::scalar::lesser;
+use crate::scalar::{is, lesser};
 
 /// A positive term of J: 1/j and the power p.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +67,7 @@ pub fn positive_terms<T: Scalar>(
 /// [`RadiusError`] if `target` is negative or not finite, or exceeds J(`limit`).
 #[inline]
 pub fn invert<T: Scalar>(
-    target: T,
+    mut target: T,
     limit: T,
     positive: impl Iterator<Item = PositiveTerm<T>>,
     negative: bool,
@@ -80,7 +79,6 @@ pub fn invert<T: Scalar>(
     }
     let seed = Seed::of(target, positive);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
-    let mut target = target;
     if limit.is_finite() && (negative || limit <= seed.high) {
         // As a caller has it who asks for the end of the range: in plain arithmetic it may be less, and with fields, whose
         // coefficients are rounded here, by some roundings.
