@@ -219,16 +219,27 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     /// The contact radius under a load.
+    #[inline(always)]
     pub(crate) fn radius_under_loading(&self, loading: Loading<T>) -> Result<T, RadiusError> {
-        self.radius_of(self.scales.load_integral(loading))
+        self.radius_of_one(self.scales.load_integral(loading))
     }
 
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of(self.load_integral_of(hereditary))
+        self.radius_of_one(self.load_integral_of(hereditary))
+    }
+
+    /// The contact radius of a load integral where one is all that is asked for: out of line, and given in a register.
+    ///
+    /// A [`Loading`] would be passed in memory, two numbers of which are then read at once that were written one by one; a
+    /// processor waits with that until all before it is done, 20 ns of one pressure.
+    #[inline(never)]
+    fn radius_of_one(&self, load_integral: T) -> Result<T, RadiusError> {
+        self.radius_of(load_integral)
     }
 
     /// The contact radius of a load integral.
+    #[inline(always)]
     pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
         self.profile.radius_within(load_integral, self.max_radius)
     }

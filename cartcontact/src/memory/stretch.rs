@@ -10,7 +10,7 @@ use crate::{GapProfile, Scalar};
 /// The radii from `low` to `high` that the edge passed while the load took a course.
 pub(super) struct Stretch<'a, T, P, L> {
     pub(super) contact: &'a Contact<T, P, L>,
-    pub(super) course: Course<'a, T>,
+    pub(super) course: &'a Course<'a, T>,
     pub(super) low: T,
     /// The contact radius at the end of the stretch.
     pub(super) high: T,
@@ -96,12 +96,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     ///
     /// A falling load can make τ(s) steep like a square root, and so can one that is not straight, where the edge nearly
     /// stands still; all others are integrated over the radius, which needs no inversion of J.
+    #[inline(always)]
     pub(super) fn increment(&self) -> (Increment<T>, bool) {
         // Rounding can put the radii in the wrong order.
         if self.low >= self.high {
             return (Increment::zero(), false);
         }
-        let over_time = match self.course {
+        let over_time = match *self.course {
             Course::Linear { line, .. } if line.force_rate < T::zero() => {
                 let (rate, rise) = (line.hereditary_rate / line.chi, -line.force_rate / line.chi);
                 let half = T::constant(0.5);
@@ -144,7 +145,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     #[inline(always)]
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
         // Where a formula gives all ages, vectors take them.
-        match self.course {
+        match *self.course {
             Course::Linear { line, .. } if line.is_held() => self.fade_by(
                 #[inline(always)]
                 |deficit| line.age_while_held(deficit),
@@ -187,7 +188,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     pub(super) fn singularity(&self, top: T) -> Option<T> {
         let half = T::constant(0.5);
         let off_axis = |radius: T, degree: T| radius * T::constant(2.8) / degree;
-        match self.course {
+        match *self.course {
             Course::Linear { line: Line { chi, force_rate, hereditary_rate }, .. }
                 if force_rate > T::zero() =>
             {

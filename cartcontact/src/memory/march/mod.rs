@@ -146,7 +146,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn jump(&mut self, before: T, after: T) {
         if after > before || !is_plain::<T>() {
             let radius = self.radius_under(self.now.time, after);
-            self.cover(radius, Course::step(), (before, after), after - before);
+            self.cover(radius, &Course::step(), (before, after), after - before);
         }
     }
 
@@ -234,13 +234,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.impulse.add(impulse);
         let radius = self.radius_under(piece.end.0, piece.end.1);
         let gain = piece.rise() + chi * impulse;
-        self.cover(radius, Course::straight(chi, piece.duration(), forces), forces, gain);
+        self.cover(radius, &Course::straight(chi, piece.duration(), forces), forces, gain);
         self.now.time = piece.end.0;
     }
 
     /// Extends the contact to a radius along a course of the load between two forces, on which the hereditary load
     /// gains `gain`.
-    fn cover(&mut self, high: T, course: Course<'_, T>, forces: (T, T), gain: T) {
+    fn cover(&mut self, high: T, course: &Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let fading = Fading::over(course.folds(chi));
         let (depth, is_covered) = (high - self.now.radius, self.is_covered());

@@ -160,7 +160,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (gained, of_series) = self.take_impulse(force, end);
         let radius = self.radius_under(end, last);
         let gain = force.gain() + chi * (gained - of_series);
-        self.cover(radius, Course::smooth(force), (first, last), gain);
+        self.cover(radius, &Course::smooth(force), (first, last), gain);
         self.now.time = end;
         self.jump(last, self.force_now());
     }
@@ -183,7 +183,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let age =
             if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
         self.fade(fading);
-        self.cover(radius, Course::Step { age }, (fading.after(first, T::zero()), last), gain);
+        self.cover(radius, &Course::Step { age }, (fading.after(first, T::zero()), last), gain);
         self.now.time = end;
         self.jump(last, self.force_now());
     }
