@@ -12,12 +12,7 @@ const BLOCK: usize = 64;
 const SMALL_BLOCK: usize = 16;
 
 impl Table {
-    /// The radii of many load integrals by a step, in vector code. A block with a value outside the table, and what is left
-    /// over, go to `general` one by one.
-    ///
-    /// # Errors
-    ///
-    /// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
+    /// [`fill`] with blocks solved by a step from the rows.
     #[inline(always)]
     pub(super) fn find_all<T: Scalar>(
         &self,
@@ -38,8 +33,12 @@ impl Table {
     }
 }
 
-/// Fills the radii of many load integrals by `leading`, in vector code, as far as it comes; then a block by `general`,
-/// and so on. Fewer than `least` are left to `general`.
+/// Fills the radii of many load integrals. `leading` solves as many as it can, in vector code; `general` then solves the
+/// next `block` one by one, and so on. Fewer than `least` are left to `general`.
+///
+/// # Errors
+///
+/// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
 #[inline(always)]
 pub(super) fn fill<T: Scalar>(
     (load_integrals, radii): (&[T], &mut [T]),
@@ -68,6 +67,24 @@ pub(super) fn fill<T: Scalar>(
     Ok(())
 }
 
+/// Solves one block of `N` load integrals after the other, until `block` fails. Returns how many radii it has found.
+#[inline(always)]
+pub(super) fn leading_blocks<T, const N: usize>(
+    load_integrals: &[T],
+    radii: &mut [T],
+    mut block: impl FnMut(&[T; N], &mut [T; N]) -> bool,
+) -> usize {
+    let (load_integrals, radii) = (load_integrals.as_chunks().0, radii.as_chunks_mut().0);
+    let mut found = 0;
+    for (load_integrals, radii) in load_integrals.iter().zip(radii) {
+        if !block(load_integrals, radii) {
+            break;
+        }
+        found += N;
+    }
+    found
+}
+
 /// What the radii of many load integrals are found with.
 struct Blocks<'a, T, S> {
     table: &'a Table,
@@ -79,25 +96,22 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
     /// The radii before the first block that is not all in the table, or before the last few; how many they are.
     #[inline(always)]
     fn solve(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
-        let found = self.leading::<BLOCK>(load_integrals, radii);
+        let found = self.solve_blocks::<BLOCK>(load_integrals, radii);
         if radii.len() - found >= BLOCK {
             return found;
         }
-        found + self.leading::<SMALL_BLOCK>(&load_integrals[found..], &mut radii[found..])
+        found + self.solve_blocks::<SMALL_BLOCK>(&load_integrals[found..], &mut radii[found..])
     }
 
-    /// The radii of the blocks before the first that is not all in the table, and how many they are.
     #[inline(always)]
-    fn leading<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
-        let (load_integrals, radii) = (load_integrals.as_chunks::<N>().0, radii.as_chunks_mut::<N>().0);
-        let (mut found, mut rows) = (0, [Row([0; 16]); N]);
-        for (load_integrals, radii) in load_integrals.iter().zip(radii) {
-            if !self.block(load_integrals, &mut rows, radii) {
-                break;
-            }
-            found += N;
-        }
-        found
+    fn solve_blocks<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
+        let mut rows = [Row([0; 16]); N];
+        leading_blocks(
+            load_integrals,
+            radii,
+            #[inline(always)]
+            |load_integrals, radii| self.block(load_integrals, &mut rows, radii),
+        )
     }
 
     /// The radii of a block; false if one of them is not to be found in the table.

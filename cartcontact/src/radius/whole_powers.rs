@@ -3,7 +3,7 @@
 //! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 4, the terms are j 2^(k p − e) x^p: no step leaves the format, and other
 //! units by powers of two change nothing but k and e.
 
-use super::blocks::fill;
+use super::blocks::{fill, leading_blocks};
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
 use super::out_of_line;
 use super::step::Target;
@@ -79,61 +79,36 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePo
     }
 }
 
-/// The radii of many load integrals, in vector code, each of them by `solve`, for which [`WholePowers::solve`] stands. A
-/// block of which it does not find all, and what is left over, go to `general` one by one.
+/// `fill` with blocks solved by `solve`, which calls [`WholePowers::solve`].
 ///
 /// # Errors
 ///
-/// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
+/// As `fill`.
 #[inline]
 pub fn radii_of_whole_powers<T: Scalar>(
-    (load_integrals, radii): (&[T], &mut [T]),
+    values: (&[T], &mut [T]),
     limit: T,
     solve: impl Fn(T, u32) -> (T, bool),
     general: impl Fn(T) -> Result<T, RadiusError>,
 ) -> Result<(), RadiusError> {
     let least = if is_plain::<T>() { BLOCK } else { usize::MAX };
     fill(
-        (load_integrals, radii),
+        values,
         (least, BLOCK),
         #[inline(always)]
-        |load_integrals, radii| leading(load_integrals, radii, limit, &solve),
-        general,
-    )
-}
-
-/// The radii of the blocks before the first of which one is not found, and how many they are.
-#[inline(always)]
-fn leading<T: Scalar>(
-    load_integrals: &[T],
-    radii: &mut [T],
-    limit: T,
-    solve: &impl Fn(T, u32) -> (T, bool),
-) -> usize {
-    let blocks = load_integrals.as_chunks::<BLOCK>().0.iter().zip(radii.as_chunks_mut::<BLOCK>().0);
-    let mut found = 0;
-    for (load_integrals, radii) in blocks {
-        let attempt = block(
-            load_integrals,
-            radii,
-            limit,
-            #[inline(always)]
-            |load_integral| solve(load_integral, 0),
-        );
-        let are_found = attempt
-            || block(
+        |load_integrals, radii| {
+            leading_blocks(
                 load_integrals,
                 radii,
-                limit,
                 #[inline(always)]
-                |load_integral| solve(load_integral, MORE_STEPS),
-            );
-        if !are_found {
-            break;
-        }
-        found += BLOCK;
-    }
-    found
+                |load_integrals, radii| {
+                    block(load_integrals, radii, limit, 0, &solve)
+                        || block(load_integrals, radii, limit, MORE_STEPS, &solve)
+                },
+            )
+        },
+        general,
+    )
 }
 
 /// The radii of a block; false if one of them is not found.
@@ -142,13 +117,14 @@ fn block<T: Scalar>(
     load_integrals: &[T; BLOCK],
     radii: &mut [T; BLOCK],
     limit: T,
-    solve: impl Fn(T) -> (T, bool),
+    more: u32,
+    solve: &impl Fn(T, u32) -> (T, bool),
 ) -> bool {
     // Their own place, so that nothing that is read can be what is written.
     let mut values = [T::zero(); BLOCK];
     let mut are_found = true;
     for (value, &load_integral) in values.iter_mut().zip(load_integrals) {
-        let (radius, is_found) = solve(load_integral);
+        let (radius, is_found) = solve(load_integral, more);
         *value = radius;
         are_found &= is_found & (radius <= limit);
     }
