@@ -100,7 +100,7 @@ pub(crate) fn halved_power_sum_steepness<T: Scalar>(
     let mut sum = Steepness::of_nothing();
     // A loop, which is compiled into what calls this: a fold is not.
     for (c, p) in terms {
-        let term = term(c, x, square, p).scaled(scale);
+        let term = halved_term(c, x, square, p).scaled(scale);
         let value = DoubleWord::sum(sum.value, term.head());
         sum.value = value.high();
         sum.excess -= value.low() + term.rest();
@@ -173,7 +173,7 @@ pub fn quick_power_sum_steepness<T: Scalar>(
 ) -> Steepness<T> {
     let mut sum = Steepness::of_nothing();
     for (c, p) in terms {
-        let value = quick_term(c, x, p) * scale;
+        let value = plain_term(c, x, p) * scale;
         sum.value += value;
         sum.add_derivatives(value, p.value());
     }
@@ -182,7 +182,7 @@ pub fn quick_power_sum_steepness<T: Scalar>(
 
 /// c x^p in halves, so that the middle value is in range whenever c and the result are.
 #[inline(always)]
-fn term<T: Scalar>(c: Halved<T>, x: Halved<T>, square: Halved<T>, p: Exponent<T>) -> Halved<T> {
+fn halved_term<T: Scalar>(c: Halved<T>, x: Halved<T>, square: Halved<T>, p: Exponent<T>) -> Halved<T> {
     // The power may be out of range.
     if c.head().is_zero() {
         return c;
@@ -198,9 +198,9 @@ fn term<T: Scalar>(c: Halved<T>, x: Halved<T>, square: Halved<T>, p: Exponent<T>
     }
 }
 
-/// [`term`] with every product rounded.
+/// [`halved_term`] with every product rounded.
 #[inline(always)]
-fn quick_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
+fn plain_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
     if c.is_zero() {
         return c;
     }
