@@ -8,8 +8,7 @@ use crate::profile::RadiusError;
 use crate::scalar::from_single;
 
 impl Table {
-    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
-    /// than f32 and f64.
+    /// `Table::find` by Halley's step from a cubic.
     #[inline(always)]
     pub fn radius<T: Scalar>(
         &self,
@@ -21,12 +20,11 @@ impl Table {
         self.find(load_integral, limit, Halley { units, evaluate })
     }
 
-    /// The radii of many load integrals, in vector code. A block with a value outside the table, and what is left over, go to
-    /// `general` one by one.
+    /// `Table::find_all` by Halley's step from a cubic.
     ///
     /// # Errors
     ///
-    /// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
+    /// As `Table::find_all`.
     #[inline]
     pub fn radii<T: Scalar>(
         &self,

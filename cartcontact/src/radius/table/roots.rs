@@ -45,19 +45,17 @@ const MOST_OCTAVES: u32 = 2100;
 const DIGITS_OF_INVERSE: u32 = 20;
 
 impl Roots {
-    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars than
-    /// f32 and f64.
+    /// `Table::find` by a root and the series.
     #[inline(always)]
     pub fn radius<T: Scalar>(&self, load_integral: T, limit: T, term: impl Term<T>) -> Option<T> {
         self.table.find(load_integral, limit, Root { term, series: self.series })
     }
 
-    /// The radii of many load integrals, in vector code. A block with a value outside the table, and what is left over, go to
-    /// `general` one by one.
+    /// `Table::find_all` by a root and the series.
     ///
     /// # Errors
     ///
-    /// [`RadiusError::Length`] if the slices differ in length, and the first error of `general`.
+    /// As `Table::find_all`.
     #[inline]
     pub fn radii<T: Scalar>(
         &self,
