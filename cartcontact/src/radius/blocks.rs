@@ -1,14 +1,14 @@
-//! The radii of many load integrals, in blocks that become vector code.
+//! The radii of many load integrals, in blocks that compile to vector code.
 
 use super::table::{Row, Step, Table, digits};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_lengths};
 
-/// How many radii are stepped to at once; their rows and seeds stay in the nearest cache.
+/// Radii per block. Their rows and seeds stay in the first-level cache.
 const BLOCK: usize = 64;
 
-/// The same at the end of a slice. Fewer still are quicker one by one.
+/// Radii per block at the end of a slice. Fewer than these are quicker one by one.
 const SMALL_BLOCK: usize = 16;
 
 impl Table {
@@ -33,8 +33,8 @@ impl Table {
     }
 }
 
-/// Fills the radii of many load integrals. `leading` solves as many as it can, in vector code; `general` then solves the
-/// next `block` one by one, and so on. Fewer than `least` are left to `general`.
+/// Fills the radii of many load integrals. `leading` solves as many as it can, in vector code; `general` then solves
+/// the next `block` one by one, and so on. Fewer than `least` are left to `general`.
 ///
 /// # Errors
 ///
@@ -67,7 +67,7 @@ pub(super) fn fill<T: Scalar>(
     Ok(())
 }
 
-/// Solves one block of `N` load integrals after the other, until `block` fails. Returns how many radii it has found.
+/// Solves blocks of `N` load integrals, one after the other, until `block` fails. Returns how many radii it has found.
 #[inline(always)]
 pub(super) fn leading_blocks<T, const N: usize>(
     load_integrals: &[T],
@@ -85,7 +85,7 @@ pub(super) fn leading_blocks<T, const N: usize>(
     found
 }
 
-/// What the radii of many load integrals are found with.
+/// How the load integrals of a block are solved.
 struct Blocks<'a, T, S> {
     table: &'a Table,
     limit: T,
@@ -93,7 +93,7 @@ struct Blocks<'a, T, S> {
 }
 
 impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
-    /// The radii before the first block that is not all in the table, or before the last few; how many they are.
+    /// Finds the radii before the first block that fails, or before the last few. Returns how many it has found.
     #[inline(always)]
     fn solve(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
         let found = self.solve_blocks::<BLOCK>(load_integrals, radii);
@@ -114,9 +114,9 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
         )
     }
 
-    /// The radii of a block; false if one of them is not to be found in the table.
+    /// The radii of a block; false if one of them is not in the table or exceeds the limit.
     ///
-    /// Only copying the rows goes value by value; the loops before and after take several at once.
+    /// Only the rows are copied one by one; the loops before and after handle several values at once.
     #[inline(always)]
     fn block<const N: usize>(
         &self,
@@ -124,7 +124,7 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
         rows: &mut [Row; N],
         radii: &mut [T; N],
     ) -> bool {
-        // Copies, so that nothing that is read can be what is written: else it were read anew for every radius.
+        // Copies, which cannot alias what is written: otherwise they would be read again for every radius.
         let (Self { table, limit, .. }, step) = (self, self.step);
         let [from, to] = table.ends::<T>();
         let mut found = true;
@@ -145,7 +145,7 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
         for (radius, ((row, &start), &load_integral)) in radii.iter_mut().zip(places) {
             *radius = step.radius(row, start, load_integral);
         }
-        // Mostly there is no limit; a limit that is not a number holds nothing.
+        // Usually there is no limit; no radius is within a limit of NaN.
         found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
     }
 }

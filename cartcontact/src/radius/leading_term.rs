@@ -1,24 +1,25 @@
 //! The contact radius without a table: from the leading term of J, for positive coefficients of any size.
 //!
-//! **The start.** Alone, the term j a^p has the radius (y/j)^(1/p) at y; where several add up to y, the root lies
-//! between the least of these radii and N^(−1/p₁) of it, with N terms and p₁ their lowest power. So that neither is far,
-//! the least is divided by 2^(1/(2 p₁)). Logarithms are read from the bits of numbers and are less than log₂ x by
-//! 0.09 at most, which is divided by p > 4.
+//! **The start.** The term j a^p alone has the radius (y/j)^(1/p). Where N terms add up to y, the root lies between the
+//! least of these radii and N^(−1/p₁) times it, with p₁ the lowest power. The start is the least radius divided by
+//! 2^(1/(2 p₁)), so that neither end is far. Logarithms are read from the bits of numbers. They are at most 0.09 less
+//! than log₂ x, and this error is divided by p > 4.
 //!
-//! **The steps.** One of Newton's on logarithms, see [`newton`](super::newton), leaves v/(2 p) of the square of the
-//! error, where v is the variance of the powers about their mean p, weighted by their terms; between p₁ and the highest
-//! power p₂ that is at most (√p₂ − √p₁)²/2. Halley's follow, each of which leaves (p² − 1 − 2 v)/12 < p₂²/12 of the
-//! cube of the error, weighted here by the terms of a J′. If the last but one changed a by less than 0.05/p₂, what it
-//! leaves is below 1.1 · 10⁻⁵/p₂, and the last leaves 10⁻¹⁶/p₂ < ε/8; in single precision the same holds of 0.4/p₂.
-//! What has not come that near, as it mostly is where three and more terms are of like size, is solved again with
-//! [`MORE_STEPS`], out of the way; what then has not, or is not a number, is left to the general solution.
+//! **The steps.** The first is one of Newton's on logarithms, see [`newton`](super::newton). It leaves v/(2 p) times
+//! the square of the error, where v is the variance of the powers about their mean p, weighted by their terms; between
+//! p₁ and the highest power p₂ that factor is at most (√p₂ − √p₁)²/2. Halley's steps follow. Each leaves
+//! (p² − 1 − 2 v)/12 < p₂²/12 times the cube of the error, weighted here by the terms of a J′. If the last step but one
+//! changed a by less than 0.05/p₂, it leaves less than 1.1 · 10⁻⁵/p₂, and the last leaves 10⁻¹⁶/p₂ < ε/8; in single
+//! precision the same holds for 0.4/p₂. Roots that did not come that near, mostly where three or more terms are of
+//! similar size, are solved again with [`MORE_STEPS`], out of line. If that fails, too, or gives NaN, they are left to
+//! the general solution.
 //!
-//! **Accuracy.** The last step begins at a number with half the digits. Its square is exact, while the rounding of
-//! another would be multiplied in every power; the loss of 2⁻²⁵ of a, or 2⁻¹², is within what the step corrects: of the
-//! latter it leaves ε/8 with p₂ = 110. Higher powers in single precision are left to the general solution. The correction is
-//! small and taken away as it is, so that no other rounding is of the size of 1/2 ulp. Where powers are not whole, J has
-//! more digits in this step, see [`steepness`](crate::evaluate::steepness); of whole ones up to seven roundings are
-//! divided by p ≥ 5.
+//! **Accuracy.** The last step starts from a number with half the digits. Its square is exact; the rounding error of
+//! another square would be multiplied in every power. Dropping digits changes a by 2⁻²⁵, or 2⁻¹² in single precision,
+//! which the step corrects: of 2⁻¹² it leaves ε/8 with p₂ = 110. Higher powers in single precision are left to the
+//! general solution. The correction is small and subtracted directly, so that no other rounding is of the size of
+//! 1/2 ulp. Where powers are not whole, J has more digits in this step, see [`steepness`](crate::evaluate::steepness);
+//! with whole powers up to seven roundings are divided by p ≥ 5.
 
 use super::out_of_line;
 use super::step::Target;
@@ -31,11 +32,11 @@ use crate::evaluate::exponent::Exponent;
 use crate::evaluate::steepness::Steepness;
 use crate::scalar::{floor, greater, is, is_plain, lesser};
 
-/// What is added to logarithms, whole numbers over p, before they are rounded: so that hardly any of them lies so near
-/// the middle between two integers that its own rounding, which depends on the units, decides.
+/// Added to logarithms, whole numbers over p, before they are rounded. Hardly any then lies so near the midpoint of two
+/// integers that its own rounding error, which depends on the units, decides.
 const OFF_MIDDLE: f64 = 0.013;
 
-/// The highest power for which single precision has digits enough.
+/// The highest power for which single precision has enough digits.
 const HIGHEST_SINGLE_POWER: f64 = 110.0;
 
 /// How many of Halley's steps a second attempt takes beyond those of the first.
@@ -48,8 +49,8 @@ pub(super) struct Start<T> {
 }
 
 impl<T: Scalar> Start<T> {
-    /// From the lowest power and the least of the logarithms of the radii that terms have alone; other units by powers of
-    /// two change only its octave.
+    /// From the lowest power and the least of the logarithms of the radii that the terms have alone. A change of units
+    /// by a power of two changes only its octave.
     #[inline(always)]
     pub(super) fn of(lowest: T, least: T) -> Self {
         let half_octave = T::constant(f64::from(1 << (DIGITS - 1))) / lowest;
@@ -63,7 +64,7 @@ impl<T: Scalar> Start<T> {
     }
 }
 
-/// The logarithm of the radius of the term (j, p) alone, where that of y is `logarithm_of_y`.
+/// The logarithm of the radius of the term (j, p) alone, from the logarithm of y.
 #[inline(always)]
 pub(super) fn logarithm_alone<T: Scalar>(logarithm_of_y: T, (j, p): (T, T)) -> T {
     (logarithm_of_y - logarithm(j)) * p.recip()
@@ -77,9 +78,9 @@ pub(super) struct Spread<T> {
 }
 
 impl<T: Scalar> Spread<T> {
-    /// How many of Halley's steps come near: counted for random sums of two to ten terms whose coefficients are of any
-    /// size, of which fewer than one in a thousand needs more while the ratio of the powers is below 9; at 14 it is one in
-    /// five. Terms that are equal somewhere need one more in a band around that place.
+    /// How many of Halley's steps usually suffice, counted for random sums of two to ten terms with coefficients of any
+    /// size. Fewer than one in a thousand needs more while the ratio of the powers is below 9; at 14 it is one in five.
+    /// Terms that are equal at some radius need one more in a band around it.
     #[inline(always)]
     fn steps(self) -> u32 {
         let is_within = |ratio: f64| self.highest <= T::constant(ratio) * self.lowest;
@@ -92,8 +93,8 @@ impl<T: Scalar> Spread<T> {
         }
     }
 
-    /// The root of J(a) = y, 1 ≤ y < 4, near `start`, and whether it is one; `evaluate` is what all steps but the
-    /// last are taken with, of which there are so many `more`.
+    /// The root of J(a) = y, 1 ≤ y < 4, near `start`, and whether the steps have come near it. All steps but the last
+    /// take `evaluate`; `more` is the number of extra steps.
     #[inline(always)]
     pub(super) fn root(
         self,
@@ -119,11 +120,11 @@ impl<T: Scalar> Spread<T> {
     }
 }
 
-/// The radius at which Σ j a^p is `load_integral`, for any powers, with the pairs (j, p), and J times a factor that is
-/// evaluated at a in two ways, for the last step and for those before.
+/// The radius at which Σ j a^p is `load_integral`, for any powers, from the pairs (j, p). Two functions evaluate J
+/// times a factor at a, one for the last step and one for those before.
 ///
-/// There is none beyond `limit`, where the steps have not come near, with negative terms, and for other scalars than f32
-/// and f64.
+/// None beyond `limit`, where the steps have not come near, with negative terms, and for scalars other than f32 and
+/// f64.
 #[inline(always)]
 pub fn radius_of_real_powers<T: Scalar>(
     load_integral: T,
@@ -143,7 +144,7 @@ pub fn radius_of_real_powers<T: Scalar>(
         lowest = lesser(lowest, p);
         highest = greater(highest, p);
         are_positive &= j >= T::zero();
-        // The logarithm of zero, read from its bits, is that of a number.
+        // The bits of zero would give the logarithm of a positive number.
         if !j.is_zero() {
             least = lesser(least, logarithm_alone(logarithm_of_y, (j, p)));
         }
@@ -180,7 +181,7 @@ mod tests {
     use super::*;
     use crate::evaluate::steepness::{quick_power_sum_steepness, scaled_power_sum_steepness};
 
-    /// Not only right, which the general solution is, too, but found here.
+    /// Not only right, which the general solution would be as well, but found here.
     #[test]
     fn radii_of_equal_terms_are_found() {
         for count in 2..=10 {
@@ -196,7 +197,7 @@ mod tests {
                     |a, scale| quick_power_sum_steepness(a, scale, terms()),
                     |a, scale| scaled_power_sum_steepness(a, scale, terms()),
                 );
-                // The terms of the test are rounded, and their sum up to nine times, which p divides.
+                // The test rounds the terms, and their sum up to nine times; p divides these errors.
                 let is_near = |found: f64| (found / planted - 1.0).abs() < 3.0 * f64::EPSILON;
                 assert!(found.is_some_and(is_near), "{count}, {planted}: {found:?}");
             }

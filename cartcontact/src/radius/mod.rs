@@ -2,14 +2,14 @@
 //!
 //! | module | for | how |
 //! |---|---|---|
-//! | [`table`] | constants; fields that set units | a row of a table of the macro's, and one [`step`] |
+//! | [`table`] | constants; fields that set units | a row of the macro's table, and one [`step`] |
 //! | [`table::roots`] | one term | a root from a table, and a series |
-//! | [`whole_powers`], [`leading_term`] | other sums of positive terms | the leading term, and a fixed number of steps |
+//! | [`whole_powers`], [`leading_term`] | other sums of positive terms | leading term, and a fixed number of steps |
 //! | [`one_term`] | one term, whatever the load integral | the root, Eq. (18) |
 //! | [`newton`] | all else | Newton's method inside a bracket |
 //!
-//! The first that applies is tried; what it does not lead to, be it zero, not a number, or beyond the range, is left to the
-//! last two, [`out_of_line`], which also name the fault. [`blocks`] takes many radii in vector code.
+//! The first row that applies is tried. Load integrals that it cannot handle (zero, NaN, beyond the range) go
+//! [`out_of_line`] to the last two rows, which also name the fault. [`blocks`] finds many radii in vector code.
 
 mod blocks;
 pub(crate) mod leading_term;
@@ -33,7 +33,8 @@ pub fn out_of_line<R>(solve: impl FnOnce() -> R) -> R {
 ///
 /// # Errors
 ///
-/// [`RadiusError`] for a load integral that is negative or not finite, and for any positive one if `limit` is not positive.
+/// [`RadiusError`] for a load integral that is negative or not finite, and for any positive one if `limit` is not
+/// positive.
 fn needs_search<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
     if target.is_zero() {
         Ok(false)

@@ -1,8 +1,8 @@
 //! The contact radius from the load integral: J(a) = y solved by Newton's method inside a bracket.
 //!
-//! J(a) = Σ j a^p is nearly a power of a, so the step is taken on logarithms: with f = ln(J/y) and
-//! d f/d ln a = a J′/J the Newton step of ln a is −f J/(a J′). Replacing ln by its first Padé approximant,
-//! ln z ≈ 2 (z−1)/(z+1) with z = J/y, and exp likewise leaves the order of convergence and needs one division:
+//! J(a) = Σ j a^p is nearly a power of a, so the step is taken on logarithms: with f = ln(J/y) and d f/d ln a = a J′/J
+//! the Newton step of ln a is −f J/(a J′). Replacing ln by its first Padé approximant, ln z ≈ 2 (z−1)/(z+1) with
+//! z = J/y, and exp likewise keeps the order of convergence and needs only one division:
 //!
 //! ```text
 //! a ← a (A − B)/(A + B),    A = (z + 1) a J′/y,    B = (z − 1) z
@@ -13,16 +13,16 @@
 //! **The bracket.** Let a_i solve the i-th positive term alone, j_i a_i^(p_i) = y. The positive terms can only
 //! add to each other, so without negative terms a ≤ min a_i; and where every positive term is below y/N, J is
 //! below y, so a ≥ min a_i N^(−1/p_min) with or without negative terms. With negative terms the upper end is
-//! the end of the admissible range, or found by doubling.
+//! the end of the admissible range, or is found by doubling.
 //!
 //! **Termination.** Every evaluation replaces one end of the bracket by the point evaluated. A step that would
 //! leave the bracket, and every second step after the eighth, is replaced by the geometric mean of the ends,
 //! which halves the bracket in ln a. Its width is below ln 2^2100 at the start and the iteration ends when it
-//! is below ε, so 8 + 2 · 63 evaluations are the most that can happen; 3 or 4 are usual.
+//! is below ε, so there are at most 8 + 2 · 63 evaluations; 3 or 4 are usual.
 //!
-//! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`],
-//! that its error is that of J divided by p = a J′/J, which is n+4 at least for one term. There J is rounded once: in
-//! plain arithmetic its error is up to p/2 ε, and what is divided by p is no longer small beside the rounding of the
+//! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`], that
+//! its error is that of J divided by p = a J′/J, and p is at least n+4 for one term. There J is rounded once: in plain
+//! arithmetic its error is up to p/2 ε, and after division by p it is no longer small beside the rounding of the
 //! result.
 
 use super::{beyond, needs_search};
@@ -80,8 +80,8 @@ pub fn invert<T: Scalar>(
     let seed = Seed::of(target, positive);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
     if limit.is_finite() && (negative || limit <= seed.high) {
-        // As a caller has it who asks for the end of the range: in plain arithmetic it may be less, and with fields, whose
-        // coefficients are rounded here, by some roundings.
+        // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
+        // fields, whose coefficients are rounded here, even this may be less by some roundings.
         let largest = load_integral(limit);
         if target > largest * (T::one() + T::default_epsilon() * T::constant(16.0)) {
             return Err(beyond(target, largest, limit));
@@ -100,7 +100,7 @@ pub fn invert<T: Scalar>(
     Ok(lesser(radius, limit))
 }
 
-/// The least of the one-term radii, and bounds of the root from below and, without negative terms, above.
+/// The least of the one-term radii, a lower bound of the root and, without negative terms, an upper bound.
 struct Seed<T> {
     radius: T,
     low: T,
@@ -146,10 +146,10 @@ impl<T: Scalar> Bracket<T> {
     }
 }
 
-/// So many steps are taken as they come.
+/// Steps accepted as they are before bisection is mixed in.
 const FREE_STEPS: usize = 8;
 
-/// So many halvings of ln a make the widest bracket narrow; beside each there is one more free step.
+/// Halvings of ln a that make the widest bracket narrow; beside each there is one more free step.
 const HALVINGS: usize = 63;
 
 fn iterate<T: Scalar>(
@@ -186,21 +186,21 @@ fn iterate<T: Scalar>(
         }
     }
     let correction = a * ((load_integral(a) - target) / evaluate(a).1);
-    // A slope that nearly vanishes leaves nothing to correct by.
+    // Where the slope nearly vanishes, there is no usable correction.
     if correction.abs() <= a * close { a - correction } else { a }
 }
 
 /// The relative change below which one more step of each kind ends the iteration.
 ///
-/// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers
-/// weighted by their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is
-/// below ε/4 for the limits of f64 and f32; as v/p is below the highest power p₂ and what is left below p₂³/8 times the
-/// fourth power, limits that fall with 1/p₂ are enough beyond. Of dual numbers the derivatives lag one step behind.
+/// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers weighted by
+/// their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is below ε/4 for the
+/// limits of f64 and f32. For higher powers limits that fall with 1/p₂ suffice, because v/p is below the highest power
+/// p₂ and the remaining error below p₂³/8 times the fourth power. The derivatives of dual numbers lag one step behind.
 ///
-/// With negative terms v and p, there a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
-/// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. Where
-/// rounding of J lets no step become as short, which it does if the condition number is above ε^(−1/4), the bracket is
-/// halved to its end instead.
+/// With negative terms v and p, then a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
+/// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. If the
+/// condition number is above ε^(−1/4), rounding of J keeps steps from becoming that short, and the bracket is halved to
+/// its end instead.
 fn close_enough<T: Scalar>(negative: bool, highest_power: T) -> T {
     let share = (T::constant(68.0) / highest_power).min(T::one());
     if negative {

@@ -7,10 +7,10 @@
 //! a = 2^(k ⌊e/(k p)⌋) · (f · 2^(e mod k p))^(1/p)
 //! ```
 //!
-//! so that nothing overflows before the result does, and other units by powers of two change no digit; with k = 1, 2 or
-//! 4 for p in quarters the reduced number is exact.
+//! so that nothing overflows before the result does, and a change of units by a power of two changes no digit; with
+//! k = 1, 2 or 4 for p a multiple of 1/4 the reduced number is exact.
 //!
-//! **Accuracy.** What the quotient and 1/p lose in rounding is put back into f. The error is that of `powf`, and
+//! **Accuracy.** The rounding errors of the quotient and of 1/p are put back into f. The error is that of `powf`, and
 //! ε/(2 p) from the rounding of f.
 
 use super::{beyond, needs_search};
@@ -22,7 +22,7 @@ use crate::evaluate::power;
 use crate::profile::RadiusError;
 use crate::scalar::floor;
 
-/// The most octaves that the reduced number may have, so that single precision holds it.
+/// The most octaves that the reduced number may have, so that it fits single precision.
 const LONGEST_PERIOD: f64 = 100.0;
 
 /// Solves J(a) = `target` on (0, `limit`] for the gap C r^n alone, whose exponent has few digits.
@@ -41,7 +41,7 @@ pub fn invert_one_term<T: Scalar>(target: T, (c, n): (T, T), limit: T) -> Result
     }
     let p = n + T::constant(4.0);
     let largest = power::term(c * (n / ((n + T::constant(2.0)) * p)), limit, Exponent::of(p));
-    // The root may round to just beyond a limit that the load integral does not exceed.
+    // The root may round to just beyond the limit although the load integral does not exceed J(`limit`).
     if target <= largest { Ok(limit) } else { Err(beyond(target, largest, limit)) }
 }
 
@@ -57,7 +57,7 @@ fn radius<T: Scalar>(target: T, c: T, n: T) -> T {
     scale(root((quotient, lost), rest, p), multiple * periods)
 }
 
-/// The k for which k p is whole, unless that is too large for the exponent of a number.
+/// The least k for which k p is whole and at most [`LONGEST_PERIOD`]; 1 if there is none.
 #[inline]
 fn whole_multiple<T: Scalar>(p: T) -> i32 {
     let is_whole = |k: i32| {
@@ -67,22 +67,22 @@ fn whole_multiple<T: Scalar>(p: T) -> i32 {
     [1, 2, 4].into_iter().find(|&k| is_whole(k)).unwrap_or(1)
 }
 
-/// (f (1 + `lost`) · 2^`rest`)^(1/p) for 1 ≤ f < 2, and 0 ≤ `rest` < p or a whole one up to the [`LONGEST_PERIOD`].
+/// (f (1 + `lost`) · 2^`rest`)^(1/p) for 1 ≤ f < 2, and 0 ≤ `rest` < p or a whole `rest` up to [`LONGEST_PERIOD`].
 #[inline]
 fn root<T: Scalar>((f, lost): (T, T), rest: T, p: T) -> T {
     let inverse = p.recip();
-    // (f 2^rest)^(1/p − inverse), of whose logarithm two digits are enough: log₂ f ≈ f − 1 is off by less than 0.09.
+    // (f 2^rest)^(1/p − inverse), whose logarithm needs only two digits: log₂ f ≈ f − 1 is off by less than 0.09.
     let (back, back_rest) = product_with_few_digits(inverse, p);
     let logarithm = T::ln_2() * (rest + (f - T::one()));
     let f = f + f * (lost + ((T::one() - back) - back_rest) * logarithm);
     let two = T::constant(2.0);
     if p > T::constant(LONGEST_PERIOD) {
-        // 2^rest would not fit every format, so its root is taken apart.
+        // 2^rest would not fit every format, so its root is taken separately.
         f.powf(inverse) * two.powf(rest * inverse)
     } else if rest == T::constant(f64::from(floor(rest))) {
         scale(f, floor(rest)).powf(inverse)
     } else {
-        // Two roundings, of which hardly anything is left by such a p.
+        // Two roundings; divided by such a p hardly anything is left of them.
         (f * two.powf(rest)).powf(inverse)
     }
 }

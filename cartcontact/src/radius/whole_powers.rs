@@ -1,7 +1,7 @@
 //! The contact radius from the leading term where powers are whole, and many of them in vector code.
 //!
-//! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 4, the terms are j 2^(k p − e) x^p: no step leaves the format, and other
-//! units by powers of two change nothing but k and e.
+//! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 4, the terms are j 2^(k p − e) x^p: no step leaves the format, and a
+//! change of units by a power of two changes only k and e.
 
 use super::blocks::{fill, leading_blocks};
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
@@ -16,11 +16,11 @@ use crate::scalar::{is_plain, lesser};
 /// How many radii are found at once.
 const BLOCK: usize = 16;
 
-/// J(a) = Σ j a^p with whole powers in ascending order and coefficients that are positive, or zero.
+/// J(a) = Σ j a^p with whole powers in ascending order and coefficients that are positive or zero.
 ///
-/// Others have no radius here: with its sign set, a coefficient has a logarithm that is 2048 octaves too large, or 256
-/// in single precision, and infinity one of 1024, or 128; both put j 2^(k p − e) out of the format for its own power,
-/// and so for the lowest or for the highest.
+/// Other coefficients find no radius here. The sign bit of a negative one makes its logarithm 2048 octaves too large,
+/// or 256 in single precision; infinity has a logarithm of 1024, or 128. Both put 2^(k p − e) out of the format for
+/// their own power, and so for the lowest or for the highest.
 #[derive(Clone, Copy, Debug)]
 pub struct WholePowers<T, F, const N: usize> {
     /// j.
@@ -29,20 +29,21 @@ pub struct WholePowers<T, F, const N: usize> {
     pub powers: [u32; N],
     /// J and its derivatives at a radius with these powers and other coefficients, in units of 1.
     pub steepness: F,
-    /// What load integrals are multiplied by, so that coefficients are rounded less: see `Target`.
+    /// The factor by which load integrals are multiplied, so that coefficients are rounded less: see `Target`.
     pub per_unit: T,
 }
 
 impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePowers<T, F, N> {
     /// The radius at which J is `load_integral`; none beyond `limit`, where the steps have not come near, and for
-    /// other scalars than f32 and f64.
+    /// scalars other than f32 and f64.
     #[inline(always)]
     pub fn radius(&self, load_integral: T, limit: T) -> Option<T> {
         if !is_plain::<T>() {
             return None;
         }
         let found = |(radius, is_found): (T, bool)| (is_found & (radius <= limit)).then_some(radius);
-        // A copy, as what others see has to be kept for them: of many radii the logarithms would be taken anew for each.
+        // A copy for the cold call. What it can see must be kept in memory, and the logarithms would be taken again for
+        // each of many radii.
         let again = *self;
         match found(self.solve(load_integral, 0)) {
             None => out_of_line(move || found(again.solve(load_integral, MORE_STEPS))),
@@ -50,8 +51,8 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePo
         }
     }
 
-    /// The radius at which J is `load_integral`, f32 or f64, and whether it is that, with so many `more` steps than are
-    /// mostly enough.
+    /// The radius at which J is `load_integral`, f32 or f64, and whether the steps have found it; `more` is the number
+    /// of steps beyond those that usually suffice.
     #[inline(always)]
     pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
@@ -72,7 +73,7 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePo
         let spread =
             Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
         let evaluate = |a| (self.steepness)(a, scaled);
-        // Of the fraction alone, so that next to the ends of the format nothing is lost, either.
+        // From the fraction alone, so that nothing is lost next to the ends of the format, either.
         let target = Target::in_units(fraction(load_integral), self.per_unit);
         let (radius, is_near) = spread.root(more, target, start.fraction, evaluate, evaluate);
         (radius * power_of_two(start.octave), fits & is_near)
@@ -120,7 +121,7 @@ fn block<T: Scalar>(
     more: u32,
     solve: &impl Fn(T, u32) -> (T, bool),
 ) -> bool {
-    // Their own place, so that nothing that is read can be what is written.
+    // An array of its own, which cannot alias what is read.
     let mut values = [T::zero(); BLOCK];
     let mut are_found = true;
     for (value, &load_integral) in values.iter_mut().zip(load_integrals) {
@@ -153,7 +154,7 @@ mod tests {
             .radius(load_integral, T::infinity())
     }
 
-    /// Not only right, which the general solution is, too, but found here.
+    /// Not only right, which the general solution would be as well, but found here.
     #[test]
     fn radii_of_positive_terms_are_found() {
         for k in 0..1000 {
@@ -202,7 +203,7 @@ mod tests {
         assert_eq!(all, Ok(()));
         for ((&a, &load_integral), &of_slice) in planted.iter().zip(&load_integrals).zip(&radii) {
             for found in [five.radius(load_integral, f64::INFINITY), Some(of_slice)] {
-                // Five terms and their sum are rounded in the test, which p divides, and the radius.
+                // The test rounds five terms and their sum, errors that p divides, and the radius.
                 assert!(found.is_some_and(|found| (found / a - 1.0).abs() < 2.0 * f64::EPSILON), "{a}");
             }
         }
@@ -219,7 +220,7 @@ mod tests {
             assert_eq!(radius(coefficients, 1.0), None, "{coefficients:?}");
             let mut coefficients = [1.0_f32, 1.0, 1.0];
             coefficients[place] = bad as f32;
-            // −10⁻³⁰⁰ is −0 there, and J is none the less for that.
+            // −10⁻³⁰⁰ is −0 there, which does not change J.
             assert!(radius(coefficients, 1.0).is_none() || bad == -1e-300, "{coefficients:?}");
         }
         assert_eq!(radius([0.0; 3], 1.0), None);

@@ -38,7 +38,7 @@ impl Table {
     }
 }
 
-/// The step, in some units, with a function that evaluates J.
+/// Halley's step in some units, with a function that evaluates J.
 #[derive(Clone, Copy)]
 struct Halley<U, F> {
     units: U,
@@ -53,7 +53,8 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
         self.units.in_table(load_integral)
     }
 
-    /// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ at 1 plus the last 23 bits as a fraction, from a row of c₀, c₂, c₁ and c₃.
+    /// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ where u is 1 plus the last 23 bits as a fraction. A row has the order c₀,
+    /// c₂, c₁, c₃.
     #[inline(always)]
     fn start(row: &Row, digits: u32) -> f32 {
         let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);

@@ -1,24 +1,27 @@
-//! A table that the macro has computed: what leads to the contact radius, by quarters of octaves of the load integral.
+//! A table that the macro has computed. Each row leads to the contact radius in one quarter of an octave of the load
+//! integral.
 //!
-//! A row is a cubic in the fraction of the load integral y that meets the radius to six digits, see [`cubics`]. From there
-//! one [`step`](super::step) reaches the last bit, in single precision, too, where the seed is cut to half its digits first,
-//! so that its square is exact in both. The macro has checked what the step leaves at every row: less than ε/8. Symbols have
-//! few digits for weights, see [`Target`](super::step::Target), so that they round no more than constants. Of five million
-//! random radii each of eleven geometries with whole powers, fewer than one in a million was off by more than 1 ulp, and 5
-//! in single precision; 15 where the gap begins with r, whose p is the least, by 1.16 at the most.
+//! A row is a cubic in the fraction of the load integral y that gives the radius to six digits, see [`cubics`]. One
+//! [`step`](super::step) from there reaches the last bit. In single precision the seed is first cut to half its digits,
+//! so that its square is exact in both formats. The macro has checked the error after the step for every row: it is
+//! less than ε/8. The weights of symbols have few digits, see [`Target`](super::step::Target), so that they are rounded
+//! no more than constants. Of five million random radii each of eleven geometries with whole powers, fewer than one in
+//! a million was off by more than 1 ulp, and 5 in single precision; 15 where the gap begins with r, whose p is the
+//! least, by 1.16 ulp at the most.
 //!
-//! Where powers are multiples of 1/2 the same is done with the square root of the radius, x, of which they are whole. Its
-//! square less the step is as exact as the radius would be, and what x^p loses is known, as p is twice as high: of five
-//! million radii of nine such geometries 8 in a million were off by more than 1 ulp, 3 in single precision, by 1.16 at the
-//! most; of five terms that begin with r^0.5 and end with r^8.5, 15 in single precision, by 1.1. Of multiples of 1/3 to
-//! 1/20 the powers of the root are so high that nothing is lost of any of them, see
-//! [`NestedPowers`](crate::evaluate::steepness::NestedPowers): of eight million radii of eight geometries none was off by
-//! more than 0.91 ulp, nor in single precision by more than 0.8.
+//! Where powers are multiples of 1/2, the same is done with x, the square root of the radius, whose powers are whole.
+//! Its square less the step is as exact as the radius would be, and what x^p loses is known, as p is twice as high. Of
+//! five million radii of nine such geometries 8 in a million were off by more than 1 ulp, 3 in single precision, by
+//! 1.16 ulp at the most; of five terms that begin with r^0.5 and end with r^8.5, 15 in single precision, by 1.1 ulp.
+//! With multiples of 1/3 to 1/20 the powers of the root are so high that they are computed without any loss, see
+//! [`NestedPowers`](crate::evaluate::steepness::NestedPowers): of eight million radii of eight geometries none was off
+//! by more than 0.91 ulp, nor by more than 0.8 ulp in single precision.
 //!
-//! Where the gap is one term, the radius is a root, which its table has in the middle of every row, see [`roots`].
+//! Where the gap is one term, the radius is a root. Each row of its table has the root at the middle of the quarter,
+//! see [`roots`].
 //!
-//! What lies outside the table, be it zero, not a number, or beyond the range, is left to the general solution:
-//! one comparison finds all of it.
+//! Load integrals outside the table (zero, NaN, beyond the range) are left to the general solution: one comparison
+//! finds all of them.
 
 mod cubics;
 pub(crate) mod roots;
@@ -34,18 +37,17 @@ use crate::scalar::is;
 /// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
 #[derive(Debug)]
 pub struct Table {
-    /// The k of the table, at most 256.
+    /// The quarters k of the table, at most 256.
     pub quarters: Quarters,
-    /// Those of which single precision holds y, and all that a step computes, within 2^±100; among the others.
+    /// The subset of quarters in which y and all intermediates of a step fit single precision (within 2^±100).
     pub single: Quarters,
-    /// The row of k at k − 4 modulo 256.
+    /// The row of k is at k − 4 modulo 256.
     ///
-    /// That is the number in eight bits of y, six of its exponent and two of its fraction: the row that they name needs
-    /// no check of bounds.
+    /// This index is eight bits of y, six of its exponent and two of its fraction, and needs no check of bounds.
     pub rows: Rows,
 }
 
-/// So many quarters of octaves from the first.
+/// A range of quarters of octaves.
 #[derive(Clone, Copy, Debug)]
 pub struct Quarters {
     /// The first k.
@@ -54,7 +56,7 @@ pub struct Quarters {
     pub count: u32,
 }
 
-/// 256 rows, as bytes: one literal for the compiler to read, instead of a thousand. None lies in two lines of a cache.
+/// 256 rows, as bytes: the compiler reads one literal instead of a thousand. No row straddles two cache lines.
 #[derive(Debug)]
 #[repr(align(16))]
 pub struct Rows(pub [u8; 4096]);
@@ -63,12 +65,12 @@ pub struct Rows(pub [u8; 4096]);
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row(pub(super) [u8; 16]);
 
-/// What a radius is found by from its row of the table.
+/// How a radius follows from its row of the table.
 pub(super) trait Step<T>: Copy {
-    /// What is read of all rows of a block before anything else, if that becomes quicker vector code.
+    /// What is read from all rows of a block first, if that makes quicker vector code.
     type Start: Copy + Default;
 
-    /// The load integral as the table has it.
+    /// The load integral that is looked up in the table.
     fn in_table(self, load_integral: T) -> T;
 
     /// What a row gives for the [`digits`] of a load integral.
@@ -78,8 +80,8 @@ pub(super) trait Step<T>: Copy {
 }
 
 impl Table {
-    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for other scalars
-    /// than f32 and f64.
+    /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for scalars other than
+    /// f32 and f64.
     #[inline(always)]
     pub(super) fn find<T: Scalar, S: Step<T>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
         let y = step.in_table(load_integral);
@@ -89,12 +91,13 @@ impl Table {
         let digits = digits(y);
         let row = self.row(digits);
         let radius = step.radius(&row, S::start(&row, digits), load_integral);
-        // No comparison where the limit is infinite at compile time, and one where it is none; it may not be a number.
+        // Without the second condition a limit that is infinite at compile time would still be compared, as the radius
+        // may be NaN. One that is infinite at run time takes one comparison.
         let is_within = radius <= limit || limit == T::infinity();
         is_within.then_some(radius)
     }
 
-    /// Whether there are rows for a scalar.
+    /// Whether there are rows for a scalar type.
     pub(super) fn holds<T: Scalar>(&self) -> bool {
         is::<T, f64>() || (is::<T, f32>() && self.single.count > 0)
     }
@@ -104,14 +107,14 @@ impl Table {
         if is::<T, f32>() { self.single } else { self.quarters }
     }
 
-    /// Too small for the table, or with the sign set, y becomes an index that is too large.
+    /// If y is too small for the table or has its sign set, its index is too large.
     #[inline(always)]
     fn contains<T: Scalar>(&self, y: T) -> bool {
         let Quarters { first, count } = self.quarters::<T>();
         (quarter(y).wrapping_sub(first) as u32) < count
     }
 
-    /// The load integrals at both ends of the rows for a scalar.
+    /// The load integrals at both ends of the rows for a scalar type.
     pub(super) fn ends<T: Scalar>(&self) -> [T; 2] {
         let Quarters { first, count } = self.quarters::<T>();
         [first, first + count as i32].map(least_of_quarter)
@@ -133,7 +136,7 @@ impl Row {
     }
 }
 
-/// 23 bits of the fraction of y, and above them the last of its exponent.
+/// 23 bits of the fraction of y, below the last bits of its exponent.
 #[inline(always)]
 pub(super) fn digits<T: Scalar>(y: T) -> u32 {
     let any: &dyn Any = &y;

@@ -1,24 +1,25 @@
 //! The contact radius where the gap is one term: a root from a table, and a short series.
 //!
-//! J = j aᵖ = y has the root a = (y/j)^(1/p), Eq. (18). Let u be the middle of the quarter of an octave in which y lies, and
-//! A = (u/j)^(1/p). Then
+//! J = j aᵖ = y has the root a = (y/j)^(1/p), Eq. (18). Let u be the middle of the quarter of an octave in which y
+//! lies, and A = (u/j)^(1/p). Then
 //!
 //! ```text
 //! a = A ((1 + s)/(1 − s))^(1/p) = A + A (c₁ s + c₂ s² + …),     s = (y − u)/(y + u),  |s| ≤ 1/17
 //! ```
 //!
-//! of which twelve terms leave 4 · 10⁻¹⁸, and eight 5 · 10⁻¹³ in single precision. No power of a is formed, so that it matters
-//! not whether p is whole.
+//! Twelve terms of the series leave 4 · 10⁻¹⁸, and eight 5 · 10⁻¹³ in single precision. No power of a is formed, so
+//! that p need not be whole.
 //!
-//! **Any C.** Of j = w C with a symbol C, the weight w is in the table, which is one of y/C. With p = k/q in lowest terms, y/C
-//! multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. Powers of two are taken out of y,
-//! C and a, so that nothing leaves the format, and other units by powers of two change no digit. Where k is above 64 the table
-//! has 64 octaves, and a second one what whole spans of these multiply a by, see [`spans`](super::spans).
+//! **Any C.** If j = w C with a symbol C, the table is one of y/C and includes the weight w. With p = k/q in lowest
+//! terms, y/C multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. Powers of two
+//! are taken out of y, C and a, so that nothing leaves the format, and a change of units by a power of two changes no
+//! digit. Where k is above 64, the table has 64 octaves, and a second one has the factors of a for whole spans of
+//! these, see [`spans`](super::spans).
 //!
-//! **Accuracy.** A row has A in three parts of single precision, of which the first two make an exact sum, and y less u is
-//! exact. What rounds in the series is less than 1/34 of the sum, whose last addition leaves 1/2 ulp. Of y/C two roundings
-//! are left, a share of ε at the most, which p > 4 divides: less than 1/2 ulp. Of 320 000 random radii of nine geometries
-//! none was off by more than 0.86 ulp, nor by more than 0.93 where C is a quotient that is rounded itself.
+//! **Accuracy.** A row has A in three parts of single precision. The first two make an exact sum, and y − u is exact.
+//! The rounded part of the series is less than 1/34 of the sum, whose last addition leaves 1/2 ulp. Two roundings of
+//! y/C are left, a share of ε at the most, which p > 4 divides: less than 1/2 ulp. Of 320 000 random radii of nine
+//! geometries none was off by more than 0.86 ulp, nor by more than 0.93 where C is itself a rounded quotient.
 
 use super::{Row, Step, Table};
 use crate::Scalar;
@@ -34,14 +35,14 @@ use crate::scalar::{from_single, is};
 pub struct Roots {
     /// A in three parts, in the places 0, 3 and 1.
     pub table: Table,
-    /// c₁ and those that follow.
+    /// c₁, c₂, …
     pub series: [f64; 12],
 }
 
-/// No quotient is below 2 to minus this, nor above 2 to this.
+/// Quotients lie between 2 to minus this and 2 to this.
 const MOST_OCTAVES: u32 = 2100;
-/// Digits of 1/K in fixed point, which is too large by less than the last. Over K, up to 4300 octaves are then too large by
-/// less than 0.005, which no whole number lies in, with K up to 64; and before the shift they are below 2³², with K from 5.
+/// Binary digits of the fixed-point 1/K, rounded up. For 5 ≤ K ≤ 64 and up to 4300 octaves the quotient is too large by
+/// less than 0.005, never enough to reach the next integer, and the product before the shift is below 2³².
 const DIGITS_OF_INVERSE: u32 = 20;
 
 impl Roots {
@@ -82,15 +83,15 @@ pub struct Ratio<T> {
     /// y − u j and y + u j, divided by a power of two.
     pub(super) difference: T,
     pub(super) sum: T,
-    /// How many times the octaves of the table were taken out.
+    /// How many periods of the table were taken out.
     pub(super) periods: i32,
 }
 
-/// The term of J, or what the table has of it.
+/// The term of J, or the part of it that is in the table.
 pub trait Term<T>: Copy {
     fn ratio(self, load_integral: T) -> Ratio<T>;
 
-    /// A root in the table and what it lacks, with the periods that were taken out.
+    /// A root in the table and what it lacks, with the periods put back.
     fn with_periods(self, root: (T, T), periods: i32) -> (T, T);
 }
 
@@ -109,16 +110,17 @@ impl<T: Scalar, D: Term<T>> Step<T> for Root<D> {
     fn radius(self, row: &Row, _start: (), load_integral: T) -> T {
         let Ratio { difference, sum, periods, .. } = self.term.ratio(load_integral);
         let s = difference / sum;
-        // What need not wait for s.
+        // Independent of s, so that it need not wait for the division.
         let (root, rest) = self.term.with_periods(row.root(), periods);
         root + ((root + rest) * s * growth_per_s(s, &self.series) + rest)
     }
 }
 
 impl Row {
-    /// A number in three parts and what it lacks.
+    /// A number that is stored in three parts, and what it lacks.
     ///
-    /// The second has the last place: where that is not read, compilers leave the last rows to code without vectors.
+    /// The second part is in the last place: if that were not read, compilers would leave the last rows to code without
+    /// vectors.
     #[inline(always)]
     pub(super) fn root<T: Scalar>(&self) -> (T, T) {
         let part = |place: usize| from_single::<T>(self.at(place));
@@ -137,7 +139,7 @@ fn growth_per_s<T: Scalar>(s: T, series: &[f64; 12]) -> T {
     if is::<T, f32>() { eight_terms } else { eight_terms + row(2) * (fourth * fourth) }
 }
 
-/// One whose j is in the table.
+/// A term whose j is in the table.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnTerm;
 
@@ -173,21 +175,21 @@ impl<T: Scalar> Divisor<T> {
         Self { inverse: fraction(c).recip(), exponent: exponent(c) }
     }
 
-    /// y/C, of whose quarters of octaves `fold` makes those in the table and the periods that were taken out.
+    /// y/C. `fold` turns its quarters of octaves into those in the table and the periods that were taken out.
     #[inline(always)]
     pub(super) fn ratio(self, load_integral: T, fold: impl Fn(i32) -> (i32, i32)) -> Ratio<T> {
         let exponent_of_load = exponent(load_integral);
         let quotient = fraction(load_integral) * self.inverse;
         let middle = middle_of_quarter(quotient);
         let (place, periods) = fold(quarter(quotient) + 4 * (exponent_of_load - self.exponent));
-        // With their signs set, exponents are none of normal numbers; zero lies in no table.
+        // With the sign set, an exponent is not that of a normal number; zero lies in no table.
         let has_place = is_normal::<T>(exponent_of_load) & is_normal::<T>(self.exponent);
         let in_table = if has_place { least_of_quarter(place) } else { T::zero() };
         Ratio { in_table, difference: quotient - middle, sum: quotient + middle, periods }
     }
 }
 
-/// C w aᵖ with p = `K`/`Q`, with a table for all C that has w in it.
+/// C w aᵖ with p = `K`/`Q`. One table, which includes w, serves all C.
 #[derive(Clone, Copy, Debug)]
 pub struct SingleTerm<T, const K: u32, const Q: i32>(Divisor<T>);
 
@@ -206,7 +208,7 @@ impl<T: Scalar, const K: u32, const Q: i32> Term<T> for SingleTerm<T, K, Q> {
             load_integral,
             #[inline(always)]
             |quarters| {
-                // Whole periods are added so that there is no number below zero.
+                // Whole periods are added so that the number is never negative.
                 let periods_below = const { MOST_OCTAVES.div_ceil(K) };
                 let quarters = (quarters as u32).wrapping_add(periods_below * 4 * K);
                 let inverse = const { (1 << DIGITS_OF_INVERSE) / K + 1 };

@@ -1,14 +1,14 @@
-//! The contact radius where the gap is one term whose power has no period of few octaves.
+//! The contact radius where the gap is one term whose roots repeat only after more than 64 octaves.
 //!
-//! With p = k/q in lowest terms the roots (y/j)^(1/p) repeat themselves after k octaves of y, which of r^2.37 are 637. A table
-//! of 64 octaves holds them with a second one of 2^(64 h/p): with y/C = f · 2^(64 h), 1 ≤ f < 2⁶⁴,
+//! With p = k/q in lowest terms the roots (y/j)^(1/p) repeat after k octaves of y, which is 637 for r^2.37. A table of
+//! 64 octaves holds them together with a second one of 2^(64 h/p): with y/C = f · 2^(64 h), 1 ≤ f < 2⁶⁴,
 //!
 //! ```text
 //! (y/j)^(1/p) = (f/w)^(1/p) · 2^(64 h/p)
 //! ```
 //!
-//! Both factors have three parts in single precision, see [`roots`](super::roots), and lose nothing of the size of a
-//! rounding in their product.
+//! Both factors have three parts in single precision, see [`roots`](super::roots), and their product loses nothing of
+//! the size of a rounding.
 
 use super::Row;
 use super::roots::{Divisor, Ratio, Term};
@@ -16,11 +16,11 @@ use crate::Scalar;
 use crate::evaluate::bits::power_of_two;
 use crate::evaluate::halved::Halved;
 
-/// Quarters of octaves in a span: all that a table has rows for.
+/// Quarters of octaves in a span: as many as a table has rows.
 const QUARTERS: u32 = 256;
 
-/// 2^(64 h/p) at h modulo 64: its fraction in three parts in the places 0, 3 and 1, its exponent in place 2. Quotients of
-/// numbers with exponents from −1022 to 1023 have h from −32 to 31.
+/// 2^(64 h/p) at index h modulo 64: its fraction in three parts in the places 0, 3 and 1, its exponent in place 2.
+/// Quotients of numbers with exponents from −1022 to 1023 have h from −32 to 31.
 #[derive(Debug)]
 #[repr(align(16))]
 pub struct Spans(pub [u8; 1024]);
@@ -33,7 +33,7 @@ impl Spans {
     }
 }
 
-/// C w aᵖ with any p, with a table for all C that has w in it.
+/// C w aᵖ with any p. One table, which includes w, serves all C.
 #[derive(Clone, Copy, Debug)]
 pub struct AnyPower<T> {
     divisor: Divisor<T>,

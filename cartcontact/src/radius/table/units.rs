@@ -1,4 +1,4 @@
-//! The units that a table of seeds is in.
+//! The units of a table of seeds.
 
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
@@ -10,7 +10,7 @@ use crate::scalar::is;
 
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
-/// A type for each kind, so that those of the geometry itself leave nothing to do.
+/// A type for each kind, so that the units of the geometry itself cost nothing.
 pub trait Units<T: Scalar>: Copy {
     /// A load integral of the geometry in units of the table.
     fn in_table(self, load_integral: T) -> T;
@@ -18,13 +18,13 @@ pub trait Units<T: Scalar>: Copy {
     /// A radius from the table in the units of the step.
     fn length(self, radius: T) -> T;
 
-    /// The same with half its digits, so that its square is exact.
+    /// That length with half its digits, so that its square is exact.
     #[inline(always)]
     fn seed(self, radius: T) -> T {
         with_half_its_digits(self.length(radius))
     }
 
-    /// The same load integral as J has to be in the step.
+    /// The load integral as the target of the step.
     fn target(self, load_integral: T) -> Target<T>;
 
     /// The radius from its seed, by one step.
@@ -34,7 +34,7 @@ pub trait Units<T: Scalar>: Copy {
     }
 }
 
-/// Those of the geometry that the table was made for.
+/// The units of the geometry that the table was made for.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnUnits;
 
@@ -61,9 +61,9 @@ impl<T: Scalar> Units<T> for OwnUnits {
     }
 }
 
-/// Those in which the first two terms of J have the coefficients 1 and ±1. All J whose other coefficients agree in these
-/// units share one table. The unit of length is the radius at which the first two terms have the same size, the unit of J
-/// that size.
+/// Units in which the first two terms of J have the coefficients 1 and ±1. All J whose other coefficients agree in
+/// these units share one table. The unit of length is the radius at which the first two terms have the same size, the
+/// unit of J that size.
 #[derive(Clone, Copy, Debug)]
 pub struct EqualTerms<T> {
     radius: T,
@@ -72,18 +72,18 @@ pub struct EqualTerms<T> {
 }
 
 impl<T: Scalar> EqualTerms<T> {
-    /// Of the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, the coefficients of all others, each with its sign in the table
-    /// taken from it, and what load integrals are multiplied by, see `Target`.
+    /// From the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, the coefficients of all others, each times its sign in
+    /// the table, and the factor of load integrals, see `Target`.
     ///
-    /// If all j and the unit of J lie between 1/b and b, then y and aJ′ lie within 2^±71 b, J′/a^(p−1) within as much,
-    /// and aᵖ within 2^±64 b²: none of their products in a step leaves the format. In single precision all these are 20 octaves
-    /// nearer to 1. Other terms have no table.
+    /// If all j and the unit of J lie between 1/b and b, then y, aJ′ and J′/a^(p−1) lie within 2^±71 b, and aᵖ within
+    /// 2^±64 b²: none of their products in a step leaves the format. In single precision all these are 20 octaves
+    /// nearer to 1. Terms outside these bounds have no table.
     #[inline(always)]
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
         let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
-        // A term with another sign than in the table has a negative size; the unit may be NaN then, or not.
+        // A term with a sign other than in the table has a negative size; the unit may then be NaN or not.
         let has_table = [per_size, low.0, high.0]
             .iter()
             .chain(&others)
@@ -110,7 +110,7 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     }
 }
 
-/// The same for the `Q`-th root x of the radius, of which J has whole powers.
+/// The units `U` for the `Q`-th root x of the radius; J has whole powers of x.
 #[derive(Clone, Copy, Debug)]
 pub struct RootOf<U, const Q: u32>(pub U);
 
@@ -125,7 +125,7 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
         self.0.length(radius)
     }
 
-    /// Of higher roots with all digits: the step takes [`Halved`] powers of them, which lose none of the square.
+    /// Higher roots keep all digits: the step takes [`Halved`] powers of them, which lose nothing of the square.
     #[inline(always)]
     fn seed(self, radius: T) -> T {
         if Q == 2 { self.0.seed(radius) } else { self.0.length(radius) }
@@ -136,8 +136,8 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
         self.0.target(load_integral)
     }
 
-    /// As exact as the root less its step: the power of the seed comes with what it lacks, or is exact, and what is taken
-    /// from it is small.
+    /// As exact as the root less its step: the power of the seed is exact or comes with what it lacks, and what is
+    /// subtracted is small.
     #[inline(always)]
     fn radius(self, seed: T, steepness: Steepness<T>, target: Target<T>) -> T {
         if Q == 2 {
@@ -145,8 +145,8 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
             return seed * seed - step * (seed + (seed - step));
         }
         let e = steepness.share_of_high_power(target);
-        // 1 − (1 − e)^Q, where e is 10⁻⁶ at the most, without what follows the fourth power of Q e, by the ratios
-        // (Q − k)/(k + 1) of neighbouring binomial coefficients.
+        // 1 − (1 − e)^Q up to the fourth power of Q e, with e ≤ 10⁻⁶, by the ratios (Q − k)/(k + 1) of neighbouring
+        // binomial coefficients.
         let ratio = |k: u32| T::constant(f64::from(Q.saturating_sub(k)) / f64::from(k + 1)) * e;
         let share = ratio(0) * (T::one() - ratio(1) * (T::one() - ratio(2) * (T::one() - ratio(3))));
         let seed = Halved::of(seed);
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use crate::evaluate::steepness::NestedPowers;
 
-    /// Of J = a^(41/7), from seeds that are as far off as those of a table, in either direction.
+    /// For J = a^(41/7), from seeds that are as far off as those of a table, in either direction.
     #[test]
     fn radii_are_powers_of_their_roots() {
         for k in 0..1000 {
@@ -170,7 +170,7 @@ mod tests {
                 let seed = f64::from((root * (1.0 + error)) as f32);
                 let steepness = NestedPowers::of(seed).plus(1.0, 41.0).of_lowest_power::<41>();
                 let radius = RootOf::<_, 7>(OwnUnits).radius(seed, steepness, Target::of(load_integral));
-                // Half an ε each of both results, and what the rounding of the exponent makes.
+                // Half an ε from each result, and the effect of rounding the exponent.
                 let difference = radius / load_integral.powf(7.0 / 41.0) - 1.0;
                 assert!(difference.abs() < 2.0 * f64::EPSILON, "{load_integral}, {error}: {difference:e}");
             }
