@@ -1,5 +1,5 @@
-//! The arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, words that
-//! make up for rounded squares, and double words where it is asked for itself.
+//! The arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, words
+//! corrected for rounded squares, and double words where the result itself is asked for.
 
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
@@ -7,7 +7,7 @@ use super::power::{double_term, term};
 use super::real_exponent_kernel;
 use crate::Scalar;
 
-/// What polynomials need of numbers made of words of type `T`.
+/// What polynomials need from numbers made of words of type `T`.
 pub(crate) trait Ring<T>: Copy {
     fn of(word: T) -> Self;
     fn sum(x: T, y: T) -> Self;
@@ -19,7 +19,7 @@ pub(crate) trait Ring<T>: Copy {
     fn rounded(self) -> T;
 }
 
-/// What other functions need of them.
+/// What other functions need from them.
 pub(crate) trait Arithmetic<T>: Ring<T> {
     /// n, rounded to what the number can hold.
     fn exponent(n: Exponent<T>) -> Self;
@@ -94,9 +94,10 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
     }
 }
 
-/// A word with what the products that it is made of lack, to first order; its own operations are rounded.
+/// A word with a first-order correction for the rounding of the products it was built from. Its own operations are
+/// rounded.
 ///
-/// Powers by Horner's rule repeat the rounding of what they are powers of, in every step with the same sign.
+/// Horner's rule repeats the rounding error of its argument in every step with the same sign.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corrected<T> {
     value: T,

@@ -8,7 +8,7 @@ use crate::scalar::{floor, from_single, is, is_plain, is_single, smallest_normal
 #[inline]
 pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
     if !is_plain::<T>() {
-        // What else the number carries, such as derivatives, scales with it.
+        // Whatever else the number carries, such as derivatives, scales with it.
         let (_, exponent) = split(x.value());
         return (scale(x, -exponent), exponent);
     }
@@ -30,7 +30,7 @@ pub(crate) fn scale<T: Scalar>(x: T, e: i32) -> T {
         * clamped_power_of_two::<T>(e - 2 * third)
 }
 
-/// 2^e, or the nearest power of two with all its digits; of any scalar.
+/// 2^e, or the nearest normal power of two; for any scalar.
 fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
     if is_single::<T>() | (-126..=127).contains(&e) {
         from_single(f32::from_bits(((e.clamp(-126, 127) + 127) as u32) << 23))
@@ -43,7 +43,7 @@ fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
 ///
 /// It neither overflows nor depends on powers 2^(k p) in x · y.
 ///
-/// Error: log₂ f ≈ 2 f − f²/3 − 5/3 is off by at most 0.0098 on [1, 2), twice, which costs 1.4 %/p;
+/// Error: log₂ f ≈ 2 f − f²/3 − 5/3 is off by at most 0.0098 on [1, 2) and is taken twice, which costs 1.4 %/p;
 /// 2^u ≈ 1 + u (2 + u)/3 is off by at most 0.4 % on [0, 1).
 #[inline]
 pub(crate) fn estimated_root_of_product<T: Scalar>(x: T, y: T, p: T) -> T {
@@ -61,8 +61,8 @@ pub(crate) fn estimated_root_of_product<T: Scalar>(x: T, y: T, p: T) -> T {
 /// The whole part of e/p and what remains, e = whole · p + rest with 0 ≤ rest < p.
 pub(crate) fn divide<T: Scalar>(e: i32, p: T, inverse: T) -> (i32, T) {
     let total = T::constant(f64::from(e));
-    // A product instead of a quotient, nudged so that multiples of p stay what they are: fractions of e/p are
-    // multiples of 1/(4 p), or of no consequence.
+    // A product instead of a quotient, nudged so that rounding does not take multiples of p to the whole number below:
+    // fractions of e/p are multiples of 1/(4 p), or of no consequence.
     let whole = floor(total * inverse + T::constant(1e-6));
     (whole, total - T::constant(f64::from(whole)) * p)
 }

@@ -1,25 +1,26 @@
-//! What the bits of f64 and f32 say, without branches, so that it becomes vector code.
+//! Functions of the bits of f64 and f32, without branches, so that they compile to vector code.
 //!
-//! Each format from its own bits: a microcontroller's f32 never passes through f64. Digits are binary, here and
-//! wherever a number is said to have all of its own, half of them or a few.
+//! Each format is read from its own bits: a microcontroller's f32 never passes through f64. Digits are binary, here and
+//! wherever a number is said to have all, half or few of its digits.
 
 use core::any::Any;
 
 use crate::Scalar;
 use crate::scalar::is;
 
-/// Digits of a logarithm behind the point.
+/// Fractional digits of a logarithm.
 pub(crate) const DIGITS: u32 = 8;
 
-/// 2⁵² and 2²³: what a number between them and twice as much has in the last bits of its fraction is its integer.
+/// The bits of 2⁵² and 2²³. Between this and its double, the fraction bits of a number are its excess over this, as an
+/// integer.
 const UNIT_OF_DOUBLE: u64 = 0x4330_0000_0000_0000;
 const UNIT_OF_SINGLE: u32 = 0x4b00_0000;
 
-/// The same with room for a sign: 3 · 2⁵¹ and 3 · 2²².
+/// These with room for a sign: 3 · 2⁵¹ and 3 · 2²².
 const SIGNED_UNIT_OF_DOUBLE: f64 = 6_755_399_441_055_744.0;
 const SIGNED_UNIT_OF_SINGLE: f64 = 12_582_912.0;
 
-/// The number of other bits that follow from its own.
+/// The number whose bits are a function of the bits of x.
 #[inline(always)]
 fn with_bits<T: Scalar>(x: T, single: impl Fn(u32) -> u32, double: impl Fn(u64) -> u64) -> T {
     let any: &dyn Any = &x;
@@ -35,37 +36,37 @@ pub(crate) fn bias<T: Scalar>() -> i32 {
     if is::<T, f32>() { 127 } else { 1023 }
 }
 
-/// Whether 2^`exponent` has all its digits.
+/// Whether 2^`exponent` is a normal number.
 #[inline(always)]
 pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
     ((exponent + bias::<T>() - 1) as u32) < (2 * bias::<T>()) as u32
 }
 
-/// 2⁸ log₂ x and a constant, for positive x, less 23 at most.
+/// 2⁸ log₂ x plus a constant, for positive x, less 23 at most.
 ///
-/// Exponent and first digits, read as an integer. Its conversion takes no instruction of that name, which would wait
-/// for what its register held before.
+/// Exponent and first digits, read as an integer. It is converted without a conversion instruction, which would wait
+/// for the earlier content of its register.
 #[inline(always)]
 pub(crate) fn logarithm<T: Scalar>(x: T) -> T {
     with_bits(x, |bits| bits >> (23 - DIGITS) | UNIT_OF_SINGLE, |bits| bits >> (52 - DIGITS) | UNIT_OF_DOUBLE)
 }
 
-/// The nearest integer, of 21 digits and a sign, as a number and as what it is.
+/// The nearest integer, of 21 digits and a sign, as a `T` and as an `i32`.
 #[inline(always)]
 pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
     let unit = T::constant(if is::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
-    // A sum of this size has no digits behind the point, and the integer in its last bits.
+    // A sum of this size has no fractional digits, and the integer in its last bits.
     let sum = x + unit;
     let any: &dyn Any = &sum;
     let integer = match any.downcast_ref::<f32>() {
-        // Eleven bits above are shifted out and back in as the sign's.
+        // The ten bits above its sign are shifted out and come back as copies of the sign.
         Some(single) => (single.to_bits() << 10) as i32 >> 10,
         None => sum.value().to_bits() as i32,
     };
     (sum - unit, integer)
 }
 
-/// 1 plus the last eight bits as a fraction.
+/// 1 plus the last eight bits of an integer as a fraction.
 #[inline(always)]
 pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
     let digits = integer as u32 & ((1 << DIGITS) - 1);
@@ -76,7 +77,7 @@ pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
     }
 }
 
-/// 2^e for the exponent of a normal number; something else for others.
+/// 2^e if that is a normal number; otherwise something else.
 #[inline(always)]
 pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
     if is::<T, f32>() {
@@ -86,7 +87,8 @@ pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
     }
 }
 
-/// The exponent e of x = f · 2^e, 1 ≤ f < 2; beyond those of normal numbers with a sign, for zero, infinity and NaN.
+/// The exponent e of x = f · 2^e, 1 ≤ f < 2. For a negative number, zero, infinity and NaN it is not that of a normal
+/// number.
 #[inline(always)]
 pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
     let any: &dyn Any = &x;
@@ -128,7 +130,7 @@ pub(crate) fn least_of_quarter<T: Scalar>(k: i32) -> T {
     }
 }
 
-/// The middle of the quarter of an octave that a positive number is in, of four digits.
+/// The middle of the quarter of an octave that a positive number is in; it has four digits.
 #[inline(always)]
 pub(crate) fn middle_of_quarter<T: Scalar>(x: T) -> T {
     with_bits(
@@ -138,7 +140,8 @@ pub(crate) fn middle_of_quarter<T: Scalar>(x: T) -> T {
     )
 }
 
-/// With half its digits, so that its square is exact; f32, which has none to waste, rounded, f64 cut off.
+/// The number with half its digits, so that its square is exact. f32, which has no digits to waste, is rounded, f64 is
+/// cut off.
 #[inline(always)]
 pub(crate) fn with_half_its_digits<T: Scalar>(x: T) -> T {
     with_bits(x, |bits| (bits + 0x0800) & !0x0fff, |bits| bits & !0x07ff_ffff)

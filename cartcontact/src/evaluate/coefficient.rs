@@ -1,6 +1,6 @@
-//! Coefficients of sums that are rounded once: words, or what follows from fields with twice the digits.
+//! Coefficients of sums that are rounded once: words, or numbers that follow from fields with twice the digits.
 //!
-//! A field is a word, but its product with a weight such as 1/3 is none, nor is a quotient of fields: rounded, every one
+//! A field is a word, but its product with a weight such as 1/3 is not, nor is a quotient of fields. If rounded, each
 //! of them would move its term by as much as the rounding of the sum does.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,9 +11,9 @@ use super::exponent::Exponent;
 use super::power::{double_term, real_power};
 use crate::Scalar;
 
-/// What a power may be multiplied by.
+/// A factor of a power.
 pub trait Coefficient<T>: Copy {
-    /// The number rounded and, if it is more than a word, what that lacks.
+    /// The number rounded and, if it is more than a word, what the word lacks.
     fn parts(self) -> (T, Option<T>);
 }
 
@@ -24,7 +24,7 @@ impl<T: Scalar> Coefficient<T> for T {
     }
 }
 
-/// The coefficient in an arithmetic.
+/// The coefficient as a number of an arithmetic.
 #[inline(always)]
 pub(crate) fn number<T: Scalar, A: Ring<T>>(coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
@@ -57,12 +57,12 @@ pub(crate) fn rounded<T, C: Coefficient<T>, const N: usize>(coefficients: [C; N]
     coefficients.map(|coefficient| coefficient.parts().0)
 }
 
-/// A coefficient with twice the digits of a word, wherever the halves of its words do not overflow.
+/// A coefficient with twice the digits of a word, unless the halves of its words overflow.
 #[derive(Clone, Copy, Debug)]
 pub struct Precise<T>(DoubleWord<T>);
 
 impl<T: Scalar> Precise<T> {
-    /// What is nothing but a word.
+    /// A coefficient that is a word.
     #[inline]
     pub fn of(word: T) -> Self {
         Self(DoubleWord::of(word))
@@ -75,7 +75,7 @@ impl<T: Scalar> Precise<T> {
         Self::checked(DoubleWord::sum(word, T::constant((nearest - word.value()) + rest)), word)
     }
 
-    /// The power of a positive number. Nothing but its first order counts of what the word lacks.
+    /// The power of a positive number, to first order in what its word lacks.
     #[inline]
     pub fn power(self, exponent: Exponent<T>) -> Self {
         let (high, n) = (self.0.high(), exponent.value());
@@ -84,7 +84,7 @@ impl<T: Scalar> Precise<T> {
         Self::checked(power.plus_word(lacking), real_power(high, n))
     }
 
-    /// The number, or what plain arithmetic gives.
+    /// The number, or the result of plain arithmetic where it is not finite.
     #[inline(always)]
     fn checked(number: DoubleWord<T>, plain: T) -> Self {
         if number.rounded().is_finite() { Self(number) } else { Self::of(plain) }

@@ -1,4 +1,4 @@
-//! Sums of thousands of impulses, or of what fades and is gained.
+//! Sums of thousands of impulses, or of a quantity that fades between gains.
 
 use crate::Scalar;
 
@@ -6,7 +6,7 @@ use crate::Scalar;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CompensatedSum<T> {
     pub(crate) value: T,
-    /// What the value has too much.
+    /// How much the value is too large.
     excess: T,
 }
 

@@ -1,11 +1,10 @@
-//! ln x, e^x − 1 and x^φ with some digits more than a word has, for results that are rounded once.
+//! ln x, e^x − 1 and x^φ with a few digits more than a word has, for results that are rounded once.
 //!
 //! The functions of a library are off by up to 1 ulp, which grows where powers cancel. Here the first terms of each
-//! series are double words, and all that follow, 500 times smaller at least, are words: relative errors are below
-//! ε/200.
+//! series are double words, and all others, at least 500 times smaller, are words: relative errors are below ε/200.
 //!
 //! ln x = k ln 2 + ln f with 1/√2 ≤ f < √2 and ln f = 2 artanh t, t = (f − 1)/(f + 1), |t| ≤ 0.172. e^x = 2^k e^g with
-//! the whole k next to x/ln 2 and |g| ≤ ln 2/2.
+//! k the integer nearest to x/ln 2 and |g| ≤ ln 2/2.
 
 use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
 
@@ -25,18 +24,18 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, phi: DoubleWord<T>) -> DoubleWor
     gain.plus_word(T::one()).scaled(power_of_two(octaves))
 }
 
-/// ln(1 − depth) of the `ratio` 1 − depth, which is a normal number below 1; either has all its digits.
+/// ln(1 − depth) from the depth and the `ratio` 1 − depth, which is a normal number below 1; each has all its digits.
 pub(crate) fn double_log_of_ratio<T: Scalar>(ratio: DoubleWord<T>, depth: DoubleWord<T>) -> DoubleWord<T> {
     let octaves = exponent(ratio.high());
     let (fraction, octaves) = centred(ratio.scaled(power_of_two(-octaves)), octaves);
-    // Next to 1 the depth has the digits that the ratio has lost.
+    // Where the ratio is near 1, the depth has the digits that the ratio has lost.
     let beyond = if octaves == 0 { -depth } else { fraction.plus_word(-T::one()) };
     logarithm(beyond, octaves)
 }
 
 /// e^x − 1 for x ≤ 0.
 pub(crate) fn negative_exp_m1<T: Scalar>(x: DoubleWord<T>) -> DoubleWord<T> {
-    // 2⁻¹¹⁵ is a normal number of either format.
+    // 2⁻¹¹⁵ is a normal number in either format.
     if x.high() < T::constant(-80.0) {
         return DoubleWord::of(-T::one());
     }
@@ -77,7 +76,7 @@ fn reduced_exponential<T: Scalar>(x: DoubleWord<T>) -> (DoubleWord<T>, i32) {
     (series.times(g), count)
 }
 
-/// The polynomial with these coefficients of even and odd powers: the two halves do not wait for each other.
+/// The polynomial with these coefficients of even and odd powers. The two halves do not wait for each other.
 fn polynomial<T: Scalar>(x: T, coefficients: &[[f64; 2]]) -> T {
     let square = x * x;
     let halves = coefficients.iter().rev().fold([T::zero(); 2], |[even, odd], &[of_even, of_odd]| {
@@ -92,10 +91,10 @@ fn ln_2<T: Scalar>() -> DoubleWord<T> {
     DoubleWord::sum(T::constant(LN_2), T::constant(low))
 }
 
-/// 1/(2k + 1) from k = 2 on; 2e-20 is left out after t²², and 4e-14 after t¹⁴ for single precision.
+/// 1/(2k + 1) from k = 2 on. The series leaves out 2e-20 after t²², and 4e-14 after t¹⁴ in single precision.
 const ARTANH: [[f64; 2]; 5] = odd_reciprocals(2);
 
-/// 1/k! from k = 4 on; 6e-21 is left out after g¹⁵, and 2e-11 after g⁹ for single precision.
+/// 1/k! from k = 4 on. The series leaves out 6e-21 after g¹⁵, and 2e-11 after g⁹ in single precision.
 const TAYLOR: [[f64; 2]; 6] = inverse_factorials(4);
 
 #[cfg(test)]
@@ -127,7 +126,7 @@ mod tests {
         for error in [largest_error_of_roots::<f64>(1000.0), largest_error_of_roots::<f32>(100.0)] {
             assert!(error < 0.005, "{error}");
         }
-        // What lies nearest to 1.
+        // The numbers nearest to 1.
         assert!(largest_error_of_roots::<f64>(1e-13) < 0.005);
         assert_eq!(fractional_power(1.0_f64, DoubleWord::of(0.3)).rounded(), 1.0);
     }

@@ -60,8 +60,8 @@ impl<T: Scalar> DoubleWord<T> {
         Self::renormalised(product.high, product.low + self.low * word)
     }
 
-    /// The quotient of two double words: that of the high words, and that of what it leaves, if halves as large as
-    /// these do not overflow.
+    /// The quotient of two double words: that of the high words, and that of the remainder, unless the halves of such
+    /// large words overflow.
     pub(crate) fn over(self, other: Self) -> Self {
         let quotient = self.high / other.high;
         let back = other.times_word(quotient);
@@ -69,7 +69,7 @@ impl<T: Scalar> DoubleWord<T> {
         if rest.is_finite() { Self::renormalised(quotient, rest / other.high) } else { Self::of(quotient) }
     }
 
-    /// The square root of a positive number, with one step of Newton's method from that of the high word.
+    /// The square root of a positive number, by one step of Newton's method from that of the high word.
     pub(crate) fn sqrt(self) -> Self {
         let root = self.high.sqrt();
         let square = Self::product(root, root);
@@ -94,14 +94,14 @@ impl<T: Scalar> DoubleWord<T> {
         self.high + self.low
     }
 
-    /// The number rounded, or what plain arithmetic gives: beyond 2^996 the halves overflow a little before their
-    /// results do.
+    /// The number rounded or, where that is not finite, the result of plain arithmetic: beyond 2^996 the halves
+    /// overflow a little before their results do.
     pub(crate) fn rounded_or(self, plain: impl FnOnce() -> T) -> T {
         let rounded = self.rounded();
         if rounded.is_finite() { rounded } else { plain() }
     }
 
-    /// The number but for half an ulp.
+    /// The number to within half an ulp.
     pub(crate) fn high(self) -> T {
         self.high
     }
@@ -116,7 +116,7 @@ impl<T: Scalar> DoubleWord<T> {
         Self { high: self.high * power, low: self.low * power }
     }
 
-    /// The sum of two words of which the second is the smaller by far (Dekker).
+    /// The sum of two words, the second of which is far smaller (Dekker).
     fn renormalised(high: T, low: T) -> Self {
         let sum = high + low;
         Self { high: sum, low: low - (sum - high) }

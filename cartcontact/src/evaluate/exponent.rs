@@ -1,13 +1,13 @@
 //! Exponents with twice the digits of a number: an exponent that is off by δ makes x^n off by δ ln x.
 //!
-//! In one word 6.3 is off by up to 4e-16, and 1000^6.3 by 12 ε; so is 2.3 + 4, even where 2.3 is exactly what is meant.
-//! A whole number and a fraction keep the digits that their sum has no room for.
+//! In one word 6.3 is off by up to 4e-16, and 1000^6.3 by 12 ε; so is 2.3 + 4, even where the word 2.3 is exactly what
+//! is meant. A whole number and a fraction keep the digits that their sum has no room for.
 
 use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::scalar::floor;
 
-/// The exponent n = whole + fraction + rest, of which a quick power leaves out the rest.
+/// The exponent n = whole + fraction + rest. A quick power leaves out the rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Exponent<T> {
     value: T,
@@ -19,20 +19,20 @@ pub struct Exponent<T> {
 }
 
 impl<T: Scalar> Exponent<T> {
-    /// The exponent that is a number of the format.
+    /// An exponent that is a number of the format.
     #[inline]
     pub fn of(value: T) -> Self {
         let whole = floor(value);
         Self { value, whole, fraction: value - T::constant(f64::from(whole)), rest: T::zero() }
     }
 
-    /// The whole exponent.
+    /// A whole exponent.
     #[inline]
     pub fn whole(whole: i32) -> Self {
         Self { value: T::constant(f64::from(whole)), whole, fraction: T::zero(), rest: T::zero() }
     }
 
-    /// Any exponent, from its whole part, the fraction next to what is left, and what that lacks.
+    /// Any exponent, from its whole part, the f64 nearest to its fraction, and what that lacks.
     #[inline]
     pub fn in_parts(whole: i32, fraction: f64, rest: f64) -> Self {
         let value = T::constant(f64::from(whole) + fraction);
@@ -73,7 +73,7 @@ mod tests {
 
     #[test]
     fn parts_add_up_to_the_exponent() {
-        // 2.3 is its nearest f64 and 1.8e-16, that of 0.3 and 1.1e-17.
+        // 2.3 is its nearest f64 plus 1.8e-16; 0.3 is its nearest f64 plus 1.1e-17.
         let decimal = Exponent::<f64>::in_parts(2, 0.3, 1.110_223_024_625_156_6e-17);
         let number = Exponent::of(2.3_f64);
         assert_eq!(decimal.value(), number.value());

@@ -1,18 +1,17 @@
-//! e^(−x) and 1 − e^(−x) without branches and tables, for loops over many values that become vector code.
+//! e^(−x) and 1 − e^(−x) without branches and tables, for loops over many values that compile to vector code.
 //!
-//! They take less than the exponential of a library that cannot be compiled into the loop.
+//! They cost less than the exponential of a library, which cannot be compiled into the loop.
 //!
-//! e^(−x) = 2^(−n) e^g with the whole n next to x/ln 2 and g = n ln 2 − x, |g| ≤ ln 2/2. The high part of ln 2 has so
-//! few digits that its multiples are exact and cancel x without rounding. Of e^g the Taylor series leaves out less
-//! than 7e-18 after g¹³, and less than 2e-11 after g⁹ for single precision.
+//! e^(−x) = 2^(−n) e^g with n the integer nearest to x/ln 2 and g = n ln 2 − x, |g| ≤ ln 2/2. The high part of ln 2 has
+//! so few digits that its multiples are exact and cancel x without rounding. The Taylor series of e^g leaves out less
+//! than 7e-18 after g¹³, and less than 2e-11 after g⁹ in single precision.
 
 use super::bits::{nearest_integer, power_of_two};
 use super::series::{four_terms, inverse_factorials};
 use crate::Scalar;
 use crate::scalar::{is, is_plain};
 
-/// e^(−x) for x above −700, or −80 in single precision, within ε; less than the smallest normal number counts as
-/// nothing.
+/// e^(−x) for x above −700, or −80 in single precision, within ε. Results below the smallest normal number become zero.
 #[inline(always)]
 pub(crate) fn decay<T: Scalar>(x: T) -> T {
     if !is_plain::<T>() {
@@ -30,7 +29,7 @@ pub(crate) fn loss<T: Scalar>(x: T) -> T {
     }
     let (gain, octaves) = reduced(x);
     let power: T = power_of_two(-octaves);
-    // Without octaves the difference is exactly zero; with some it exceeds what is taken from it by 0.29.
+    // Without octaves the difference is exactly zero; with some it exceeds what is subtracted from it by at least 0.29.
     if x > T::constant(longest::<T>()) { T::one() } else { (T::one() - power) - power * gain }
 }
 
@@ -49,7 +48,7 @@ fn reduced<T: Scalar>(x: T) -> (T, i32) {
     (g + square * (row(0) + fourth * rest), octaves)
 }
 
-/// The largest x of which a normal number is left.
+/// The largest x for which e^(−x) is a normal number.
 #[inline(always)]
 fn longest<T: Scalar>() -> f64 {
     if is::<T, f32>() { SINGLE.0 } else { DOUBLE.0 }
@@ -57,9 +56,9 @@ fn longest<T: Scalar>() -> f64 {
 
 /// The largest x; ln 2 in two parts.
 type Reduction = (f64, f64, f64);
-/// The high part has 21 digits less than f64, and multiples up to 1022.
+/// The high part has 21 digits fewer than f64, and its multiples go up to 1022.
 const DOUBLE: Reduction = (708.0, 0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
-/// The high part has 9 digits less than f32, and multiples up to 126.
+/// The high part has 9 digits fewer than f32, and its multiples go up to 126.
 const SINGLE: Reduction = (87.0, 0.693_145_751_953_125, 1.428_606_820_309_417_3e-6);
 
 /// 1/k! from k = 2 on.

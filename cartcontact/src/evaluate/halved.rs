@@ -1,14 +1,14 @@
 //! Numbers cut in two so that the products of their heads are exact.
 //!
-//! The head has half the digits of a word, the rest has those of a word again. Of a product
+//! The head has half the digits of a word, the rest as many digits as a word. In the product
 //!
 //! ```text
 //! (h + l)(h′ + l′) = h h′ + (h l′ + l (h′ + l′))
 //! ```
 //!
-//! the first part is exact, and the second, a share of 2⁻²⁴ or 2⁻¹¹ in single precision, is rounded: it is off by less
-//! than 2⁻⁷⁵ of the product, or 2⁻³³, which is ε/1000. That is less than a
-//! [`DoubleWord`](super::double_word::DoubleWord) has and takes a third of its operations.
+//! the first part is exact. The second, a share of 2⁻²⁴, or 2⁻¹¹ in single precision, is rounded: it is off by less
+//! than 2⁻⁷⁵ of the product, or 2⁻³³, which is ε/1000. That is less exact than a
+//! [`DoubleWord`](super::double_word::DoubleWord) and takes a third of its operations.
 
 use super::bits::with_half_its_digits;
 use crate::Scalar;
@@ -27,14 +27,14 @@ impl<T: Scalar> Halved<T> {
         Self { head, rest: word - head }
     }
 
-    /// The sum of two words of which the second is the smaller by far.
+    /// The sum of two words, the second of which is far smaller.
     #[inline(always)]
     fn of_sum(high: T, low: T) -> Self {
         let head = with_half_its_digits(high + low);
         Self { head, rest: (high - head) + low }
     }
 
-    /// c n/((n+2)(n+4)), of which the divisor is rounded, if n has more than half the digits of a word.
+    /// c n/((n+2)(n+4)). The divisor is rounded if n has more than half the digits of a word.
     #[inline(always)]
     pub(crate) fn load_integral_coefficient(c: T, n: T) -> Self {
         let divisor = n * (n + T::constant(6.0)) + T::constant(8.0);
@@ -46,7 +46,7 @@ impl<T: Scalar> Halved<T> {
         Self { rest: quotient.rest + left * inverse, ..quotient }
     }
 
-    /// `dividend` over the number, and what share of itself the quotient lacks; all are near 1.
+    /// `dividend` over the number, and the share of itself that the quotient lacks. All are near 1.
     #[inline(always)]
     pub(crate) fn divide(self, dividend: T) -> (T, T) {
         let quotient = dividend / self.word();
@@ -60,7 +60,7 @@ impl<T: Scalar> Halved<T> {
         self.head + self.rest
     }
 
-    /// The number rounded, and what that lacks.
+    /// The number rounded, and what the rounded number lacks.
     #[inline(always)]
     pub(crate) fn word_and_lost(self) -> (T, T) {
         let word = self.word();
@@ -83,7 +83,7 @@ impl<T: Scalar> Halved<T> {
         Self::of_sum(high, low)
     }
 
-    /// By how much `product` exceeds that of two numbers, to which it is near.
+    /// By how much `product` exceeds the product of two numbers, to which it is near.
     #[inline(always)]
     pub(crate) fn excess_of_product(self, product: T, other: Self) -> T {
         let (high, low) = self.parts_of_product(other);
@@ -100,11 +100,11 @@ impl<T: Scalar> Halved<T> {
         Self::of_sum(self.head * self.head, self.rest * (self.head + self.word()))
     }
 
-    /// The k-th power by binary powering, k ≥ 2, with the square at hand.
+    /// The k-th power by binary powering, k ≥ 2, from the number and its square.
     #[inline(always)]
     pub(crate) fn power(self, square: Self, k: u32) -> Self {
         debug_assert!(k >= 2, "the power {k}");
-        // From the lowest bit on, so that products need not wait for each other.
+        // From the lowest bit up, so that products need not wait for each other.
         let (mut beside, mut power, mut rest) = ((k & 1 == 1).then_some(self), square, k >> 1);
         while rest > 1 {
             if rest & 1 == 1 {
@@ -116,7 +116,7 @@ impl<T: Scalar> Halved<T> {
         beside.map_or(power, |beside| beside.times(power))
     }
 
-    /// The `K`-th power, `K` ≥ 1, with the square at hand.
+    /// The `K`-th power, `K` ≥ 1, from the number and its square.
     #[inline(always)]
     pub(crate) fn whole_power<const K: u32>(self, square: Self) -> Self {
         if K == 1 { self } else { self.power(square, K) }
@@ -128,13 +128,13 @@ impl<T: Scalar> Halved<T> {
         Self { head: self.head * power, rest: self.rest * power }
     }
 
-    /// The product with 1 + `share`, which is not much more than 1.
+    /// The product with 1 + `share`, where the share is small.
     #[inline(always)]
     pub(crate) fn grown(self, share: T) -> Self {
         Self { rest: self.rest + self.head * share, ..self }
     }
 
-    /// The square root of a positive number, with one step of Newton's method from that of its word.
+    /// The square root of a positive number, by one step of Newton's method from that of its word.
     #[inline(always)]
     pub(crate) fn sqrt(self) -> Self {
         let root = self.word().sqrt();
@@ -144,7 +144,7 @@ impl<T: Scalar> Halved<T> {
     }
 }
 
-/// A product and what it lacks, exactly if the factor has at most half the digits of a word.
+/// A product and what it lacks; exact if the factor has at most half the digits of a word.
 #[inline(always)]
 pub(crate) fn product_with_few_digits<T: Scalar>(x: T, factor: T) -> (T, T) {
     let (product, Halved { head, rest }) = (x * factor, Halved::of(x));

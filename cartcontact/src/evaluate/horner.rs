@@ -9,7 +9,7 @@ use crate::Scalar;
 /// Synthetic division: with b₍N−1₎ = c₍N−1₎ and b₍k₎ = c₍k₎ + x b₍k+1₎ the value is b₀ and the quotient
 /// Σ b₍k+1₎ y^k. The quotient is (P(x) − P(y))/(x − y), and P′(x) for y = x.
 ///
-/// The first two coefficients are taken out of the loop: no compiler may leave out a multiplication by zero.
+/// The two highest coefficients are taken out of the loop: no compiler may leave out a multiplication by zero.
 #[inline(always)]
 fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coefficients: &[T; N]) -> (T, T) {
     let Some((&last, rest)) = coefficients.split_last() else { return (T::zero(), T::zero()) };
@@ -36,8 +36,8 @@ pub fn even_sum<T: Scalar, const N: usize>(r: T, coefficients: [T; N]) -> T {
 
 /// x^lowest Σ c\[k\] x^k, rounded once: Horner's rule in twice the working precision.
 ///
-/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients, which may be precise; otherwise 2^−100 times
-/// the sizes of the terms besides.
+/// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients, which may be precise. For others, 2^−100
+/// times the sizes of the terms is added.
 #[inline]
 pub fn precise_sum<T: Scalar, C: Coefficient<T>, const N: usize>(
     x: T,
@@ -74,7 +74,7 @@ fn precise_horner<T: Scalar, C: Coefficient<T>, const N: usize>(
     let Some((&last, rest)) = coefficients.split_last() else { return DoubleWord::of(T::zero()) };
     let step = |sum: DoubleWord<T>, &coefficient: &C| added(sum.times(x), coefficient);
     let sum = rest.iter().rev().fold(number(last), step);
-    // One by one: a power of x alone may overflow though the result does not.
+    // One by one: a power of x alone may overflow although the result does not.
     (0..lowest).fold(sum, |sum, _| sum.times(x))
 }
 

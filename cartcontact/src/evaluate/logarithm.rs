@@ -1,4 +1,4 @@
-//! ln of the ratio of two lengths without branches and tables, for loops over many values that become vector code.
+//! ln of the ratio of two lengths without branches and tables, for loops over many values that compile to vector code.
 
 use core::f64::consts::{LN_2, SQRT_2};
 
@@ -7,12 +7,12 @@ use super::series::{four_terms, odd_reciprocals};
 use crate::Scalar;
 use crate::scalar::{is, smallest_normal};
 
-/// ln(1 − depth) of the `ratio` 1 − depth, both in (0, 1], where either is exact; within 2.5 ε, which is
-/// where ln f takes half of ln 2 away again.
+/// ln(1 − depth) from the depth and the `ratio` 1 − depth, both in (0, 1] and one of them exact. Within 2.5 ε, the
+/// error where ln f takes half of ln 2 away again.
 ///
 /// ratio = 2^e f with 1/√2 ≤ f < √2. Next to 1 the depth has the digits that the ratio has lost: f − 1 is −depth where
-/// e = 0. ln f = 2 artanh t with t = (f − 1)/(f + 1), |t| ≤ 0.172; of its series 2e-21 is left out after t²⁵, and 4e-10
-/// after t⁹ for single precision.
+/// e = 0. ln f = 2 artanh t with t = (f − 1)/(f + 1), |t| ≤ 0.172. The series leaves out 2e-21 after t²⁵, and 4e-10
+/// after t⁹ in single precision.
 #[inline(always)]
 pub(crate) fn log_of_ratio<T: Scalar>(ratio: T, depth: T) -> T {
     let (one, two) = (T::one(), T::constant(2.0));
@@ -42,8 +42,8 @@ const ARTANH: [[f64; 4]; 3] = odd_reciprocals(1);
 mod tests {
     use super::*;
 
-    /// The largest error of ln(1 − size) and ln(size) over sizes from 1e-18 to 1, of which ln is not zero, in units of
-    /// ε.
+    /// The largest error of ln(1 − size) and ln(size), where these are not zero, over sizes from `smallest` to 1, in
+    /// units of ε.
     fn largest_error<T: Scalar>(smallest: f64) -> f64 {
         let (one, epsilon) = (T::one(), T::default_epsilon().value());
         let mut largest = 0.0_f64;
@@ -54,7 +54,7 @@ mod tests {
                     largest.max((log_of_ratio(ratio, depth).value() - exact).abs() / (exact.abs() * epsilon));
             };
             compare(size, one - size, size.value().ln());
-            // Of a small ratio it is the ratio that is given exactly.
+            // If the ratio is small, the ratio is the exact one.
             if size < T::constant(0.5) {
                 compare(one - size, size, (-size.value()).ln_1p());
             }

@@ -3,8 +3,8 @@
 //! | what | modules |
 //! |---|---|
 //! | digits and exponents of numbers | `bits` (of f32 and f64, without branches), `binary` (of every scalar, subnormals too), `exponent` |
-//! | numbers of more digits | `halved` (an error of ε/1000), `double_word` (of ε²), `compensated_sum`; `arithmetic` is a trait of plain and double words, `coefficient` those of fields |
-//! | functions | `exponential`, `logarithm` (plain words, for loops of vectors), `double_functions` (double words), `series` |
+//! | numbers with more digits | `halved` (an error of ε/1000), `double_word` (of ε²), `compensated_sum`; `coefficient` (from fields); `arithmetic` is a trait of plain and double words |
+//! | functions | `exponential`, `logarithm` (plain words, for vector loops), `double_functions` (double words), `series` |
 //! | sums of powers | `horner` (all powers of a polynomial), `power` (any exponents), `steepness` (a sum with its derivatives) |
 //! | pressure kernels | `pressure_kernel`, `real_exponent_kernel` |
 

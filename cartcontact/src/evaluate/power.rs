@@ -23,8 +23,8 @@ pub fn integer_power<T: Scalar>(x: T, k: u32) -> T {
     if rest == 1 { power * square } else { power }
 }
 
-/// x^k, k ≥ 8, of a number with half its digits, and how much that is too large: what the fourth power loses, so that
-/// as few products round as in the power k/2 of a number.
+/// x^k, k ≥ 8, of a number with half its digits, and its excess, which comes from the rounding of the fourth power.
+/// What remains are as few rounded products as in the power k/2 of a number.
 #[inline(always)]
 pub fn power_of_half_digits<T: Scalar>(x: T, k: u32) -> (T, T) {
     let square = x * x;
@@ -42,7 +42,7 @@ pub fn real_power<T: Scalar>(x: T, n: T) -> T {
     x.powf(n)
 }
 
-/// Σ c x^n over the terms (c, n), each term within 2 ε of its value: what is only integrated.
+/// Σ c x^n over the terms (c, n), each term within 2 ε of its value: for sums that are only integrated.
 #[inline]
 pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
     terms.into_iter().fold(T::zero(), |sum, (c, n)| sum + term(c, x, n))
@@ -68,7 +68,7 @@ pub(crate) fn weighted_power_sum<T: Scalar>(
     sum.rounded_or(|| quick_power_sum(x, terms.map(|(c, n)| (c.rounded(), n))))
 }
 
-/// Σ c x^n and Σ n c x^n, quicker but within n ε only: what a Newton step needs.
+/// Σ c x^n and Σ n c x^n, quicker but only within n ε, which is enough for a Newton step.
 #[inline]
 pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> (T, T) {
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
@@ -77,10 +77,11 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
     })
 }
 
-/// Where the terms c x^p and d x^q, 0 < p < q, are equal, and the reciprocal of their value there, both within some digits.
+/// Where the terms c x^p and d x^q, 0 < p < q, are equal, and the reciprocal of their value there, both to a few digits
+/// less than a word has.
 ///
-/// The reciprocal is one of powers of d/c, if that is x or x²: it does not wait for x. Compiled to where exponents are
-/// constants, of which only products are left.
+/// Where c/d is x or x², the reciprocal is formed from powers of d/c and does not wait for x. Inlined where exponents
+/// are constants, which leaves only products.
 #[inline(always)]
 pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     let (ratio, inverse, order) = (c / d, d / c, q - p);
@@ -98,11 +99,11 @@ pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
     (x, (if is_whole { whole_term } else { whole_term * fractional_power(x, fraction) }).recip())
 }
 
-/// x^(1/p) of a positive number, from which whole periods of octaves are taken out first: other units by powers of two
-/// change no digit.
+/// x^(1/p) of a positive number. Whole periods of octaves are taken out first, so that a change of units by a power of
+/// two changes no digit.
 fn root<T: Scalar>(x: T, p: T) -> T {
     let inverse = p.recip();
-    // Neither has octaves, and both have to be noticed.
+    // Zero, negative numbers, infinity and NaN have no octaves, and have to show in the result.
     if !(x > T::zero() && x.is_finite()) {
         return x.powf(inverse);
     }
@@ -117,7 +118,7 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
     if is_nothing(depth) {
         return T::zero();
     }
-    // Nothing is left of any term: as a derivative, what ln 0 times 0 makes is no number.
+    // Nothing is left of any term. The derivative of ln 0 times 0 would be NaN.
     if depth >= a {
         return terms.into_iter().fold(T::zero(), |sum, (c, p)| sum + term_of_drop(c, a, p));
     }
@@ -127,7 +128,7 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
         .fold(T::zero(), |sum, (c, p)| sum - term_of_drop(c, a, p) * (p.value() * log_ratio).exp_m1())
 }
 
-/// c x^n within 12 ε at the most, which is what a drop takes: powers up to the 24th with every product rounded.
+/// c x^n within 12 ε at the most, which is enough for a drop: powers up to the 24th have every product rounded.
 #[inline]
 pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     if n.value() <= T::constant(24.0) { quick_term(c, x, n) } else { term(c, x, n) }
@@ -154,7 +155,7 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     if power.is_finite() { power * fractional_power(x, n.fraction) } else { quick_term(c, x, n) }
 }
 
-/// c x^n in twice the working precision; with an exponent that is no multiple of 1/4 to some digits more than a word's.
+/// c x^n in twice the working precision; to a few digits more than a word has, if the exponent is no multiple of 1/4.
 pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
     let quick = || DoubleWord::of(quick_term(c.rounded(), x, n));
     if x.is_zero() {
@@ -170,7 +171,7 @@ pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> 
     if term.rounded().is_finite() { term } else { quick() }
 }
 
-/// The term times a power of two, by which the middle value is multiplied: c may have no digits to spare.
+/// The term times a power of two. It multiplies the middle value, as c may have no digits to spare.
 fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_two: T) -> DoubleWord<T> {
     let degree = n.whole.max(0) as u32;
     let even = if degree < 2 {
@@ -187,7 +188,7 @@ fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_tw
 
 /// [`term`] with every product rounded.
 fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
-    // The power may be out of range; a zero that carries a derivative is no zero.
+    // The power may be out of range; a zero that carries a derivative does not count as zero.
     if is_nothing(c) {
         return c;
     }
@@ -195,11 +196,11 @@ fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
         return c / x;
     }
     if n.whole < 0 {
-        // Only slopes of gaps with an exponent below 1. Turning the sign of the exponent would round its fraction.
+        // Only slopes of gaps with an exponent below 1. Changing the sign of the exponent would round its fraction.
         return quick_term(c, x, n.plus(1)) / x;
     }
     let term = quick_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
-    // Of such a zero a power beyond the format would leave no number; the derivative is one that the format just holds.
+    // A zero with a derivative times an infinite power is NaN. Its derivative becomes one that the format just holds.
     if c.is_zero() && !term.is_finite() { c / smallest_normal() } else { term }
 }
 
@@ -220,7 +221,7 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     }
 }
 
-/// [`fractional_power`] in twice the working precision, or to some digits more than a word's.
+/// [`fractional_power`] in twice the working precision, or to a few digits more than a word has.
 fn double_fractional_power<T: Scalar>(x: T, n: Exponent<T>) -> DoubleWord<T> {
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
         Some(0) => DoubleWord::of(T::one()),
@@ -281,7 +282,7 @@ mod tests {
         }
     }
 
-    /// Against double words: what is left are the products after the fourth power, of which half an ε each.
+    /// Against double words: every product after the fourth power leaves half an ε.
     #[test]
     fn powers_of_half_the_digits_know_what_they_lost() {
         for (k, products) in [(8, 1.0), (9, 2.0), (10, 2.0), (11, 3.0), (12, 2.0), (19, 5.0)] {
@@ -330,7 +331,7 @@ mod tests {
         }
     }
 
-    /// Lengths times 16, so that quarters are whole, too.
+    /// Lengths change by powers of 16, so that quarters are whole powers of two, too.
     #[test]
     fn terms_are_equal_at_the_same_place_in_other_units() {
         let exponents = [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75)];

@@ -1,8 +1,8 @@
 //! The pressure kernel G(a, r) of a sum of powers, exact to the edge of the contact.
 //!
-//! Per term of the gap, G = C/(2 (n+2)²) a^(n+2) K(q) with q = r/a and K(q) = n − (n+2) q² + 2 q^(n+2).
-//! K has a double zero at q = 1, where this form loses every digit. The forms below have the zero as a
-//! factor, taken from a − r, and a positive rest.
+//! Per term of the gap, G = C/(2 (n+2)²) a^(n+2) K(q) with q = r/a and K(q) = n − (n+2) q² + 2 q^(n+2). K has a double
+//! zero at q = 1, where this form loses every digit. The forms below have the zero as a factor, which follows from
+//! a − r, times a positive rest.
 //!
 //! **Exponents that are multiples of 1/4.** Put q = p^d with d = 1/2, 1, 2 or 4, so that every power is whole,
 //! and α = n d, β = 2 d. Then d K = α − (α+β) p^β + β p^(α+β); dividing by (1 − p) twice sums its coefficients
@@ -27,10 +27,10 @@ use super::exponent::Exponent;
 use crate::Scalar;
 use crate::scalar::{floor, is_plain, smallest_normal};
 
-/// Longest tent: the time for it grows with its length, that of logarithms does not.
+/// The longest tent. The time for a tent grows with its length, that for logarithms does not.
 const LONGEST_TENT: u32 = 72;
 
-/// How many even powers repeat the rounding of a² too little to matter.
+/// Up to this many even powers repeat the rounding of a² too little to matter.
 const FEW: usize = 2;
 
 /// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
@@ -81,12 +81,12 @@ pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weight
     sum.rounded()
 }
 
-/// In which order a coefficient is multiplied by the power of a radius and by K, which has the zero at the edge.
+/// The order in which a coefficient is multiplied by the power of a radius and by K, which has the zero at the edge.
 #[derive(Clone, Copy)]
 enum Order {
     /// Small coefficients keep their digits.
     PowerFirst,
-    /// No power is larger than the result, if what it multiplies keeps its digits.
+    /// No power is larger than the result; used where the product with K keeps its digits.
     ZeroFirst,
 }
 
@@ -105,7 +105,8 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
     terms.into_iter().fold(zero, |sum, (c, n)| {
         let next = A::exponent(n.plus(2));
         let weight = number::<T, A>(c).over(next.times(next).times_word(two));
-        // In two steps, because quick powers above the third take double words, too, and those of most gaps are below.
+        // In two steps, because quick powers above the third take double words, too, and the exponents of most gaps are
+        // lower.
         let times_power = |factor: A| A::term(factor, a, n).times_word(a).times_word(a);
         if let Order::ZeroFirst = order {
             let factor = weight.times(edge.kernel(n));
@@ -135,7 +136,7 @@ fn sum_of_even_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[impl Coeffi
     }
 }
 
-/// (a − r)² Σ_n w_n U_n for whole n from 1 on, where (a − r)² U_n = a^(n+2) K. By K the differences are
+/// (a − r)² Σ_n w_n U_n for whole n from 1 on, where (a − r)² U_n = a^(n+2) K. From K follow the differences
 ///
 /// ```text
 /// U_n − a U_{n−1} = H_n + r H_{n−1},    H_n = Σ_{j≤n} a^(n−j) r^j,
@@ -278,7 +279,7 @@ mod tests {
             for x in 0..100 {
                 let expected = exact(n, x, 100);
                 let whole = quick_whole_pressure_kernel(1.0, x as f64 / 100.0, weights);
-                // x/100 is rounded, and K falls by 2/(1 − q) of that.
+                // x/100 is rounded, and K changes by 2/(1 − q) of that.
                 let bound = (8.0 + 200.0 / (100 - x) as f64) * f64::EPSILON;
                 assert!((whole / expected - 1.0).abs() < bound, "n = {n}, q = {x} %: {whole}");
                 if n % 2 == 0 {
@@ -289,8 +290,8 @@ mod tests {
         }
     }
 
-    /// The largest differences between a tent and the forms of any exponent, in units of ε: of the quick one, and of
-    /// the other.
+    /// The largest differences between a tent and the forms for any exponent, in units of ε: of the quick form, and of
+    /// the precise one.
     fn largest_differences<T: Scalar>() -> [f64; 2] {
         let [mut quick, mut precise] = [0.0_f64; 2];
         for quarters in 1..=48 {

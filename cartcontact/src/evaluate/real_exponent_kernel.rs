@@ -1,12 +1,12 @@
-//! K(q) = n − (n+2) q² + 2 q^(n+2) of the pressure kernel for exponents of which no whole powers can be made.
+//! K(q) = n − (n+2) q² + 2 q^(n+2) of the pressure kernel for exponents that do not lead to whole powers.
 //!
 //! **In plain arithmetic.** Away from the edge K = n (1 − q²) + 2 q² expm1(n ln q). Near it, with ε = −ln q,
 //! K = 2 (n+2) ε (ψ(u) − ψ(v)), u = (n+2) ε, v = 2 ε, ψ(x) = 1 + expm1(−x)/x = x/2! − x²/3! + …, whose
 //! difference for small u is taken term by term.
 //!
-//! **Rounded once.** The first form, with logarithm and exponential of some digits more, up to u = (n+2) (1 − q) = 1/4,
-//! where K is a ninth of what cancels. Nearer to the edge the binomial series of q^(n+2) in δ = 1 − q, of which the
-//! terms up to δ cancel and the next is n (n+2) δ²:
+//! **Rounded once.** The first form, with a few more digits in logarithm and exponential, from the centre to
+//! u = (n+2)(1 − q) = 1/4, where K is a ninth of what cancels. Nearer to the edge the binomial series of q^(n+2) in
+//! δ = 1 − q, whose terms up to δ cancel; the next is n (n+2) δ²:
 //!
 //! ```text
 //! K = n (n+2) δ² (1 − (n+1)/3 δ (1 − (n−1)/4 δ (1 − (n−2)/5 δ (1 − …))))
@@ -17,7 +17,7 @@ use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::scalar::is_plain;
 
-/// K(q) from 1 − q and q, with the error of some ten roundings.
+/// K(q) from 1 − q and q, with the error of about ten roundings.
 pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
     if ratio.is_zero() {
         return n;
@@ -39,7 +39,7 @@ pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
 
 /// (ψ(u) − ψ(v))/(u − v) = Σ_{k≥1} (−1)^(k+1) h_k/(k+1)! with h_k = Σ_{i<k} u^i v^(k−1−i), for 0 ≤ v < u ≤ 3.
 ///
-/// The terms fall faster than 3^k/k!; the loop ends when they no longer count, after 30 at the most.
+/// The terms fall faster than 3^k/k!; the loop ends when they no longer count, after at most 30.
 fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
     let (mut homogeneous, mut power) = (T::one(), T::one());
     let mut inverse_factorial = T::constant(0.5);
@@ -57,7 +57,7 @@ fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
     sum
 }
 
-/// K(q) from 1 − q and q, to some digits more than a word has.
+/// K(q) from 1 − q and q, to a few digits more than a word has.
 pub(crate) fn kernel<T: Scalar>(
     inset: DoubleWord<T>,
     ratio: DoubleWord<T>,
@@ -68,7 +68,7 @@ pub(crate) fn kernel<T: Scalar>(
     }
     let epsilon = T::default_epsilon();
     if ratio.high() <= epsilon * epsilon {
-        // What is left out is 2 q² (1 − ln q) at the most, for any n.
+        // This leaves out at most 2 q² (1 − ln q), for any n.
         return n;
     }
     let next = n.plus_word(T::constant(2.0));
@@ -81,10 +81,10 @@ pub(crate) fn kernel<T: Scalar>(
     fall.plus(square.times(rise).scaled(T::constant(2.0)))
 }
 
-/// The binomial series for u = (n+2) δ < 1/4, of which no term is above 0.11 of the one before.
+/// The binomial series for u = (n+2) δ < 1/4, in which no term is above 0.11 of the one before.
 fn kernel_near_edge<T: Scalar>(inset: DoubleWord<T>, next: DoubleWord<T>, n: DoubleWord<T>) -> DoubleWord<T> {
     let (one, third) = (T::one(), DoubleWord::of(T::one()).over(DoubleWord::of(T::constant(3.0))));
-    // Beyond, 1e-18 is left of the factor of (n+1)/3 δ, which is below 0.08.
+    // The terms left out are 1e-18 of the factor of (n+1)/3 δ, and that product is below 0.08.
     let rest = (1..=16).rev().fold(one, |rest, j| {
         let share = T::constant(1.0 / f64::from(j + 3)) * inset.high();
         one - (n.high() - T::constant(f64::from(j))) * share * rest

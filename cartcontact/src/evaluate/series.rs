@@ -1,8 +1,8 @@
-//! The coefficients of the series of artanh and of the exponential, in rows as they are summed side by side.
+//! The coefficients of the series of artanh and of the exponential, in rows that are summed side by side.
 
 use crate::Scalar;
 
-/// c₀ + c₁ x + c₂ x² + c₃ x³ from x and x²: in pairs, so that a processor waits for few of them.
+/// c₀ + c₁ x + c₂ x² + c₃ x³ from x and x². In pairs, so that few operations wait for each other.
 #[inline(always)]
 pub(crate) fn four_terms<T: Scalar>(coefficients: &[f64; 4], x: T, square: T) -> T {
     // Not by `map` of the array, which compilers may leave as a call.
@@ -10,7 +10,7 @@ pub(crate) fn four_terms<T: Scalar>(coefficients: &[f64; 4], x: T, square: T) ->
     (c(0) + c(1) * x) + (c(2) + c(3) * x) * square
 }
 
-/// 1/(2k + 1) from a k on.
+/// 1/(2k + 1) for k from `first` on.
 pub(crate) const fn odd_reciprocals<const WIDTH: usize, const ROWS: usize>(
     first: usize,
 ) -> [[f64; WIDTH]; ROWS] {
@@ -23,7 +23,7 @@ pub(crate) const fn odd_reciprocals<const WIDTH: usize, const ROWS: usize>(
     terms
 }
 
-/// 1/k! from a k above 0 on.
+/// 1/k! for k from `first` > 0 on.
 pub(crate) const fn inverse_factorials<const WIDTH: usize, const ROWS: usize>(
     first: usize,
 ) -> [[f64; WIDTH]; ROWS] {

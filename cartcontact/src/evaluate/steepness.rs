@@ -1,21 +1,21 @@
-//! The load integral Σ c x^p with its derivatives: what a step to the contact radius is taken from.
+//! The load integral Σ c x^p with its derivatives, from which a step to the contact radius is taken.
 //!
-//! What matters of its error is that of J itself, which the step divides by the degree p = a J′/J > 4. In plain
-//! arithmetic it is three or four ε, so that a radius is now and then off by more than 1 ulp. In the last step the
-//! powers are [`Halved`] numbers, and what their sum loses is carried along.
+//! Only the error of J itself matters, and the step divides it by the degree p = a J′/J > 4. In plain arithmetic it is
+//! three or four ε, so that a radius is now and then off by more than 1 ulp. In the last step the powers are [`Halved`]
+//! numbers, and what their sum loses is carried along.
 //!
-//! **What is left.** k roundings of J, each of ε/2, move a radius by k/p ulp at the most, to which its own 1/2 ulp is
+//! **What is left.** k roundings of J, each of ε/2, move a radius by at most k/p ulp, to which its own 1/2 ulp is
 //! added.
 //!
 //! ```text
-//! coefficients   0  of a polynomial known at run time if its exponents have half the digits of a word, otherwise 1.3,
-//!                   1  of constants,
-//!                   2  of a symbol and its weight
-//! powers         0  with multiples of 1/4 for exponents, otherwise 1.1 of a `powf`
+//! coefficients   0  for a polynomial known at run time if its exponents have half the digits of a word, otherwise 1.3,
+//!                   1  for constants,
+//!                   2  for a symbol and its weight
+//! powers         0  for exponents that are multiples of 1/4, otherwise 1.1 for a `powf`
 //! ```
 //!
-//! Anything else is below ε/100. So 1/2 ulp is left of sums known at run time with common exponents; with all others,
-//! k ≤ 3.1 and p > 4 for symbols, 1.3 ulp would be the most, and 0.95 was seen in millions of radii.
+//! Anything else is below ε/100. So 1/2 ulp is left for sums known at run time with common exponents. For all others,
+//! with k ≤ 3.1 and with p > 4 for symbols, 1.3 ulp would be the most, and 0.95 was seen in millions of radii.
 
 use super::bits::{exponent, power_of_two};
 use super::double_word::DoubleWord;
@@ -26,7 +26,8 @@ use crate::Scalar;
 
 /// J and its first two derivatives at a radius a, as a step of Halley's method takes them.
 ///
-/// a^k is the lowest power of J, or 1; u is a number, mostly the one that frees the highest power in a J′/u of its coefficient.
+/// a^k is the lowest power of J, or 1. u is a number, mostly the one that makes the coefficient of the highest power in
+/// a J′/u equal to 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Steepness<T> {
     /// a^k.
@@ -44,7 +45,7 @@ pub struct Steepness<T> {
 }
 
 impl<T: Scalar> Steepness<T> {
-    /// That of no terms at all, in units of 1.
+    /// The steepness of no terms at all, in units of 1.
     #[inline(always)]
     pub(crate) fn of_nothing() -> Self {
         let (zero, one) = (T::zero(), T::one());
@@ -59,7 +60,7 @@ impl<T: Scalar> Steepness<T> {
         self.half_second += half * (p - T::one()) * first;
     }
 
-    /// With derivatives in units of the power of two at a J′, whose square single precision may not hold.
+    /// With derivatives in units of the power of two just below a J′, whose square may not fit single precision.
     #[inline(always)]
     pub(crate) fn in_units_of_its_slope(self) -> Self {
         let per_unit = power_of_two(-exponent(self.first));
@@ -68,7 +69,7 @@ impl<T: Scalar> Steepness<T> {
     }
 }
 
-/// Σ c x^p with its derivatives, and how much it is too large; of any size that has a square in double precision.
+/// Σ c x^p with its derivatives and its excess, for any size whose square fits double precision.
 #[inline]
 pub fn power_sum_steepness<T: Scalar>(
     x: T,
@@ -77,8 +78,7 @@ pub fn power_sum_steepness<T: Scalar>(
     scaled_power_sum_steepness(x, T::one(), terms).in_units_of_its_slope()
 }
 
-/// `scale` Σ c x^p with its derivatives, and how much it is too large; they may leave the format if they are not
-/// scaled.
+/// `scale` Σ c x^p with its derivatives and its excess; without a scale they may leave the format.
 #[inline]
 pub fn scaled_power_sum_steepness<T: Scalar>(
     x: T,
@@ -98,7 +98,7 @@ pub(crate) fn halved_power_sum_steepness<T: Scalar>(
     let x = Halved::of(x);
     let square = x.square();
     let mut sum = Steepness::of_nothing();
-    // A loop, which is compiled into what calls this: a fold is not.
+    // A loop, which compilers inline into the caller; a fold they do not.
     for (c, p) in terms {
         let term = halved_term(c, x, square, p).scaled(scale);
         let value = DoubleWord::sum(sum.value, term.head());
@@ -109,9 +109,9 @@ pub(crate) fn halved_power_sum_steepness<T: Scalar>(
     sum
 }
 
-/// Σ c x^p of whole powers with its derivatives, and how much it is too large, by Horner's rule from the highest power on.
+/// Σ c x^p of whole powers with its derivatives and its excess, by Horner's rule from the highest power down.
 ///
-/// Every power is a halved number: of a root x of the radius they are high, and would round often.
+/// Every power is a halved number: powers of a root x of the radius are high, and would round often.
 #[derive(Clone, Copy, Debug)]
 pub struct NestedPowers<T> {
     x: Halved<T>,
@@ -147,14 +147,14 @@ impl<T: Scalar> NestedPowers<T> {
         self
     }
 
-    /// All of it, if the lowest power is `K`.
+    /// The whole sum, if its lowest power is `K`.
     #[inline(always)]
     pub fn of_lowest_power<const K: u32>(self) -> Steepness<T> {
         let (power, excess) = self.power_and_excess::<K>();
         Steepness { power, excess, ..self.sum }.in_units_of_its_slope()
     }
 
-    /// x^`K`, and by how much its product with the value, rounded, exceeds that of the sum.
+    /// x^`K`, and by how much its rounded product with the value exceeds its product with the sum.
     #[inline(always)]
     fn power_and_excess<const K: u32>(&self) -> (T, T) {
         let Steepness { value, excess, .. } = self.sum;
@@ -164,7 +164,7 @@ impl<T: Scalar> NestedPowers<T> {
     }
 }
 
-/// `scale` Σ c x^p with its derivatives, with every product rounded: what all steps but the last need.
+/// `scale` Σ c x^p with its derivatives, with every product rounded, which is enough for all steps but the last.
 #[inline(always)]
 pub fn quick_power_sum_steepness<T: Scalar>(
     x: T,
@@ -208,7 +208,7 @@ fn plain_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
     if p.fraction.is_zero() { whole_power } else { whole_power * quick_fractional_power(x, p.fraction) }
 }
 
-/// x^φ for 0 ≤ φ < 1, a fraction and what it lacks, out of the way of whole powers.
+/// x^φ for 0 ≤ φ < 1, from a fraction and what it lacks; not inlined, out of the way of whole powers.
 #[inline(never)]
 fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Halved<T> {
     match quarters(x.word(), fraction).filter(|_| rest.is_zero()) {
@@ -220,7 +220,7 @@ fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Ha
     }
 }
 
-/// [`fractional_power`] out of the way, too.
+/// [`fractional_power`], not inlined either.
 #[inline(never)]
 fn quick_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     fractional_power(x, fraction)
