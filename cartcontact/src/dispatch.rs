@@ -1,16 +1,16 @@
 //! Arithmetic on many values with the widest vectors that the processor has.
 //!
-//! A program is compiled for the oldest processor it may run on. [`wide`] compiles what it is given once more
-//! for each of the vector extensions below, and chooses between them when it is called.
+//! A program is compiled for the oldest processor it may run on. [`wide`] compiles its argument once more for each of
+//! the vector extensions below, and chooses between them when it is called.
 //!
 //! **Results do not depend on the choice.** Vectors take several values at once, but every value goes through
 //! the same operations with the same roundings: no product is fused with a sum, and no sum is reordered.
 
-/// Does `work`, whose loops over values may use wide vectors if the feature `simd` is on.
+/// Runs `work`, whose loops over values may use wide vectors if the feature `simd` is on.
 ///
-/// Only what is compiled into `work` gains: it and the functions that its loops call must be
-/// `#[inline(always)]`. A call costs some nanoseconds and a copy of the code per extension, so it belongs
-/// around loops over many values and around nothing else.
+/// Only code that is inlined into `work` gains: `work` itself and the functions that its loops call must be
+/// `#[inline(always)]`. A call costs some nanoseconds and a copy of the code per extension, so it belongs around loops
+/// over many values and around nothing else.
 #[cfg_attr(
     feature = "simd",
     multiversion::multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2"))

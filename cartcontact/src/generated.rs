@@ -1,6 +1,6 @@
-//! What generated code calls. Not part of the interface: it changes with the macro of the same version.
+//! What generated code calls. Not part of the interface: it changes together with the macro of the same version.
 
-// Generated code reaches everything through this: a wrong path to the crate then is one error.
+// Generated code reaches everything through this, so that a wrong path to the crate is one error.
 pub use crate as root;
 pub use crate::admissibility::{
     check_coefficients, check_constants, check_positive, checked_range, inside_surfaces, not_above,

@@ -3,8 +3,8 @@
 /// Pairs of numbers: the terms of a [`Polynomial`](crate::Polynomial), or the knots of a
 /// [`PiecewiseLinear`](crate::load::PiecewiseLinear) load.
 ///
-/// Arrays, slices and `Vec`s of pairs are such, as everything that is an `AsRef<[(T, T)]>`; there is nothing to implement.
-/// It has a name of its own so that the compiler can say what is wrong with other arguments.
+/// Everything that is an `AsRef<[(T, T)]>` implements it, such as arrays, slices and `Vec`s of pairs; there is nothing
+/// left to implement. It has a name of its own so that the compiler can say what is wrong with other arguments.
 ///
 /// # Examples
 ///
@@ -23,6 +23,6 @@
 )]
 pub trait Pairs<T>: AsRef<[(T, T)]> {}
 
-// The bound itself would be all that the compiler speaks of.
+// Otherwise the compiler would report nothing but the bound itself.
 #[diagnostic::do_not_recommend]
 impl<T, S: AsRef<[(T, T)]> + ?Sized> Pairs<T> for S {}

@@ -1,4 +1,4 @@
-//! A gap profile known at run time only.
+//! A gap profile known only at run time.
 
 use core::fmt;
 
@@ -22,8 +22,8 @@ use crate::scalar::{floor, is_nothing};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///
-/// It agrees with the generated solver of the same geometry and has its accuracy; generated solvers are
-/// quicker. Exponents are real, above 0; their order is free.
+/// It agrees with the generated solver of the same geometry and has its accuracy; generated solvers are quicker.
+/// Exponents are real and above 0, in any order.
 ///
 /// # Examples
 ///
@@ -46,7 +46,7 @@ pub struct Polynomial<T, S> {
     highest_exponent: T,
 }
 
-// Not derived: the terms and the range say all.
+// Not derived: the terms and the range say everything.
 impl<T: fmt::Debug, S: fmt::Debug> fmt::Debug for Polynomial<T, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut shown = f.debug_struct("Polynomial");
@@ -65,13 +65,13 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         Self::on_range(terms, None)
     }
 
-    /// The profile Σ C r^n for contact radii up to `max_radius`, in mm; infinity, which
-    /// [`max_radius`](GapProfile::max_radius) gives where there is no limit, is none here either.
+    /// The profile Σ C r^n for contact radii up to `max_radius`, in mm. Infinity, which
+    /// [`max_radius`](GapProfile::max_radius) gives where there is no limit, means no limit here, too.
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] as [`new`](Self::new), if `max_radius` is not positive, and if the geometry is not admissible up
-    /// to it.
+    /// [`ProfileError`] as [`new`](Self::new), if `max_radius` is not positive, and if the geometry is not admissible
+    /// up to it.
     ///
     /// # Examples
     ///
@@ -80,7 +80,9 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
     /// let oblate = [(0.025, 2.0), (-1e-4, 4.0)];
     /// assert_eq!(Polynomial::with_max_radius(oblate, 10.0)?.max_radius(), 10.0);
     /// let beyond = Polynomial::with_max_radius(oblate, 14.0);
-    /// assert!(matches!(beyond, Err(ProfileError::NotAdmissible { fails_at, .. }) if (fails_at - 13.69306).abs() < 1e-5));
+    /// assert!(
+    ///     matches!(beyond, Err(ProfileError::NotAdmissible { fails_at, .. }) if (fails_at - 13.69306).abs() < 1e-5)
+    /// );
     /// # Ok::<(), ProfileError>(())
     /// ```
     pub fn with_max_radius(terms: S, max_radius: T) -> Result<Self, ProfileError> {
@@ -121,12 +123,12 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
 
     /// The terms of J: (C n/((n+2)(n+4)), n+4).
     fn load_integral_terms(&self) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
-        // (n+2)(n+4), of which nothing but the sum rounds much where n is small and J least steep.
+        // (n+2)(n+4) in a form in which only the sum rounds much where n is small and J least steep.
         let divisor = |n: T| n * (n + T::constant(6.0)) + T::constant(8.0);
         self.map(move |c, n| (c * (n / divisor(n)), Exponent::of(n).plus(4)))
     }
 
-    /// The same terms of which nothing is rounded.
+    /// The same terms, with nothing rounded.
     fn precise_load_integral_terms(&self) -> impl Iterator<Item = (Halved<T>, Exponent<T>)> {
         self.map(|c, n| (Halved::load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
     }

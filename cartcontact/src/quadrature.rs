@@ -6,10 +6,10 @@
 //! 2^(2n+1) (n!)⁴ / ((2n+1) ((2n)!)³) · c^(2n+1) e^c / (2 sinh c)
 //! ```
 //!
-//! (Abramowitz & Stegun 25.4.30 with the largest derivative). Memory integrands are positive sums of powers
-//! times an exponential of one; by how many e-foldings they change over the interval, 2 c, is a bound on
-//! their logarithmic slope and takes the place of 2 c here. `folds` below is where the error reaches a
-//! quarter of the unit roundoff of f64 or f32.
+//! (Abramowitz & Stegun 25.4.30 with the largest derivative). Memory integrands are positive sums of powers times an
+//! exponential of one. The number of e-foldings by which they change over the interval, 2 c, bounds their logarithmic
+//! slope and takes the place of 2 c here. `folds` below is where the error reaches a quarter of the unit roundoff of
+//! f64 or f32.
 
 use crate::Scalar;
 use crate::scalar::{from_single, is_single};
@@ -22,7 +22,7 @@ pub(crate) const MOST_NODES: usize = 24;
 pub(crate) struct Rule {
     count: usize,
     double: Tables<f64>,
-    /// The same in single precision: microcontrollers take long to convert numbers.
+    /// The same in single precision: conversions are slow on microcontrollers.
     single: Tables<f32>,
 }
 
@@ -47,7 +47,7 @@ impl<F: Copy> Tables<F> {
     }
 }
 
-/// The rules that are chosen from. Their nodes fill vectors of up to eight numbers, so that fewer would take as long.
+/// The rules to choose from. Their nodes fill vectors of up to eight numbers, so that fewer would take as long.
 const RULES: [&Rule; 3] = [Rule::EIGHT, Rule::SIXTEEN, Rule::FINEST];
 
 impl Rule {
@@ -92,15 +92,15 @@ impl Rule {
         if is_single::<T>() { from_single(self.single.folds) } else { T::constant(self.double.folds) }
     }
 
-    /// How many nodes it has.
+    /// The number of nodes.
     #[inline(always)]
     pub(crate) const fn len(&self) -> usize {
-        // The compiler cannot know, and would check all bounds.
+        // The compiler cannot know this, and would check all bounds.
         if self.count < MOST_NODES { self.count } else { MOST_NODES }
     }
 
-    /// For the Legendre coefficients of degree 1 and n − 1 of a function: the factors of its difference between the
-    /// nodes ±x of each pair.
+    /// The factors with which a function's differences between the nodes ±x of each pair add up to its Legendre
+    /// coefficients of degree 1 and n − 1.
     #[inline(always)]
     pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
         (0..self.len() / 2).map(|pair| {
@@ -112,24 +112,25 @@ impl Rule {
         })
     }
 
-    /// Whether it integrates a function whose coefficient of degree n − 1 is `highest`, if they fall geometrically from
-    /// that of degree 1 on: the first that it does not see, of degree 2n, is then
+    /// Whether the rule integrates a function whose Legendre coefficient of degree n − 1 is `highest`, if the
+    /// coefficients fall geometrically from that of degree 1 on. The first one that the rule does not see, of degree
+    /// 2n, is then
     ///
     /// ```text
     /// highest · (highest/first)^((n+1)/(n−2)),    (n+1)/(n−2) ≥ 3/2 for n ≤ 8 and ≥ 1 for all n
     /// ```
     ///
-    /// All are over the size of the function, and count for the share `remaining` of what the integral is for.
+    /// All are relative to the size of the function; the share `remaining` of the integral is left when it is used.
     #[inline(always)]
     pub(crate) fn resolves<T: Scalar>(&self, first: T, highest: T, remaining: T) -> bool {
         let (height, ratio) = (remaining * highest.abs(), (highest / first).abs());
         let fall = if self.len() <= 8 { ratio * ratio.sqrt() } else { ratio };
         let epsilon = T::default_epsilon();
-        // What is no more than rounding says nothing.
+        // A coefficient no larger than rounding says nothing.
         (height <= T::constant(4.0) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
     }
 
-    /// Whether it [`resolves`](Self::resolves) the function that has `values` at the nodes.
+    /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes.
     #[inline(always)]
     pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], remaining: T) -> bool {
         let (mut first, mut highest) = (T::zero(), T::zero());

@@ -8,14 +8,15 @@ use crate::evaluate::bits::nearest_integer;
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
-/// `f32` and `f64` are; so are the dual numbers of `num-dual`, with which every result carries its exact
-/// derivatives, with these exceptions among those of pressures:
+/// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its exact
+/// derivatives. Exceptions are these derivatives of pressures:
 ///
-/// - where nothing has drained yet, χ t = 0, second derivatives, and first ones with respect to χ under a load that varies;
+/// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
+///   varies;
 /// - those with respect to time at a knot;
-/// - those with respect to a parameter that moves a user-defined force by much in a time in which the force itself hardly
-///   varies, such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, as the values alone tell how closely a force is
-///   followed. A knot where the parameter begins to act and some behind it, or a small b, make up for that.
+/// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
+///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, because the values alone decide how closely a force is
+///   followed. A knot where the parameter begins to act and some after it, or a small b, remedy that.
 ///
 /// # Examples
 ///
@@ -77,7 +78,7 @@ pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
     integer - i32::from(nearest > x)
 }
 
-/// The lesser of two numbers, the first unless it is greater: one instruction, as NaN is not looked for.
+/// The lesser of two numbers, the first unless it is greater. One instruction, as NaN is not looked for.
 #[inline(always)]
 pub(crate) fn lesser<T: Scalar>(x: T, y: T) -> T {
     if y < x { y } else { x }
@@ -89,7 +90,7 @@ pub(crate) fn greater<T: Scalar>(x: T, y: T) -> T {
     if y > x { y } else { x }
 }
 
-/// Whether a number is one that times, forces, impulses and distances may be: finite and not negative.
+/// Whether a number may be a time, force, impulse or distance: finite and not negative.
 #[inline(always)]
 pub(crate) fn is_size<T: Scalar>(x: T) -> bool {
     (x >= T::zero()) & x.is_finite()
@@ -101,7 +102,7 @@ pub(crate) fn from_single<T: Scalar>(value: f32) -> T {
     <T as SupersetOf<f32>>::from_subset(&value)
 }
 
-/// A number of a table in both precisions: microcontrollers take long to convert numbers.
+/// A number of a table in both precisions: conversions are slow on microcontrollers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tabled {
     double: f64,
@@ -119,19 +120,19 @@ impl Tabled {
     }
 }
 
-/// Whether a number is nothing but its value; others, such as dual numbers, may carry derivatives.
+/// Whether numbers of this type are nothing but their values; others, such as dual numbers, may carry derivatives.
 #[inline]
 pub(crate) fn is_plain<T: Scalar>() -> bool {
     is::<T, f64>() || is::<T, f32>()
 }
 
-/// Whether a number is zero, and carries no derivative that may not be.
+/// Whether a number is zero and cannot carry a derivative.
 #[inline]
 pub(crate) fn is_nothing<T: Scalar>(x: T) -> bool {
     is_plain::<T>() && x.is_zero()
 }
 
-/// A number whose value is zero where it was less; derivatives stay.
+/// The number with its value raised to zero if that is negative; derivatives stay.
 #[inline]
 pub(crate) fn raised_to_zero<T: Scalar>(x: T) -> T {
     if is_plain::<T>() {
@@ -149,7 +150,7 @@ pub(crate) fn is_single<T: Scalar>() -> bool {
     T::default_epsilon() > T::constant(1e-10)
 }
 
-/// The smallest number with all its digits.
+/// The smallest normal number.
 #[inline(always)]
 pub(crate) fn smallest_normal<T: Scalar>() -> T {
     T::constant(if is_single::<T>() { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE })
@@ -172,6 +173,7 @@ mod tests {
             assert_eq!((floor::<f64>(x), floor::<f32>(x as f32)), (expected, expected), "{x}");
         }
     }
+
     #[test]
     fn a_number_of_a_table_is_the_nearest_of_its_format() {
         let third = Tabled::of(1.0 / 3.0);

@@ -8,14 +8,15 @@ use crate::profile::ProfileError;
 use crate::scalar::smallest_normal;
 use slope::Slope;
 
-/// Checks the terms (C, n) of a gap and returns the end of its admissible range, or infinity if that is known to lie
-/// beyond the radius up to which the geometry is `requested`.
+/// Checks the terms (C, n) of a gap and returns the end of its admissible range, or infinity if the end is known to lie
+/// beyond the `requested` radius.
 ///
-/// Inlined, because exponents are mostly constants: what is asked of a positive term is then two comparisons.
+/// Inlined, because exponents are mostly constants: a positive term then takes two comparisons.
 ///
 /// # Errors
 ///
-/// [`ProfileError`] for coefficients or exponents that are not usable, too small ones among them, and for a gap that does not open.
+/// [`ProfileError`] for coefficients or exponents that are not usable, including too small ones, and for a gap that
+/// does not open.
 #[inline(always)]
 fn admissible_range<T: Scalar>(
     terms: impl Iterator<Item = (T, T)> + Clone,
@@ -27,7 +28,7 @@ fn admissible_range<T: Scalar>(
 /// Whether the terms are usable, none of them is negative, and one is positive.
 #[inline(always)]
 fn is_sum_of_positive_terms<T: Scalar>(terms: impl Iterator<Item = (T, T)>) -> bool {
-    // Whether twice this is finite is not asked of the bits of every coefficient.
+    // Up to this, twice c is finite, which spares a test of the bits of every coefficient.
     let most = smallest_normal::<T>().recip();
     let (are_usable, opens) = terms.fold((true, false), |(are_usable, opens), (c, n)| {
         let is_positive = has_digits(c, n) & (c <= most);
@@ -36,7 +37,7 @@ fn is_sum_of_positive_terms<T: Scalar>(terms: impl Iterator<Item = (T, T)>) -> b
     are_usable & opens
 }
 
-/// The end of the range if there may be a fault among the terms, or a negative one.
+/// The end of the range where a term may be faulty or negative.
 #[inline(never)]
 fn searched_range<T: Scalar>(
     terms: impl Iterator<Item = (T, T)> + Clone,
@@ -79,8 +80,8 @@ fn is_exponent<T: Scalar>(n: T) -> bool {
     (n > T::zero()) & (n <= T::constant(1024.0))
 }
 
-/// Checks that the coefficients of constant terms (C, n) fit the format that they are used in; no constant is zero
-/// unless the format has made it so.
+/// Checks that the coefficients of constant terms (C, n) fit the format that they are used in. No constant is zero
+/// unless the format has rounded it to zero.
 ///
 /// # Errors
 ///
@@ -89,7 +90,7 @@ pub fn check_coefficients<T: Scalar>(terms: impl IntoIterator<Item = (T, T)>) ->
     terms.into_iter().try_for_each(|(c, n)| if fits(c, n) { Ok(()) } else { Err(invalid(c, n)) })
 }
 
-/// [`check_coefficients`] of numbers.
+/// [`check_coefficients`] for terms in f64.
 ///
 /// # Errors
 ///
@@ -119,7 +120,7 @@ fn has_digits<T: Scalar>(c: T, n: T) -> bool {
     c * weight >= smallest_normal::<T>() * T::constant(2.0)
 }
 
-/// The end of the range of a geometry that is asked for up to `requested`, if at all.
+/// The end of the range of a geometry, up to the `requested` radius if there is one.
 ///
 /// # Errors
 ///
@@ -147,12 +148,12 @@ pub fn checked_range<T: Scalar>(
     }
 }
 
-/// The end of a range if it lies inside every surface: |κ| ρ² < R² for all pairs (R, κ), so that their series
-/// converge; ρ is the end.
+/// The end ρ of a range if it lies inside every surface: |κ| ρ² < R² for all pairs (R, κ), so that their series
+/// converge.
 ///
 /// # Errors
 ///
-/// [`ProfileError`] if it does not, and that of the range if there is none.
+/// [`ProfileError`] if it does not, and the error of `range` if there is no range.
 pub fn inside_surfaces<T: Scalar, const N: usize>(
     range: Result<T, ProfileError>,
     surfaces: [(T, T); N],
@@ -185,13 +186,13 @@ pub fn check_positive<T: Scalar, const N: usize>(
     }
 }
 
-/// The end of a range that nothing but its own sign can spoil; 0 if that does, or if it is not a number.
+/// The end of a range of which only the sign can be wrong; 0 if it is negative or NaN.
 #[inline]
 pub fn not_below_zero<T: Scalar>(end: T) -> T {
     if end > T::zero() { end } else { T::zero() }
 }
 
-/// The end of a range that was proved, in a format that may have to round it: nothing is known beyond.
+/// The proved end of a range, in a format that may have to round it: down, as nothing is known beyond.
 #[inline]
 pub fn not_above<T: Scalar>(end: f64) -> T {
     let nearest = T::constant(end);
@@ -239,7 +240,7 @@ mod tests {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found:e} {expected:e}");
     }
 
-    /// What is requested is not searched for where the first term outweighs the others, and gives the same answer.
+    /// A requested range is not searched for where the first term outweighs the others; the answer is the same.
     #[test]
     fn a_requested_range_is_the_one_that_a_search_finds() {
         for terms in [
@@ -257,7 +258,7 @@ mod tests {
         }
     }
 
-    /// No range reaches `zero`, of δ₀′, nor ends long before, and neither do ranges that were requested.
+    /// No range reaches `zero`, where δ₀′ vanishes, or ends long before it; the same holds for requested ranges.
     fn assert_ends_at(terms: &[(f64, f64)], zero: f64, tolerance: f64) {
         let end = range(terms);
         assert!(end <= zero && end > zero * (1.0 - tolerance), "{terms:?}: {end:e} instead of {zero:e}");
@@ -272,7 +273,7 @@ mod tests {
         for h in (1..64).map(|j| f64::from(j) / 256.0) {
             for k in 1..50 {
                 let k = f64::from(k);
-                // Multiples of what has few digits are exact; of coefficients just below 1 the logarithms are near 0.
+                // Multiples of a number with few digits are exact; logarithms of coefficients just below 1 are near 0.
                 for scale in [k.powi(16) * 1e-25, (1.0 - 1e-6 * k) / (4.0 + 2.0 * h)] {
                     let scale = f64::from(scale as f32);
                     let terms = [((4.0 + 2.0 * h) * scale, 2.0), (-(4.0 + h) * scale, 2.0 + h)];
@@ -282,7 +283,7 @@ mod tests {
         }
     }
 
-    /// Of r³ remains a part δ, whose slope is that of 3 δ/4 of r⁸.
+    /// A part δ of r³ remains, whose slope is that of 3 δ/4 of r⁸.
     #[test]
     fn ranges_of_terms_that_cancel_do_not_reach_the_zero() {
         let delta = 2f64.powi(-30);
@@ -297,7 +298,7 @@ mod tests {
         }
     }
 
-    /// Of r², r⁴ and r⁶ with 2 C n/(n+2) = a + 3 b, −a and −3 b in units of any length and force.
+    /// r², r⁴ and r⁶ with 2 C n/(n+2) = a + 3 b, −a and −3 b in units of any length and force.
     #[test]
     fn ranges_in_extreme_units_do_not_reach_the_zero() {
         for k in 1..40 {
@@ -318,13 +319,13 @@ mod tests {
         assert!(checked_range([(1e-20_f32, 2.0), (-1e30, 4.0)].into_iter(), Some(1e-23)).is_err());
     }
 
-    /// Rounded, the slopes add up to less than nothing.
+    /// The rounded slopes add up to less than zero.
     #[test]
     fn a_leading_coefficient_that_is_all_rounding_gives_no_range() {
         for k in 1..1000 {
             let c = 1.0 + f64::from(k) * f64::EPSILON;
             let terms = [(c, 3.5), (-0.3, 3.5), (-0.7, 3.5), (-1.0, 4.0)];
-            // As numbers, 0.3 and 0.7 are a quarter of an ε less than 1.
+            // As f64, 0.3 and 0.7 add up to a quarter of an ε less than 1.
             let left = c - 1.0 + 0.25 * f64::EPSILON;
             match admissible_range(terms.into_iter(), None) {
                 Ok(end) => assert!(0.0 < end && end <= left * left, "{c}: {end:e}"),

@@ -5,23 +5,23 @@
 //! f > 0, in steps h that cannot pass it: with M ≥ |f″| on [x, x + ρ], Taylor's theorem gives
 //! f(x + h) ≥ f + f′ h − M h²/2 for h ≤ ρ, and h is the zero of the right-hand side.
 //!
-//! **No zero at all.** Often that is seen at once. A negative term between the first and the last, both positive,
+//! **No zero at all.** Often this is seen at once. A negative term between the first and the last, both positive,
 //! k = θ k₁ + (1−θ) k₂, never outweighs them if d ≤ (d₁/θ)^θ (d₂/(1−θ))^(1−θ), by the inequality between weighted
 //! means; several do not if each is below its share of that. For three terms the condition is also necessary (S.
-//! Iliman, T. de Wolff, Res. Math. Sci. 3 (2016), doi 10.1186/s40687-016-0052-2, call the right-hand side the
-//! circuit number).
+//! Iliman, T. de Wolff, Res. Math. Sci. 3 (2016), doi 10.1186/s40687-016-0052-2, call the right-hand side the circuit
+//! number).
 //!
-//! **Bounds.** Below x₀, where each of the N−1 other terms is less than 1/N of the first, f > 0. Above x₁,
-//! where each is less than 1/N of the last, f has the sign of the last term. So the march runs from x₀ to x₁,
-//! or for ever if the last coefficient is negative: then there is a zero.
+//! **Bounds.** Below x₀, where each of the N−1 other terms is less than 1/N of the first, f > 0. Above x₁, where each
+//! is less than 1/N of the last, f has the sign of the last term. So the march runs from x₀ to x₁, or without end if
+//! the last coefficient is negative: then there is a zero.
 //!
-//! **Termination.** Near a simple zero h is a Newton step; near a double zero, or a minimum just above zero,
-//! the distance shrinks by a constant factor; elsewhere f is bounded below on the compact interval and so is
-//! h. The march ends where f is positive by less than its own rounding. If it should still run after
-//! `MOST_STEPS`, the range is cut where it stands: never too long, at worst too short.
+//! **Termination.** Near a simple zero h is a Newton step; near a double zero, or a minimum just above zero, the
+//! distance shrinks by a constant factor; elsewhere f is bounded below on the compact interval and so is h. The march
+//! ends where f is positive by less than its own rounding. If it still runs after `MOST_STEPS`, the range ends where
+//! the march stands: never too long, at worst too short.
 //!
-//! **Rounding.** Each d has three roundings, each k one. What they and all others may add to a result is taken from it, so
-//! that a range never ends behind the zero; terms that cancel may leave none.
+//! **Rounding.** Each d has three roundings, each k one. What these and all others may add to a result is subtracted
+//! from it, so that a range never ends beyond the zero; terms that cancel may leave no range.
 
 use crate::Scalar;
 use crate::scalar::{from_single, smallest_normal};
@@ -35,7 +35,7 @@ pub(super) struct Slope<I, T> {
     pub(super) smallest: T,
 }
 
-/// What f and f′ are at least and |f″| at most on [x, x + ρ], in a common scale.
+/// Lower bounds of f and f′ and an upper bound of |f″| on [x, x + ρ], in a common scale.
 struct Expansion<T> {
     value: T,
     slope: T,
@@ -54,14 +54,14 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
         from_single(self.exponentials().count() as f32)
     }
 
-    /// What the coefficient d of an exponent is at least: terms of the same exponent may cancel.
+    /// A lower bound of the coefficient d of an exponent: terms of the same exponent may cancel.
     fn least_coefficient(&self, exponent: T) -> T {
         let rounding = T::default_epsilon() * (T::constant(4.0) + self.count());
         let terms = self.exponentials().filter(|&(_, k)| k == exponent);
         terms.fold(T::zero(), |sum, (d, _)| sum + (d - d.abs() * rounding))
     }
 
-    /// Whether the first term alone outweighs all negative ones at a radius, and hence at all before it.
+    /// Whether the first term alone outweighs all negative ones at a radius, and hence at all smaller radii.
     pub(super) fn first_outweighs_negative_up_to(&self, radius: T) -> bool {
         let (zero, one) = (T::zero(), T::one());
         let rounding = T::default_epsilon() * (T::constant(8.0) + self.count());
@@ -109,7 +109,7 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
         x.exp() * (one - rounding)
     }
 
-    /// The zero of a term and a negative one: x = ln(d₁/|d₂|)/k, and a little less.
+    /// The zero of a positive and a negative term: x = ln(d₁/|d₂|)/k, and a little less.
     fn zero_of_two_terms(&self, first: T) -> Option<T> {
         let mut others = self.exponentials().filter(|&(_, k)| k > T::zero());
         let (Some((d, k)), None) = (others.next(), others.next()) else { return None };
@@ -118,9 +118,9 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
         (d < T::zero()).then(|| ((first - last - rounding) / k).exp())
     }
 
-    /// Whether the first and the last term outweigh the negative ones between them wherever that may be.
+    /// Whether the first and the last term outweigh the negative ones between them at every radius.
     ///
-    /// Compared as logarithms; what is too close for them to tell is left to the march.
+    /// Compared as logarithms; terms too close for that are left to the march.
     fn is_positive_by_its_ends(&self, span: T) -> bool {
         let (zero, one) = (T::zero(), T::one());
         let (first, last) = (self.least_coefficient(zero), self.least_coefficient(span));
@@ -169,7 +169,7 @@ impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
             value += term;
             slope += k * term;
             curvature += k * k * size * (k * step).exp();
-            // In units of ε: that of the logarithms, and of the sum so far.
+            // In units of ε: the error of the logarithms, and of the sum so far.
             let of_logarithms = d.abs().ln().abs() + (k * x).abs();
             error += size * (four + T::constant(1.5) * of_logarithms) + value.abs();
         }

@@ -1,4 +1,4 @@
-//! What can be wrong with a geometry or a load integral, and how it is said.
+//! What can be wrong with a geometry or a load integral, and the messages.
 
 use core::fmt;
 
@@ -24,7 +24,7 @@ pub enum RadiusError {
         /// The contact radius that belongs to it, in mm.
         max_radius: f64,
     },
-    /// There are not as many places for radii as load integrals.
+    /// The number of places for radii differs from the number of load integrals.
     Length {
         /// The number of load integrals.
         load_integrals: usize,
@@ -33,7 +33,7 @@ pub enum RadiusError {
     },
 }
 
-/// There is a radius for every load integral.
+/// Checks that there is a place for the radius of every load integral.
 pub(crate) fn check_lengths<T>(load_integrals: &[T], radii: &[T]) -> Result<(), RadiusError> {
     let (load_integrals, radii) = (load_integrals.len(), radii.len());
     if load_integrals == radii { Ok(()) } else { Err(RadiusError::Length { load_integrals, radii }) }
@@ -78,7 +78,7 @@ pub enum ProfileError {
         /// The parameters that the geometry depends on.
         parameters: Parameters,
     },
-    /// A field that is declared positive has another value.
+    /// A field that is declared positive is not a finite number above 0.
     NotPositive {
         /// The name of the field.
         field: &'static str,
@@ -141,8 +141,8 @@ impl fmt::Display for ProfileError {
             Self::Empty => {
                 write!(
                     f,
-                    "the gap has no term with a coefficient other than 0; give at least one (coefficient, exponent), such as \
-                     (0.025, 2)"
+                    "the gap has no term with a coefficient other than 0; give at least one (coefficient, exponent), \
+                     such as (0.025, 2)"
                 )
             }
             Self::Vanishing { parameters } => write!(

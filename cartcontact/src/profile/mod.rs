@@ -1,4 +1,4 @@
-//! What a solver needs to know of a geometry.
+//! What a solver needs to know about a geometry.
 
 mod error;
 mod parameters;
@@ -19,25 +19,26 @@ use crate::quadrature::Rule;
 /// [`Polynomial`](crate::Polynomial) for one known at run time. Lengths are in the user's unit, mm throughout
 /// this documentation.
 ///
-/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; what they give for others means
+/// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; for others their results mean
 /// nothing. [`Contact`](crate::Contact) checks what it is given before it calls them.
 ///
 /// Results are [`gap`](Self::gap), [`approach`](Self::approach) and [its slope](Self::approach_slope),
 /// [`load_integral`](Self::load_integral), [`log_kernel`](Self::log_kernel),
 /// [`pressure_kernel`](Self::pressure_kernel), [`radius`](Self::radius), [`radii`](Self::radii) and
-/// [`max_radius`](Self::max_radius). The methods after it are what the solver asks a geometry for on the way to
-/// pressures, and [`check`](Self::check) what [`Contact::new`](crate::Contact::new) asks. A program has little use for
-/// them; a profile of its own may leave them as they are, unless it has powers above the 64th.
+/// [`max_radius`](Self::max_radius). The solver calls the methods after it on the way to pressures, and
+/// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check). Programs have little use for them; a profile of
+/// your own may keep the provided ones, unless it has powers above the 64th.
 ///
 /// # Accuracy
 ///
-/// Sums of powers and the pressure kernel are rounded once, besides their coefficients, and are within 2 units in the
-/// last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the condition
-/// number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is left, within 8 ε: where a result is
-/// above 6e299, or 4e34 in f32, and where it or a power on the way is hardly larger than the smallest normal number.
+/// Sums of powers and the pressure kernel are rounded once, apart from their coefficients, and are within 2 units in
+/// the last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the
+/// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is left, within 8 ε:
+/// where a result is above 6e299, or 4e34 in f32, and where a result or a power on the way is hardly larger than the
+/// smallest normal number.
 ///
-/// Of coefficients that depend on fields nothing is rounded, if `T` holds the fields: their products and quotients have
-/// twice the digits, and so have their powers, but for those that are not whole in dual numbers. Contact radii take such
+/// Coefficients that depend on fields are not rounded, if `T` holds the fields: their products and quotients have twice
+/// the digits, and so have their powers, except those of dual numbers that are not whole. Contact radii take such
 /// coefficients rounded.
 ///
 /// # Examples
@@ -145,9 +146,9 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Accuracy
     ///
-    /// About 1 unit in the last place, times 2 Σ|terms of J|/(a J′) where terms of both signs cancel; 4 where a J′, up to
-    /// n + 4 times J, overflows and an interval is halved instead: a [`Contact`](crate::Contact) refuses that. It refuses
-    /// subnormal load integrals, too, whose radius has no more digits than they.
+    /// About 1 unit in the last place, times 2 Σ|terms of J|/(a J′) where terms of both signs cancel. It is 4 units
+    /// where a J′, up to n + 4 times J, overflows and an interval is halved instead; a [`Contact`](crate::Contact)
+    /// refuses that. It also refuses subnormal load integrals, whose radius has no more digits than they have.
     ///
     /// # Examples
     ///
@@ -166,7 +167,7 @@ pub trait GapProfile<T: Scalar> {
     /// # Errors
     ///
     /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius).
-    // Always: otherwise it is a call with its result in memory in one program and not in the next.
+    // Always inlined: otherwise it is a call with its result in memory in one program and not in the next.
     #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
         self.radius_within(load_integral, self.max_radius())
@@ -178,7 +179,7 @@ pub trait GapProfile<T: Scalar> {
     /// # Errors
     ///
     /// [`RadiusError`] for a negative or non-finite load integral, and beyond J(`limit`); a limit that is not a
-    /// positive number is one below every radius.
+    /// positive number lies below every radius.
     fn radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError>;
 
     /// The contact radii of many load integrals, in mm; `radii[i]` belongs to `load_integrals[i]`.
@@ -187,8 +188,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`RadiusError`] if the slices differ in length, and for the first load integral without a radius; `radii` then
-    /// hold nothing to be used.
+    /// [`RadiusError`] if the slices differ in length, and for the first load integral without a radius; the contents
+    /// of `radii` then mean nothing.
     ///
     /// # Examples
     ///
@@ -220,13 +221,13 @@ pub trait GapProfile<T: Scalar> {
         Ok(())
     }
 
-    /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its mean
-    /// over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. Of
-    /// coefficients known at run time some ε before the end, up to 100 ε where powers are above 100; never beyond it.
+    /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its
+    /// mean over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. With coefficients known
+    /// at run time it is some ε before the end, up to 100 ε where powers are above 100, and never beyond.
     fn max_radius(&self) -> T;
 
-    /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: how long ago the
-    /// edge of the contact passed a radius follows from it.
+    /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long
+    /// ago the edge of the contact passed a radius.
     ///
     /// Its relative error does not grow as the depth becomes small; the difference of two values of J, or of
     /// two rounded radii, would lose what they share.
@@ -242,11 +243,11 @@ pub trait GapProfile<T: Scalar> {
         })
     }
 
-    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth. For the solver: what
-    /// a memory integral takes at its nodes.
+    /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth. For the solver: a
+    /// memory integral takes them at its nodes.
     ///
-    /// The four slices have one length. `radii` and `depths` say the same, each rounded to its own digits; the drops,
-    /// and slopes of high powers, keep the digits of the depths.
+    /// The four slices have the same length. `radii` and `depths` say the same, each rounded to its own digits; the
+    /// drops, and slopes of high powers, keep the digits of the depths.
     #[inline(always)]
     fn fill_slopes_and_drops(
         &self,
@@ -258,24 +259,24 @@ pub trait GapProfile<T: Scalar> {
     }
 
     /// The largest exponent n of the gap, 64 if a profile does not say. For the solver, which chooses quadrature rules
-    /// by it: a lower one is quicker, and a profile with higher powers loses digits without its own.
+    /// by it: a lower one is quicker, and a profile with higher powers that does not say so loses digits.
     fn highest_exponent(&self) -> T {
         T::constant(64.0)
     }
 
     /// Whether all exponents are whole, so that the profile is smooth at r = 0. For the solver: where it is not,
-    /// integrals that begin there are taken in a variable that makes it so.
+    /// integrals that begin there are taken in a variable in which they are smooth.
     fn is_smooth_at_centre(&self) -> bool {
         false
     }
 
-    /// Whether no coefficient is negative. For the solver: where one may be, integrals look out for radii at which δ₀′
+    /// Whether no coefficient is negative. For the solver: where one may be, integrals watch for radii at which δ₀′
     /// nearly vanishes.
     fn has_only_positive_terms(&self) -> bool {
         false
     }
 
-    /// Checks the values of a geometry whose coefficients are known at run time only.
+    /// Checks the values of a geometry whose coefficients are known only at run time.
     ///
     /// # Errors
     ///

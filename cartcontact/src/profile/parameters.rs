@@ -5,7 +5,7 @@ use core::fmt;
 use crate::Scalar;
 use crate::shown::Shown;
 
-/// As many as a message can carry without allocation.
+/// The most parameters that a message can carry without allocation.
 const MOST: usize = 6;
 
 /// The names and values of the fields that a geometry depends on; an error keeps the first six.
@@ -42,13 +42,13 @@ impl Parameters {
         parameters
     }
 
-    /// The pairs of a name and its value, in the order of the fields.
+    /// The names and values, in the order of the fields.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, f64)> {
         self.names.iter().copied().zip(self.values)
     }
 }
 
-/// `with radius = 20, k = 0.001: `, the beginning of a message; nothing if there are none.
+/// `with radius = 20, k = 0.001: `, the beginning of a message; nothing without parameters.
 impl fmt::Display for Parameters {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (name, value)) in self.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A reference to a profile is the profile: what one does in its own way is never replaced by what is provided.
+//! A reference to a profile is the profile: all its methods are forwarded, so that none falls back to the provided one.
 
 use super::{GapProfile, ProfileError, RadiusError};
 use crate::Scalar;
@@ -75,7 +75,7 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
 mod tests {
     use super::*;
 
-    /// A profile whose every method gives another number than the provided one would.
+    /// A profile in which every method gives another number than the provided one would.
     struct Numbered;
 
     impl GapProfile<f64> for Numbered {

@@ -1,10 +1,10 @@
-//! δ₀′ and drops of the load integral at many radii: what a memory integral asks for at its nodes.
+//! δ₀′ and drops of the load integral at many radii, which a memory integral asks for at its nodes.
 //!
-//! **Sums of any real powers.** Of the load integral J(a) = Σ j, where the term j has the power p, the share ρ of the
-//! radius leaves Σ j ρ^p. With x = −ln ρ the drop is Σ j (1 − e^(−p x)), without cancellation, and, because
-//! J′ = a⁴ δ₀′/2, δ₀′(ρ a) = Σ (2 p j/a⁵) e^(−(p−5) x). A relative error of x counts as p x e^(−p x) in a slope, which
-//! is 0.37 at the most, and no more than it is in a drop. The powers at a are formed once for all radii; what is left for each
-//! radius is one logarithm, and two exponentials for each term, in vector code.
+//! **Sums of any real powers.** At the share ρ of the radius the load integral J(a) = Σ j, where the term j has the
+//! power p, becomes Σ j ρ^p. With x = −ln ρ the drop is Σ j (1 − e^(−p x)), without cancellation, and, because
+//! J′ = a⁴ δ₀′/2, δ₀′(ρ a) = Σ (2 p j/a⁵) e^(−(p−5) x). A relative error of x counts p x e^(−p x) times in a slope,
+//! which is at most 0.37, and at most once in a drop. The powers at a are formed once for all radii; for each radius
+//! one logarithm is left, and two exponentials for each term, in vector code.
 
 use crate::dispatch::wide;
 use crate::evaluate::exponent::Exponent;
@@ -14,13 +14,13 @@ use crate::evaluate::power::term_of_drop;
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 
-/// Above which power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
+/// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
 const HIGH_POWER: f64 = 24.0;
 
 /// How many radii are taken at a time.
 const BLOCK: usize = 32;
 
-/// Radii below a, and their depths below it: of each pair one is rounded. Slices of one length.
+/// Radii below a, and their depths below it: one of each pair is rounded. Slices of the same length.
 pub(crate) type Places<'a, T> = (&'a [T], &'a [T]);
 
 /// δ₀′ at these places, and J(a) less J there. Slices of the same length.
@@ -40,7 +40,7 @@ pub(crate) fn fill_one_by_one<T: Scalar, P: GapProfile<T> + ?Sized>(
     });
     if profile.highest_exponent() > T::constant(HIGH_POWER) {
         for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
-            // A short step inwards stands for the derivative.
+            // The difference over a short step inwards stands for the derivative.
             let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
             *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
         }
@@ -84,7 +84,7 @@ fn fill_by_powers<T: Scalar, P: GapProfile<T> + ?Sized>(
     (slopes, drops): SlopesAndDrops<'_, T>,
     terms: impl Iterator<Item = (T, T)> + Clone,
 ) {
-    // The bits of a number that is more than its value do not say its logarithm.
+    // The bits of a number with derivatives do not give its logarithm.
     if !is_plain::<T>() {
         return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
     }
@@ -113,7 +113,7 @@ fn fill_block<T: Scalar>(
     drops.fill(T::zero());
     let (two, five, square) = (T::constant(2.0), T::constant(5.0), a * a);
     for (j, p) in terms {
-        // The fifth power need not be in range.
+        // a⁵ need not be in range.
         let slope = two * p * (j / square / square) / a;
         for ((&x, slopes), drops) in shrinkings.iter().zip(&mut *slopes).zip(&mut *drops) {
             *slopes += slope * decay((p - five) * x);
@@ -127,7 +127,7 @@ mod tests {
     use super::*;
     use crate::Polynomial;
 
-    /// The largest errors of slopes and drops, in units of ε, over those of the functions of one radius.
+    /// The largest errors of slopes and drops, in units of ε, relative to the functions of one radius.
     fn largest_errors<T: Scalar>(terms: &[(f64, f64)], a: f64) -> Option<[f64; 2]> {
         let terms: Vec<(T, T)> = terms.iter().map(|&(c, n)| (T::constant(c), T::constant(n))).collect();
         let (profile, a) = (Polynomial::new(terms).ok()?, T::constant(a));
@@ -137,7 +137,7 @@ mod tests {
         profile.fill_slopes_and_drops(a, (&radii, &depths), (&mut slopes, &mut drops));
         let error = |value: T, exact: T| ((value - exact) / (exact * T::default_epsilon())).value().abs();
         let of_slopes = slopes.iter().zip(&radii).map(|(&slope, &s)| {
-            // What counts is an integral over s, to which s δ₀′ says how much is added.
+            // What counts is an integral over s, to which s δ₀′ is the contribution.
             error(slope, profile.approach_slope(s)) * (s * slope / (a * slopes[299])).value()
         });
         let of_drops = drops
