@@ -164,15 +164,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         };
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
-        if let Some(increment) = run.increment(contact, self.transition.reach, share) {
+        if let Some(mut increment) = run.increment(contact, self.transition.reach, share) {
             let fading = Fading::over(chi * (end - self.now.time));
-            let forces = (first.start.1, force);
-            let (kept, sizes) = fading.kept_of(forces);
-            let increment = if has_digits(kept, sizes) {
-                increment.scaled_to_load(kept * contact.integral_per_load(), self.transition.reach)
-            } else {
-                increment
-            };
+            let (kept, sizes) = fading.kept_of((first.start.1, force));
+            if has_digits(kept, sizes) {
+                let load = kept * contact.integral_per_load();
+                increment = increment.scaled_to_load(load, self.transition.reach);
+            }
             // Times know nothing of rounded radii: what they lay includes the strips.
             self.add_strip();
             self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);

@@ -155,14 +155,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues along a step, and through a jump at its end, of which a knot may tell or not.
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
-        let chi = self.contact.medium().chi();
-        let (first, last) = self.forces_until(end);
+        let forces = self.forces_until(end);
         let (gained, of_series) = self.take_impulse(force, end);
-        let radius = self.radius_under(end, last);
-        let gain = force.gain() + chi * (gained - of_series);
-        self.cover(radius, &Course::smooth(force), (first, last), gain);
-        self.now.time = end;
-        self.jump(last, self.force_now());
+        let gain = force.gain() + self.contact.medium().chi() * (gained - of_series);
+        self.arrive(end, &Course::smooth(force), forces, gain);
     }
 
     /// Continues through a step in which the force jumps, as if it did so at its end.
@@ -174,7 +170,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let chi = self.contact.medium().chi();
         let (first, last) = self.forces_until(end);
         let (gained, _) = self.take_impulse(force, end);
-        let radius = self.radius_under(end, last);
         let folds = chi * (end - self.now.time);
         let fading = Fading::over(folds);
         let (gain, (kept, _)) = ((last - first) + chi * gained, fading.kept_of((first, last)));
@@ -183,9 +178,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let age =
             if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
         self.fade(fading);
-        self.cover(radius, &Course::Step { age }, (fading.after(first, T::zero()), last), gain);
+        self.arrive(end, &Course::Step { age }, (fading.after(first, T::zero()), last), gain);
+    }
+
+    /// Covers what the contact reaches at the end of a step, and passes a jump there, whether or not at a knot.
+    fn arrive(&mut self, end: T, course: &Course<'_, T>, forces: (T, T), gain: T) {
+        let radius = self.radius_under(end, forces.1);
+        self.cover(radius, course, forces, gain);
         self.now.time = end;
-        self.jump(last, self.force_now());
+        self.jump(forces.1, self.force_now());
     }
 
     /// The force now, and just before a time.
