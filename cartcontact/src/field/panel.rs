@@ -104,55 +104,50 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
 
     /// The changes at `times`, from the one before, the first from the start, and from the start.
     pub(super) fn changes(&self, times: &[T], since_previous: &mut Changes<T>, since_start: &mut Changes<T>) {
-        let (start, chi) = (self.start, self.contact.medium().chi());
-        let square = start.radius * start.radius;
         let (mut elapsed, mut durations) = ([T::zero(); BLOCK], [T::zero(); BLOCK]);
-        let mut previous = start.time;
-        for ((elapsed, duration), &time) in elapsed.iter_mut().zip(&mut durations).zip(times) {
-            (*elapsed, *duration) = (time - start.time, time - previous);
+        let (elapsed, durations) = (&mut elapsed[..times.len()], &mut durations[..times.len()]);
+        let mut previous = self.start.time;
+        for ((elapsed, duration), &time) in elapsed.iter_mut().zip(&mut *durations).zip(times) {
+            (*elapsed, *duration) = (time - self.start.time, time - previous);
             previous = time;
         }
         since_previous.slow_down();
         since_start.slow_down();
-        // The integrals of each step, then their sums, and only then e^(−χ (t − t₁)).
         wide(
             #[inline(always)]
-            || {
-                let Changes { gain, on_axis, slope, .. } = since_previous;
-                for (((&elapsed, &duration), gain), (on_axis, slope)) in elapsed
-                    .iter()
-                    .zip(&durations)
-                    .take(times.len())
-                    .zip(gain)
-                    .zip(on_axis.iter_mut().zip(slope))
-                {
-                    let (offset, parabola) = self.integrals(elapsed, duration);
-                    *gain = decay_gain(chi * duration);
-                    *on_axis = offset + parabola * square;
-                    *slope = parabola;
-                }
-            },
+            || self.integrate_steps(elapsed, durations, since_previous),
         );
-        let (mut on_axis, mut slope) = (T::zero(), T::zero());
-        for row in 0..times.len() {
-            on_axis += since_previous.on_axis[row];
-            slope += since_previous.slope[row];
-            since_start.on_axis[row] = on_axis;
-            since_start.slope[row] = slope;
+        since_start.add_up(since_previous, times.len());
+        wide(
+            #[inline(always)]
+            || self.fade(elapsed, since_previous, since_start),
+        );
+    }
+
+    /// The changes of steps from row to row, before [`fade`](Self::fade).
+    #[inline(always)]
+    fn integrate_steps(&self, elapsed: &[T], durations: &[T], changes: &mut Changes<T>) {
+        let (chi, square) = (self.contact.medium().chi(), self.start.radius * self.start.radius);
+        for (row, (&elapsed, &duration)) in elapsed.iter().zip(durations).enumerate() {
+            let (offset, slope) = self.integrals(elapsed, duration);
+            changes.gain[row] = decay_gain(chi * duration);
+            changes.on_axis[row] = offset + slope * square;
+            changes.slope[row] = slope;
         }
-        wide(
-            #[inline(always)]
-            || {
-                for (row, &elapsed) in elapsed.iter().enumerate().take(times.len()) {
-                    let gain = decay_gain(chi * elapsed);
-                    since_start.gain[row] = gain;
-                    since_start.on_axis[row] += gain * since_start.on_axis[row];
-                    since_start.slope[row] += gain * since_start.slope[row];
-                    since_previous.on_axis[row] += gain * since_previous.on_axis[row];
-                    since_previous.slope[row] += gain * since_previous.slope[row];
-                }
-            },
-        );
+    }
+
+    /// Multiplies the integrals up to each time t by e^(−χ (t − t₁)).
+    #[inline(always)]
+    fn fade(&self, elapsed: &[T], since_previous: &mut Changes<T>, since_start: &mut Changes<T>) {
+        let chi = self.contact.medium().chi();
+        for (row, &elapsed) in elapsed.iter().enumerate() {
+            let gain = decay_gain(chi * elapsed);
+            since_start.gain[row] = gain;
+            for changes in [&mut *since_previous, &mut *since_start] {
+                changes.on_axis[row] += gain * changes.on_axis[row];
+                changes.slope[row] += gain * changes.slope[row];
+            }
+        }
     }
 
     /// The pressure at a radius that the edge passes between two times of the panel.

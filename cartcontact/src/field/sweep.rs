@@ -105,6 +105,16 @@ impl<T: Scalar> Changes<T> {
         self.kept.fill(T::one());
     }
 
+    /// Sets the parabolas of `count` rows to the sums of those of `steps`.
+    pub(super) fn add_up(&mut self, steps: &Self, count: usize) {
+        let (mut on_axis, mut slope) = (T::zero(), T::zero());
+        for row in 0..count {
+            on_axis += steps.on_axis[row];
+            slope += steps.slope[row];
+            (self.on_axis[row], self.slope[row]) = (on_axis, slope);
+        }
+    }
+
     pub(super) fn set(&mut self, row: usize, change: Change<T>) {
         self.kept[row] = change.kept;
         self.gain[row] = change.gain;
