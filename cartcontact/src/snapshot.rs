@@ -94,7 +94,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let folds = self.contact.medium().chi() * self.time;
         if folds.is_zero() {
             // e^(−χ t): a zero may carry a derivative.
-            return self.undrained_pressure(self.stage(), r) * (T::one() - folds);
+            return self.undrained_pressure(self.contact.stage(self.time, self.radius), r)
+                * (T::one() - folds);
         }
         let start = self.start_of_memory();
         let change = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
@@ -145,10 +146,6 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), stage.radius);
         let strip = stage.strip(self.contact.integral_per_load()) * T::constant(0.25) * ((a - r) * (a + r));
         not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
-    }
-
-    fn stage(&self) -> Stage<T> {
-        self.contact.stage(self.time, self.radius)
     }
 
     /// The stage before which the history no longer counts: 0, or where it has faded below rounding.

@@ -207,15 +207,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.scales.load_per_integral
     }
 
-    /// The load integral over its hereditary load.
+    /// 4/(π m): a hereditary load times this is its load integral.
     pub(crate) fn integral_per_load(&self) -> T {
         self.scales.integral_per_load
-    }
-
-    /// The load integral J = Y/(π m/4) of a hereditary load.
-    #[inline(always)]
-    pub(crate) fn load_integral_of(&self, hereditary: T) -> T {
-        hereditary * self.scales.integral_per_load
     }
 
     /// The contact radius under a load.
@@ -226,7 +220,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The contact radius under a hereditary load Y.
     pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of_one(self.load_integral_of(hereditary))
+        self.radius_of_one(hereditary * self.scales.integral_per_load)
     }
 
     /// The contact radius of a load integral where one is all that is asked for: out of line, and given in a register.
@@ -242,14 +236,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline(always)]
     pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
         self.profile.radius_within(load_integral, self.max_radius)
-    }
-
-    /// The contact radii under many hereditary loads, which are replaced by their load integrals.
-    pub(crate) fn radii_under(&self, hereditary: &mut [T], radii: &mut [T]) -> Result<(), RadiusError> {
-        for load in hereditary.iter_mut() {
-            *load = self.load_integral_of(*load);
-        }
-        self.radii_of(hereditary, radii)
     }
 
     /// The contact radii of many load integrals.

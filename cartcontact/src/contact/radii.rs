@@ -91,8 +91,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     }
 
     fn take_radii(&mut self) -> bool {
-        let Contact { profile, max_radius, .. } = self.contact;
-        profile.radii_within(self.load_integrals, *max_radius, self.radii).is_ok()
+        self.contact.radii_of(self.load_integrals, self.radii).is_ok()
     }
 
     fn has_common_radii(&self) -> bool {

@@ -173,16 +173,19 @@ impl<T: Scalar> Run<T> {
         L: Load<T>,
     {
         let zero = [T::zero(); MOST_NODES];
-        let (mut hereditary, mut weights, mut radii) = (zero, zero, zero);
+        let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
         let nodes = ..self.count * self.rule.len();
-        let (hereditary, weights) = (&mut hereditary[nodes], &mut weights[nodes]);
+        let (load_integrals, weights) = (&mut load_integrals[nodes], &mut weights[nodes]);
         let radii = &mut radii[nodes];
         wide(
             #[inline(always)]
-            // Until the radii are found, their places hold the ages.
-            || self.fill(hereditary, weights, radii),
+            || {
+                // Until the radii are found, their places hold the ages.
+                self.fill(load_integrals, weights, radii);
+                load_integrals.iter_mut().for_each(|hereditary| *hereditary *= contact.integral_per_load());
+            },
         );
-        contact.radii_under(hereditary, radii).ok()?;
+        contact.radii_of(load_integrals, radii).ok()?;
         wide(
             #[inline(always)]
             || {
