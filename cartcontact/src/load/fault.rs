@@ -1,7 +1,7 @@
 //! What makes a history one that the solution does not cover.
 
-use super::LoadError;
-use super::contradiction::Contradiction;
+use super::contradiction::{self, Contradiction};
+use super::{Load, LoadError};
 use crate::Scalar;
 
 /// Why a history is not one that the solution covers.
@@ -46,9 +46,12 @@ impl<T: Scalar> Fault<T> {
     }
 }
 
-/// Up to where a negative force is rounding, in a history up to a time with a hereditary load.
-pub(super) fn negligible_force<T: Scalar>(hereditary: T) -> T {
-    hereditary * T::default_epsilon() * T::constant(64.0)
+/// By how much forces may be negative, and impulses off, in the history of a load up to `t`.
+#[inline]
+pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> (T, T) {
+    let hereditary = load.force(t) + chi * load.impulse(t);
+    let negligible_force = hereditary * T::default_epsilon() * T::constant(64.0);
+    (negligible_force, contradiction::tolerance(hereditary, chi))
 }
 
 /// Whether a number is a force, if one that is negative may be rounding up to `negligible`.

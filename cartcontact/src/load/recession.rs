@@ -12,7 +12,7 @@
 //! knows by itself: a dip between nodes, or a swing that happens to look smooth at them, has an area.
 //!
 //! An impulse that no force through the nodes can have, unless Y falls between them, is a
-//! [contradiction] if no fall is found there.
+//! [contradiction](super::contradiction) if no fall is found there.
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
 //! so the search ends. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
@@ -21,8 +21,8 @@
 //! A load that is [straight] between its knots is not searched.
 
 use super::ForceSeries;
-use super::contradiction::{self, Contradiction};
-use super::fault::{Fault, negligible_force};
+use super::contradiction::Contradiction;
+use super::fault::{Fault, tolerances};
 use super::straight;
 use super::{Load, Shortest, knot_between};
 use crate::Scalar;
@@ -38,12 +38,12 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         return straight::first_fault(load, chi, t);
     }
     let zero = T::zero();
-    let hereditary = load.force(t) + chi * load.impulse(t);
+    let (negligible, tolerance) = tolerances(load, chi, t);
     let mut search = Search {
         load,
         chi,
-        negligible: negligible_force(hereditary),
-        tolerance: contradiction::tolerance(hereditary, chi),
+        negligible,
+        tolerance,
         time: zero,
         impulse: zero,
         crest: Crest { time: zero, fallen: zero },

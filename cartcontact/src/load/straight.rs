@@ -3,9 +3,9 @@
 //! Its pieces tell all: it is walked along them as [`PiecewiseLinear`](super::PiecewiseLinear) is, with three forces for
 //! each.
 
-use super::contradiction::{self, Contradiction};
+use super::contradiction::Contradiction;
 use super::descent::Descent;
-use super::fault::{Fault, is_force, negligible_force};
+use super::fault::{Fault, is_force, tolerances};
 use super::{Load, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
@@ -15,11 +15,10 @@ const PIECES: usize = 16;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
-    let hereditary = load.force(t) + chi * load.impulse(t);
-    let tolerance = contradiction::tolerance(hereditary, chi);
+    let (negligible, tolerance) = tolerances(load, chi, t);
     let mut walk = Walk {
         t,
-        negligible: negligible_force(hereditary),
+        negligible,
         descent: Descent::new(chi),
         end: (T::zero(), load.force(T::zero())),
         integral: T::zero().into(),
