@@ -1,14 +1,14 @@
-//! What time takes from a memory, all of it or e^(−x) − 1.
+//! How much of a memory fades over some e-foldings.
 
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
 
-/// After how many e-foldings a pressure is below rounding, with a margin.
+/// The number of e-foldings after which a pressure is below rounding, with a margin.
 pub(crate) fn faded_folds<T: Scalar>() -> T {
     -T::default_epsilon().ln() + T::constant(4.0)
 }
 
-/// The most e-foldings for which [`decay_gain`] is meant.
+/// The most e-foldings that [`decay_gain`] is meant for.
 pub(crate) const FEW_FOLDS: f64 = 1.0 / 8.0;
 
 /// e^(−x) − 1 for 0 ≤ x ≤ 1/8 by its Taylor series; the first term left out is below 3e-17 x.
@@ -21,10 +21,10 @@ pub(crate) fn decay_gain<T: Scalar>(x: T) -> T {
     -x * sum
 }
 
-/// What some e-foldings leave, and what they take.
+/// What is left after some e-foldings, and what fades.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fading<T> {
-    /// e^(−x) − 1 of few e-foldings, otherwise e^(−x).
+    /// e^(−x) − 1 for few e-foldings, e^(−x) for more.
     factor: T,
     are_few: bool,
 }
@@ -36,17 +36,17 @@ impl<T: Scalar> Fading<T> {
         Self { factor: if are_few { decay_gain(folds) } else { (-folds).exp() }, are_few }
     }
 
-    /// A value after the e-foldings, in which something was gained.
+    /// A value after the e-foldings, with what was gained during them.
     #[inline(always)]
     pub(super) fn after(self, value: T, gained: T) -> T {
         let rest = value * self.factor + gained;
         if self.are_few { value + rest } else { rest }
     }
 
-    /// Takes a value [`after`](Self::after) the e-foldings for what it was.
+    /// Replaces a value by that [`after`](Self::after) the e-foldings.
     ///
-    /// Of few e-foldings what fades is taken away: thousands of short steps with one rounded e^(−x) between them, or with a
-    /// rounded value after each, would be off by thousands of roundings of one sign.
+    /// Over few e-foldings only what fades is subtracted: thousands of short steps that share one rounded e^(−x), or
+    /// that round the value after each, would be off by thousands of roundings of one sign.
     #[inline(always)]
     pub(super) fn pass(self, value: &mut CompensatedSum<T>, gained: T) {
         let rest = value.value * self.factor + gained;
@@ -57,8 +57,8 @@ impl<T: Scalar> Fading<T> {
         }
     }
 
-    /// What is left at the end of what the hereditary load gains between two forces, F₂ − E F₁, and the sizes that it is the
-    /// difference of: of few e-foldings a rise and what has drained, of many two forces.
+    /// F₂ − E F₁, what remains at the end of the gain between two forces, and the sum of the magnitudes that it is the
+    /// difference of, to judge cancellation: a rise and what has drained over few e-foldings, two forces over many.
     #[inline(always)]
     pub(super) fn kept_of(self, (first, last): (T, T)) -> (T, T) {
         let changed = first * self.factor;
@@ -88,7 +88,7 @@ mod tests {
         for k in 1..=1000 {
             let x = 20.0 * f64::from(k) / 1000.0;
             let (kept, sizes) = Fading::over(x).kept_of((1.0, 1.0));
-            // Of a held load, 1 − E; next to 1/8 that is a ninth of the numbers that it is a difference of.
+            // For a held load this is 1 − E; near x = 1/8 that is a ninth of the numbers it is the difference of.
             assert!((kept / -(-x).exp_m1() - 1.0).abs() <= 3.0 * f64::EPSILON, "{x}");
             assert!(kept <= sizes && sizes <= 17.0 * kept, "{x}");
         }

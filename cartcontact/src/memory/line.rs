@@ -15,7 +15,7 @@ pub(crate) struct Line<T> {
 }
 
 impl<T: Scalar> Line<T> {
-    /// The line with a slope to a force.
+    /// The line with a slope that ends at a force.
     pub(crate) fn to(force: T, force_rate: T, chi: T) -> Self {
         // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
         Self { chi, force_rate, hereditary_rate: raised_to_zero(force_rate + chi * force) }
@@ -33,7 +33,7 @@ impl<T: Scalar> Line<T> {
         }
     }
 
-    /// Whether F′ = 0, also with other values of the parameters that numbers carry derivatives with respect to.
+    /// Whether F′ = 0, also for other values of the parameters with respect to which numbers carry derivatives.
     #[inline(always)]
     pub(super) fn is_held(self) -> bool {
         is_nothing(self.force_rate)
@@ -45,17 +45,17 @@ impl<T: Scalar> Line<T> {
         deficit / self.hereditary_rate
     }
 
-    /// The age of a deficit, if it [has one](Self::has_root) by this formula.
+    /// The age of a deficit that [has one](Self::has_root) by this formula.
     ///
-    /// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, whose root is taken in the form without cancellation; its square root is
+    /// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, solved for z in the form without cancellation; the square root in it is
     /// Y′ at the time found.
     #[inline(always)]
     pub(super) fn root(self, deficit: T) -> T {
         let Self { chi, force_rate, hereditary_rate: rate } = self;
         let two = T::constant(2.0);
         let (straight, bend) = (rate * rate, two * chi * force_rate * deficit);
-        // The size of the radicand: a deficit that rounding makes negative must not, where Y′ vanishes at the end,
-        // count as a long time after it.
+        // The radicand without its sign: where Y′ vanishes at the end, a deficit that rounding makes negative must not
+        // count as a long time after the end.
         two * deficit / (rate + (straight - bend).abs().sqrt())
     }
 

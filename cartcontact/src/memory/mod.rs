@@ -20,10 +20,11 @@
 //! | `nodes` | the nodes of an integral over the radius |
 //! | `line`, `fading` | how long ago Y was smaller, along a straight load; what is left after some e-foldings |
 //!
-//! A few words, throughout: a *stage* is a time with its contact radius; the *age* of a radius is the time since the edge
-//! passed it; a *fold* is one e-folding, a duration of 1/χ; a *deficit* is by how much Y was smaller than at the end of a
-//! stretch, and the *surplus* of a stage by how much Y exceeds that of its rounded radius; the *strip* is the ring between
-//! the rounded radius and the exact one; the *reach* of a transition is the largest radius that it holds for.
+//! Terms used throughout: a *stage* is a time with its contact radius; the *age* of a radius is the time since the edge
+//! passed it; a *fold* is one e-folding, a duration of 1/χ; a *deficit* is the amount by which Y was smaller than at
+//! the end of a stretch, and the *surplus* of a stage the amount by which Y exceeds that of its rounded radius; the
+//! *strip* is the ring between the rounded radius and the exact one; the *reach* of a transition is the largest radius
+//! that it holds for.
 
 mod fading;
 mod line;
@@ -43,11 +44,11 @@ pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
 pub(crate) use line::Line;
 pub(crate) use march::march;
 
-/// A stage of the contact: a time with the radius at it.
+/// A stage of the contact: a time with its contact radius.
 ///
-/// The radius is rounded, which moves pressures by up to (n+2) ε/2. `surplus` is what the hereditary load exceeds
-/// that of the rounded radius; to first order the two together are the radius to twice the precision.
-/// Stages along one history share the error of the first surplus, which is that of a slightly other time.
+/// The radius is rounded, which moves pressures by up to (n+2) ε/2. `surplus` is the amount by which the hereditary
+/// load exceeds that of the rounded radius; to first order the two together are the radius to twice the precision.
+/// Stages along one history share the error of the first surplus, which amounts to a slightly different time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stage<T> {
     pub(crate) time: T,
@@ -60,7 +61,7 @@ pub(crate) struct Stage<T> {
 /// How pressures at radii r up to `reach` change from one stage to another:
 /// P ← decay · P + offset + slope (reach² − r²).
 ///
-/// Along a record of a hundred thousand pieces each of them changes a little that many times, and is rounded as often.
+/// Along a record of a hundred thousand pieces each sum changes a little that many times, and is rounded as often.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transition<T> {
     pub(crate) decay: CompensatedSum<T>,
@@ -69,7 +70,7 @@ pub(crate) struct Transition<T> {
     pub(crate) reach: T,
 }
 
-/// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to those of a stretch's end.
+/// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to that at the end of a stretch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Increment<T> {
     offset: T,
@@ -92,10 +93,10 @@ impl<T: Scalar> Stage<T> {
 
 /// The surplus of a stage, unless it is too large for its radius to be taken as exact to first order.
 ///
-/// A surplus of x times the force is a pressure of x times the force, and makes all ages later by x e-foldings; to
-/// first order the two cancel, since a held load has little more to drain. When the hereditary load is 1/√ε times
-/// the force and more, its rounding makes x² more than rounding. Leaving the surplus out moves the radius by a rounding
-/// error and no more.
+/// A surplus of x times the force is a pressure of x times the force, and shifts all ages by x e-foldings; to first
+/// order the two cancel, since a held load has little more to drain. When the hereditary load is at least 1/√ε times
+/// the force, its rounding makes x² larger than rounding. Leaving the surplus out moves the radius by no more than a
+/// rounding error.
 pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
     if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }
@@ -108,21 +109,21 @@ impl<T: Scalar> Transition<T> {
 
     /// The pressure after the transition, at a radius up to `reach`, from that before it.
     ///
-    /// Between the exact and the rounded edge the strip that the radius has too much leaves a negative rest.
+    /// Where the rounded radius exceeds the exact one, the strip between them leaves a small negative remainder.
     #[inline(always)]
     pub(crate) fn apply(&self, pressure: T, radius: T) -> T {
         let gain = self.offset.value + self.slope.value * ((self.reach - radius) * (self.reach + radius));
         not_negative(self.decay.value * pressure + gain)
     }
 
-    /// The pressure after it at the radius `reach`, if there was none before it.
+    /// The pressure after the transition at the radius `reach`, if there was none before it.
     pub(crate) fn first_pressure(&self) -> T {
         self.offset.value
     }
 
-    /// Whether two ways to the same transition, at whose end the contact has some radius, differ by little more than
-    /// rounding, which counts the more the narrower the ring beyond the reach is. The radius is off by so many roundings
-    /// as its `condition` says.
+    /// Whether two computations of the same transition, at whose end the contact has a `radius`, differ by little more
+    /// than rounding. Rounding counts the more, the narrower the ring beyond the reach is. The radius is off by
+    /// `condition` roundings.
     fn agrees_with(&self, other: &Self, radius: T, condition: T) -> bool {
         if radius <= self.reach {
             // Nothing was covered.
@@ -134,7 +135,7 @@ impl<T: Scalar> Transition<T> {
         agree(self.offset.value, other.offset.value) && agree(self.slope.value, other.slope.value)
     }
 
-    /// Continues with a stretch of some fading that adds `increment` beyond the radius `low`.
+    /// Continues with a stretch that fades what there was and adds `increment` beyond the radius `low`.
     fn advance(&mut self, fading: Fading<T>, quarter_m: T, increment: Increment<T>, low: T) {
         let (offset, slope) = self.gain(quarter_m, increment, low);
         fading.pass(&mut self.decay, T::zero());
@@ -142,7 +143,7 @@ impl<T: Scalar> Transition<T> {
         fading.pass(&mut self.slope, slope);
     }
 
-    /// Adds what takes no time.
+    /// Adds an increment that takes no time.
     fn add(&mut self, quarter_m: T, increment: Increment<T>, low: T) {
         let (offset, slope) = self.gain(quarter_m, increment, low);
         self.offset.add(offset);
@@ -155,7 +156,7 @@ impl<T: Scalar> Transition<T> {
     }
 }
 
-/// A pressure without the negative rest that rounding may leave at the edge; what is not a number remains so.
+/// A pressure without the negative remainder that rounding may leave at the edge; NaN stays NaN.
 #[inline(always)]
 pub(crate) fn not_negative<T: Scalar>(pressure: T) -> T {
     if pressure < T::zero() { T::zero() } else { pressure }
@@ -166,17 +167,17 @@ impl<T: Scalar> Increment<T> {
         Self { offset: T::zero(), slope: T::zero(), spread: T::zero() }
     }
 
-    /// Of all at the radius s: `weight` is ∫ δ₀′ e^(−χ age) ds.
+    /// An increment laid at the radius s: `weight` is ∫ δ₀′ e^(−χ age) ds.
     #[inline(always)]
     fn at(s: T, weight: T, low: T) -> Self {
         let rise = (s - low) * (s + low);
         Self { offset: weight * rise, slope: weight, spread: weight * rise * rise }
     }
 
-    /// Of all at some radii, with a weight for each.
+    /// An increment laid at some radii, with a weight for each.
     #[inline(always)]
     fn of(radii: &[T], weights: &[T], low: T) -> Self {
-        // One after the other: vectors then take several radii, instead of both values of one.
+        // One sum after the other: vectors then take several radii, instead of all values of one.
         let offset = sum(
             radii,
             weights,
@@ -201,8 +202,8 @@ impl<T: Scalar> Increment<T> {
         Self { offset, slope, spread }
     }
 
-    /// Of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ and are divided
-    /// by s⁴.
+    /// The increment of an integral over time, where δ₀′ ds is 2 dJ/s⁴: the weights are those of 2 e^(−χ age) dJ, and
+    /// are divided by s⁴ here.
     #[inline(always)]
     fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
         for (weight, &s) in weights.iter_mut().zip(radii) {
@@ -225,14 +226,15 @@ impl<T: Scalar> Increment<T> {
         Self { offset: self.offset * factor, slope: self.slope * factor, spread: self.spread * factor }
     }
 
-    /// Scaled to the load that it carries, which is (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds, in units of π m/4.
+    /// The increment scaled so that it carries `load`, (π m/8) ∫ δ₀′ e^(−χ age) s⁴ ds, in units of π m/4.
     ///
-    /// That load follows from the forces at both ends of the stretch, and the pressure from it, but for where in the stretch
-    /// it is laid: the roundings of m, and those of δ₀′ and of ages that all nodes have in common, cancel. After a long
-    /// history the rounding of radii is a share of the layer's thickness, but not of its load.
+    /// The load follows from the forces at both ends of the stretch, and the pressure from the load, except for where
+    /// in the stretch it is laid: the roundings of m cancel, and so do those of δ₀′ and of ages that all nodes have in
+    /// common. After a long history the rounding of radii counts beside the layer's thickness, but not beside its load.
     fn scaled_to_load(self, load: T, low: T) -> Self {
         let (two, square) = (T::constant(2.0), low * low);
-        // s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)²: of a thin layer the first counts, which cancels against the slope.
+        // s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)²: in a thin layer the first term counts, and cancels against the
+        // slope.
         let carried = (self.slope * square + two * self.offset) * square + self.spread;
         if load > T::zero() && carried > T::zero() { self.times(two * load / carried) } else { self }
     }
@@ -241,7 +243,7 @@ impl<T: Scalar> Increment<T> {
 /// The sum of a function of radii and weights.
 #[inline(always)]
 fn sum<T: Scalar>(radii: &[T], weights: &[T], at: impl Fn(T, T) -> T) -> T {
-    // Four sums side by side, so that vectors may take them.
+    // Four sums side by side, for vectors.
     let mut sums = [T::zero(); 4];
     let ((radii, radii_left), (weights, weights_left)) = (radii.as_chunks::<4>(), weights.as_chunks::<4>());
     for (radii, weights) in radii.iter().zip(weights) {

@@ -6,22 +6,22 @@ use crate::load::Load;
 use crate::quadrature::{MOST_NODES, Rule};
 use crate::{GapProfile, Scalar};
 
-/// A node of an integral over the radius. Of radius and depth one is rounded: near the edge the radius, near the centre
-/// the depth.
+/// A node of an integral over the radius. Either its radius or its depth is rounded: near the edge the radius, near the
+/// centre the depth.
 pub(super) struct Node<T> {
     pub(super) s: T,
-    /// Below the edge.
+    /// The depth below the edge.
     pub(super) depth: T,
-    /// Of ds.
+    /// The weight of the node, with ds.
     pub(super) weight: T,
 }
 
-/// A number for every node. It begins at a line of the cache, of which no vector then needs two.
+/// A number for every node. It begins at a cache line, so that no vector needs two of them.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 struct Row<T>([T; MOST_NODES]);
 
-/// All nodes, with what is integrated at each.
+/// All nodes, with the integrand at each.
 pub(super) struct Nodes<T> {
     count: usize,
     radii: Row<T>,
@@ -32,14 +32,15 @@ pub(super) struct Nodes<T> {
 }
 
 impl<T: Scalar> Nodes<T> {
-    /// Room for them: what is returned by value is copied.
+    /// Room for nodes to be filled in place: nodes returned by value would be copied.
     #[inline(always)]
     pub(super) fn none() -> Self {
         let zero = Row([T::zero(); MOST_NODES]);
         Self { count: 0, radii: zero, slopes: zero, weights: zero }
     }
 
-    /// Takes those of a rule for a variable from `low` to `high`; `place` makes a node of its value and its weight.
+    /// Takes the nodes of a rule for a variable from `low` to `high`; `place` makes a node of a value of the variable
+    /// and its weight.
     #[inline(always)]
     pub(super) fn take<P, L>(
         &mut self,

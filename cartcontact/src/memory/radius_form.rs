@@ -1,13 +1,13 @@
 //! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {s² − low², 1} ds.
 //!
-//! The variable is the depth below the edge: after a long history the integrand is a thin layer there, in
-//! which rounded radii would be too coarse. It is taken in panels as long as the finest rule integrates to full
-//! accuracy, usually one. What is left below a panel is at most e^(−χ age) (δ₀(s) − δ₀(low)), because ages only
-//! grow inwards; the march ends when that no longer counts.
+//! The variable is the depth below the edge: after a long history the integrand is a thin layer there, for which
+//! rounded radii would be too coarse. The integral is taken in panels as long as the finest rule integrates to full
+//! accuracy, usually one. What lies below a panel adds at most e^(−χ age) (δ₀(s) − δ₀(low)), because ages only grow
+//! inwards; the integral ends when that no longer counts.
 //!
-//! Under a profile with fractional exponents the innermost quarter, [`increment_of_core`], takes s^(1/4)
-//! instead. That makes multiples of 1/4 whole and leaves of other powers s^n a singularity of order
-//! 4 (n+2) − 1, at least 7; outside the core the singularity at r = 0 is far enough for any rule.
+//! Under a profile with fractional exponents the innermost quarter, [`increment_of_core`], is integrated over s^(1/4)
+//! instead. That makes multiples of 1/4 whole and leaves other powers s^n a singularity of order 4 (n+2) − 1, at least
+//! 7; outside the core the singularity at r = 0 is far enough away for any rule.
 
 use super::Increment;
 use super::nodes::{Node, Nodes};
@@ -17,11 +17,12 @@ use crate::load::Load;
 use crate::quadrature::Rule;
 use crate::{GapProfile, Scalar};
 
-/// How much more slopes may be than they are where they are asked for: they are not the same everywhere.
+/// How much larger slopes may be elsewhere than where they are evaluated.
 const MARGIN: f64 = 1.5;
 
-/// What a singularity of the integrand counts as, over its distance: the rule of 24 nodes wants panels of at most 2.2
-/// distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the length), that of 31 folds.
+/// A singularity of the integrand counts as this number of e-foldings per distance to it: the rule of 24 nodes needs
+/// panels of at most 2.2 distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the length), or
+/// of 31 folds.
 const FOLDS_AT_DISTANCE: f64 = 14.4;
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
@@ -60,10 +61,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         sum
     }
 
-    /// The end of the panel that begins at a depth with an age, at most `core`, and the rule for it.
+    /// The end, at most `core`, of the panel that begins at a depth with an age, and the rule for it.
     fn next_panel(&self, (depth, age): (T, T), core: T, is_steepest_at_edge: bool) -> (T, &'static Rule) {
         let most = Rule::FINEST.folds::<T>();
-        // Whatever the rate, some thousand panels are the most there can be.
+        // Whatever the rate, there are at most some thousand panels.
         let shortest = (self.high - self.low) * T::constant(1.0 / 4096.0);
         let (of_powers, of_fading) = self.folds_per_length(depth, age);
         let rate = of_powers + of_fading;
@@ -87,19 +88,19 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let uncertainty = T::default_epsilon() * T::constant(8.0);
         let (low, top) = (self.low, self.high - depth);
         let (at_top, at_low) = (profile.quick_approach(top), profile.quick_approach(low));
-        // Two powers near the zeroth may differ by less than their rounding, which then is what may be left.
+        // Two powers near the zeroth may differ by less than their rounding, which then bounds what is left.
         let rest = (-(chi * age)).exp() * ((at_top - at_low) + at_top * uncertainty);
         let rest_offset = rest * ((top - low) * (top + low));
         rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible
     }
 
-    /// The increment by a rule between two depths, and whether s δ₀′ rises with the radius from node to node, as that of
-    /// positive terms does.
+    /// The increment by a rule between two depths, and whether s δ₀′ rises with the radius from node to node, as it
+    /// does for positive terms.
     ///
-    /// Where δ₀′ nearly vanishes and rises again further in, at u = 0, the integrand is like u² e^(−c u³), which grows
-    /// faster in the plane of complex radii than any exponential that is as steep in the panel: for c = 1/2 on one side
-    /// of it 12 nodes take the place of 8. The finest rule leaves 1e-16 for all c that its panels allow, on either side or
-    /// on both.
+    /// Where δ₀′ nearly vanishes, at u = 0, and rises again further in, the integrand is like u² e^(−c u³). In the
+    /// plane of complex radii this grows faster than any exponential that is as steep in the panel: for c = 1/2 on one
+    /// side of it, 12 nodes are needed instead of 8. The finest rule leaves 1e-16 for all c that its panels allow, on
+    /// either side or on both.
     fn increment_of_panel(&self, rule: &Rule, (start, end): (T, T)) -> (Increment<T>, bool) {
         wide(
             #[inline(always)]
@@ -112,10 +113,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         )
     }
 
-    /// The end of a panel, drawn nearer until the history that it covers fades by no more than the finest rule integrates,
-    /// and by how many e-foldings it does, with a margin of 1.3.
+    /// The end of a panel, moved closer until the history that it covers fades by no more than the finest rule
+    /// integrates, and the number of e-foldings by which it fades, with a margin of 1.3.
     ///
-    /// The rate at its beginning does not bound that at its end where δ₀′ nearly vanishes there and rises further in.
+    /// The rate at its beginning does not bound the rate at its end where δ₀′ nearly vanishes there and rises further
+    /// in.
     fn end_of_panel(&self, (depth, age): (T, T), end: T, shortest: T) -> (T, T) {
         let rate = self.contact.medium().chi() * T::constant(1.3);
         let most = Rule::FINEST.folds::<T>();
@@ -124,7 +126,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             let end = self.age_at(depth + length);
             let shortly_before = self.age_at(depth + length * T::constant(63.0 / 64.0));
             let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
-            // What is no number, as derivatives may be, gets no better.
+            // NaN, which derivatives may be, gets no better.
             let is_halved = fading > most && length > shortest;
             if !is_halved {
                 return (depth + length, fading);
@@ -151,31 +153,32 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         )
     }
 
-    /// Whether the shortest rule suffices for all of a stretch of a held load under positive terms, whatever its panels are.
+    /// Whether the shortest rule suffices for a whole stretch of a held load under positive terms, whatever its panels
+    /// are.
     ///
-    /// The [`folds_per_length`] are greatest at the edge, where ages grow by J′/Y′ per length. Of a term of the power p, over
-    /// the share u of the radius, that is p u/(1 − (1−u)^p) < 1 + p u times as much in all as the ages grow, which is χ times
-    /// the duration at most.
+    /// The [`folds_per_length`] are greatest at the edge, where ages grow by J′/Y′ per length. For a term of power p,
+    /// over the share u of the radius, that adds up to p u/(1 − (1−u)^p) < 1 + p u times the growth of the ages, which
+    /// is at most χ times the duration.
     fn changes_little(&self) -> bool {
         let (contact, high) = (self.contact, self.high);
         let (n, length) = (contact.profile().highest_exponent(), high - self.low);
         let powers = (n + T::one()) * length;
         let fading = self.course.folds(contact.medium().chi()) * (high + (n + T::constant(4.0)) * length);
         let centre = folds_at_centre(contact.profile()) * length;
-        // Everything times the radius, and nothing divided.
+        // Both sides times the radius, so that nothing is divided.
         T::constant(MARGIN) * (powers + fading) + centre <= Rule::EIGHT.folds::<T>() * high
     }
 
     /// How fast the integrand changes at a depth, in e-foldings per length, for the choice of a rule: its powers, and
     /// e^(−χ age).
     ///
-    /// That is the logarithmic slope of its powers and of e^(−χ age), with a [`MARGIN`], and that of singularities,
-    /// [`FOLDS_AT_DISTANCE`].
+    /// These are the logarithmic slopes of its powers and of e^(−χ age), with a [`MARGIN`], and what singularities
+    /// count as, [`FOLDS_AT_DISTANCE`].
     fn folds_per_length(&self, depth: T, age: T) -> (T, T) {
         let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
         let top = self.high - depth;
         let step = (top - self.low) * T::constant(1.0 / 64.0);
-        // δ₀′ (s² − low²); what a high power adds may be little here, but no low rule integrates it.
+        // δ₀′ (s² − low²); a high power may add little here, but no short rule integrates it.
         let powers = (profile.highest_exponent() + T::one()) / top;
         let fading = chi * (self.age_at(depth + step) - age) / step;
         let of_singularity =
@@ -185,7 +188,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     }
 }
 
-/// What the centre counts as, over its distance: s^(n−1) next to s = 0 is noticed by a short rule from far away.
+/// What the centre counts as, per distance to it: a short rule notices s^(n−1) next to s = 0 from far away.
 fn folds_at_centre<T: Scalar, P: GapProfile<T>>(profile: &P) -> T {
     if profile.is_smooth_at_centre() { T::zero() } else { T::constant(FOLDS_AT_DISTANCE) }
 }

@@ -7,15 +7,15 @@
 //! (8/(π m)) ∫ Y′(τ) e^(−χ (end − τ)) {a² − low², 1} / a⁴ dτ,    a = a(Y(τ))
 //! ```
 //!
-//! With v the share of a piece that lies behind a time in it, Y falls short of its final value by R v − B v²/2, where
-//! R − B v is Y′ times the duration. All nodes of a run of pieces are solved for their radii together, which takes
-//! a fraction of the time of one radius after the other, and summed; nothing else is done for each piece.
+//! Let v be the share of a piece that lies after a time in it. Then Y falls short of its final value by R v − B v²/2,
+//! where R − B v is Y′ times the duration. The radii at all nodes of a run of pieces are solved for together, in a
+//! fraction of the time that one after the other takes, and summed; nothing else is done for each piece.
 //!
-//! **Which rule.** e^(−χ age) changes by the piece's e-foldings. w(Y) = a⁻⁴ is nearly a power of Y; its singularity
-//! is where Y, continued, is zero, further away than the root of |R| v + |B| v²/2 = Y. For every rule [`RULES`] holds
-//! the most e-foldings and the least distance of which it makes an error of ε/4 alone, in Y′ w e^(−χ age) with any
-//! w between Y^(−4/4.25) and Y^(−4/68) and any straight Y′, also one that vanishes at an end. What has faded by e^(−x)
-//! since may have an error of e^x times that, which a rule of n nodes makes of e^(x/(2n+1)) times as many e-foldings.
+//! **Which rule.** e^(−χ age) changes by the piece's e-foldings. w(Y) = a⁻⁴ is nearly a power of Y; its singularity is
+//! where Y, continued, is zero, further away than the root of |R| v + |B| v²/2 = Y. For every rule, [`RULES`] holds the
+//! most e-foldings and the least distance that alone cause an error of ε/4 in Y′ w e^(−χ age), with any w between
+//! Y^(−4/4.25) and Y^(−4/68) and any straight Y′, also one that vanishes at an end. What has since faded by e^(−x) may
+//! have e^x times that error, which a rule of n nodes makes with e^(x/(2n+1)) times as many e-foldings.
 //!
 //! **Where w has another singularity**, which is where δ₀′ vanishes in the plane of complex radii, the radii themselves
 //! show that the rule is too short. Such pieces are left to the other forms.
@@ -38,7 +38,7 @@ const MOST_NODES: usize = 96;
 /// A number for every piece.
 type Pieces<T> = [T; MOST_PIECES];
 
-/// A rule, and the pieces that are short enough for it.
+/// A rule, and which pieces are short enough for it.
 #[derive(Clone, Copy, Debug)]
 struct ShortRule {
     rule: &'static Rule,
@@ -46,13 +46,13 @@ struct ShortRule {
     per_fold: Tabled,
     /// The least distance to the singularity from the end of a piece, in units of its duration.
     distance: Tabled,
-    /// 1/(4 (2n + 1)): what e-foldings that have faded since are multiplied by.
+    /// 1/(4 (2n + 1)), the factor of the e-foldings that have faded since.
     per_faded: Tabled,
 }
 
-/// Found by bisection in 40 digits, for ε/4 in f64, and rounded to the safe side. Half of both together makes less than
-/// ε/16. The distance of the rule of 4 nodes is half as much again, because its radii are not told from unresolved ones
-/// before.
+/// Found by bisection in 40 digits, for ε/4 in f64, and rounded to the safe side. Half of both limits together makes an
+/// error below ε/16. The distance of the rule of 4 nodes is half as much again, because closer to the singularity its
+/// radii cannot be told from unresolved ones.
 const RULES: [ShortRule; 5] = [
     ShortRule::of(Rule::FOUR, 0.067, 75.0),
     ShortRule::of(Rule::SIX, 0.66, 6.8),
@@ -61,14 +61,14 @@ const RULES: [ShortRule; 5] = [
     ShortRule::of(Rule::TWELVE, 7.6, 0.82),
 ];
 
-/// Short pieces one after the other, without a step between them.
+/// Consecutive short pieces, without a step between them.
 pub(super) struct Run<T> {
     count: usize,
     rule: &'static Rule,
     /// χ times the duration of each piece, and of all pieces after it.
     folds: Pieces<T>,
     since_end: Pieces<T>,
-    /// The hereditary loads at the ends, R and B of the module documentation.
+    /// The hereditary loads at the ends, and R and B of the module documentation.
     hereditary: Pieces<T>,
     rates: Pieces<T>,
     bends: Pieces<T>,
@@ -79,7 +79,7 @@ pub(super) struct Run<T> {
 }
 
 impl<T: Scalar> Run<T> {
-    /// No piece, at the end of which the load had an impulse.
+    /// No pieces, after a history with an impulse.
     fn none(impulse: CompensatedSum<T>) -> Self {
         let none = [T::zero(); MOST_PIECES];
         Self {
@@ -95,9 +95,9 @@ impl<T: Scalar> Run<T> {
         }
     }
 
-    /// The first of `pieces`, before which the load had an impulse, as many as are short.
+    /// The short ones among the first of `pieces`, before which the load had an impulse.
     ///
-    /// `faded` says by how many e-foldings what a piece lays down has faded at least when it counts.
+    /// `faded` is the least number of e-foldings by which what a piece lays down has faded when it counts.
     pub(super) fn of(
         pieces: &[Piece<T>],
         chi: T,
@@ -105,7 +105,7 @@ impl<T: Scalar> Run<T> {
         faded: impl Fn(&Piece<T>) -> T,
     ) -> Self {
         let mut run = Self::none(impulse);
-        // By how much the rounding of T is larger than that of f64.
+        // The logarithm of how much larger the rounding of T is than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
         let mut rules = RULES.iter();
         let mut rule = rules.next();
@@ -134,7 +134,7 @@ impl<T: Scalar> Run<T> {
         run
     }
 
-    /// Takes one more piece, at the end of which there is a hereditary load.
+    /// Takes one more piece, with the hereditary load at its end.
     fn push(&mut self, growth: &Growth<T>, hereditary: T) {
         let place = self.count;
         self.folds[place] = growth.folds;
@@ -144,7 +144,7 @@ impl<T: Scalar> Run<T> {
         self.count += 1;
     }
 
-    /// Sets how many e-foldings before the last piece the others end.
+    /// Sets how many e-foldings before the end of the last piece each piece ends.
     fn set_times_since_ends(&mut self, pieces: &[Piece<T>], chi: T) {
         if let Some(last) = pieces.last() {
             for (since_end, piece) in self.since_end.iter_mut().zip(pieces) {
@@ -161,7 +161,7 @@ impl<T: Scalar> Run<T> {
     /// What the run adds to pressures at radii up to `low`, which are covered before it begins; none if the rule turns
     /// out to be too short.
     ///
-    /// Of what is there at the end, the share `remaining` is left at the time that counts.
+    /// Of what the run has laid by its end, the share `remaining` is left at the time that counts.
     pub(super) fn increment<P, L>(
         &self,
         contact: &Contact<T, P, L>,
@@ -197,8 +197,8 @@ impl<T: Scalar> Run<T> {
         )
     }
 
-    /// The hereditary loads at the nodes, a row of all pieces for each node of the rule, and the weights of what grows
-    /// there and is left at the end.
+    /// The hereditary loads at the nodes, one row of all pieces for each node of the rule, and the weights, which are
+    /// what Y gains there and is left at the end.
     #[inline(always)]
     fn fill(&self, hereditary: &mut [T], weights: &mut [T], ages: &mut [T]) {
         let rows = self.rows_mut(hereditary).zip(self.rows_mut(weights)).zip(self.rows_mut(ages));
@@ -225,8 +225,8 @@ impl<T: Scalar> Run<T> {
         values.chunks_exact_mut(self.count.max(1))
     }
 
-    /// Whether the rule integrates a function of the radii at the nodes of every piece, of which the share
-    /// `remaining` is left of what is left at the end.
+    /// Whether the rule resolves the radii at the nodes of every piece; of what is left at the end, the share
+    /// `remaining` is left at the time that counts.
     #[inline(always)]
     fn is_resolved(&self, radii: &[T], remaining: T) -> bool {
         let none = [T::zero(); MOST_PIECES];
@@ -260,8 +260,8 @@ struct Growth<T> {
 impl<T: Scalar> Growth<T> {
     fn along(piece: &Piece<T>, chi: T) -> Self {
         let folds = chi * piece.duration();
-        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative. It is left so, lest what is
-        // rounded the other way adds up.
+        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative. It stays negative, or else
+        // roundings the other way would add up.
         let rate = piece.rise() + folds * piece.end.1;
         Self { folds, rate, bend: folds * piece.rise() }
     }
@@ -272,7 +272,7 @@ impl<T: Scalar> Growth<T> {
 }
 
 impl ShortRule {
-    /// Of the most e-foldings of a piece, and the least distance.
+    /// A rule with the most e-foldings of a piece and the least distance.
     const fn of(rule: &'static Rule, folds: f64, distance: f64) -> Self {
         let per_faded = 0.25 / (2 * rule.len() + 1) as f64;
         Self {
@@ -289,7 +289,7 @@ impl ShortRule {
         let root = T::one() + faded * self.per_faded.get::<T>();
         let square = root * root;
         let of_distance = square * square - growth.folds * self.per_fold.get::<T>();
-        // |R| v + |B| v²/2 < Y at the v that far away.
+        // |R| v + |B| v²/2 must be below Y at the v of the least distance.
         let v = T::one() + self.distance.get::<T>() / of_distance;
         let shortfall = v * (growth.rate.abs() + growth.bend.abs() * T::constant(0.5) * v);
         (of_distance > T::zero()) & (shortfall <= hereditary)
@@ -350,7 +350,7 @@ mod tests {
         // δ₀′ = s (1 − 2 (s/7) + (1 + 1e-6) (s/7)²), and the radius passes 7 mm.
         let terms = [(1.0, 2.0), (-5.0 / 21.0, 3.0), (0.75 * 1.000_001 / 49.0, 4.0)];
         for knots in [5, 20, 80, 320] {
-            // The terms of J cancel to one in 97 there, which multiplies what is rounded.
+            // There the terms of J cancel to 1/97, which multiplies rounding.
             let error = difference::<f64>(&terms, 1.5e-3, knots);
             assert!(error.is_some_and(|e| e < 97.0), "{knots} knots: {error:?}");
         }

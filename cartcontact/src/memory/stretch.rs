@@ -14,15 +14,15 @@ pub(super) struct Stretch<'a, T, P, L> {
     pub(super) low: T,
     /// The contact radius at the end of the stretch.
     pub(super) high: T,
-    /// What the hereditary load at the end exceeds that of the radius `high`, which is rounded.
+    /// The amount by which the hereditary load at the end exceeds that of the rounded radius `high`.
     pub(super) surplus: T,
-    /// Whether all that the course lays counts, and not only what it does from `low` on.
+    /// Whether the whole course counts, rather than only the part beyond `low`.
     pub(super) is_whole: bool,
 }
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
 pub(super) enum Course<'a, T> {
-    /// At once, and as long before the end as it takes for what is left of it.
+    /// All at once, `age` before the end, chosen so that the right share is left at the end.
     Step { age: T },
     /// Along a straight load.
     Linear { line: Line<T>, duration: T },
@@ -58,7 +58,7 @@ impl<'a, T: Scalar> Course<'a, T> {
         }
     }
 
-    /// Whether the load, if it lasts, was held, so that ages grow as deficits do.
+    /// Whether the load, if the course takes time, was held, so that ages grow as deficits do.
     pub(super) fn is_held(&self) -> bool {
         match self {
             Self::Step { .. } => true,
@@ -67,7 +67,7 @@ impl<'a, T: Scalar> Course<'a, T> {
         }
     }
 
-    /// Whether the forces at its ends tell those between them.
+    /// Whether the forces at its ends determine those between them.
     pub(super) fn is_straight(&self) -> bool {
         match self {
             Self::Step { .. } | Self::Linear { .. } => true,
@@ -92,10 +92,11 @@ fn is_instant<T: Scalar>(folds: T) -> bool {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
-    /// What the stretch adds to the pressure, and whether it is integrated over time, up to the exact radius at its end.
+    /// What the stretch adds to the pressure, and whether it is integrated over time, and so up to the exact radius at
+    /// its end.
     ///
-    /// A falling load can make τ(s) steep like a square root, and so can one that is not straight, where the edge nearly
-    /// stands still; all others are integrated over the radius, which needs no inversion of J.
+    /// Where the edge nearly stands still, a falling load can make τ(s) steep like a square root, and so can one that
+    /// is not straight; all others are integrated over the radius, which needs no inversion of J.
     #[inline(always)]
     pub(super) fn increment(&self) -> (Increment<T>, bool) {
         // Rounding can put the radii in the wrong order.
@@ -135,16 +136,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         self.course.age(self.deficit(drop))
     }
 
-    /// By how much the hereditary load at the end exceeds that of a radius whose J is less by a drop.
+    /// By how much the hereditary load at the end exceeds that of a radius whose J is smaller by `drop`.
     #[inline(always)]
     fn deficit(&self, drop: T) -> T {
         self.contact.load_per_integral() * drop + self.surplus
     }
 
-    /// Leaves of weights, laid at radii whose J is less by some drops, what is left at the end: e^(−χ age) of each.
+    /// Multiplies each weight, laid at a radius whose J is smaller by a drop, by e^(−χ age), the share left at the end.
     #[inline(always)]
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
-        // Where a formula gives all ages, vectors take them.
+        // Ages that one formula gives are computed in vectors.
         match *self.course {
             Course::Linear { line, .. } if line.is_held() => self.fade_by(
                 #[inline(always)]
@@ -179,12 +180,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         )
     }
 
-    /// How near, in the plane of complex radii, the age of a radius below `top` has a singularity.
+    /// The distance, in the plane of complex radii, at which the age of a radius below `top` has a singularity.
     ///
-    /// Along a straight rising load it is the branch point of the square root, Y′ = 0, which the load would have
-    /// to have come from: J falls short of its value at the edge by Y′²/(2 χ F′). J is nearly a power a^p, with
-    /// p = a J′/J at `top`; where it would have to be negative, |J|^(1/p) e^(iπ/p) is the nearest root, and
-    /// sin(π/p) > 2.8/p for p ≥ 4. Of any other load nothing is known; it is taken to have half that distance.
+    /// Along a straight rising load it is the branch point of the square root, Y′ = 0, of the load continued backwards:
+    /// there J falls short of its value at the edge by Y′²/(2 χ F′). J is nearly a power a^p, with p = a J′/J at `top`;
+    /// where it would have to be negative, |J|^(1/p) e^(iπ/p) is the nearest root, and sin(π/p) > 2.8/p for p ≥ 4. For
+    /// any other load nothing is known; half that distance is assumed.
     pub(super) fn singularity(&self, top: T) -> Option<T> {
         let half = T::constant(0.5);
         let off_axis = |radius: T, degree: T| radius * T::constant(2.8) / degree;
@@ -195,7 +196,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 let profile = self.contact.profile();
                 let load_integral = profile.quick_load_integral(top);
                 let deficit = (hereditary_rate / force_rate) * (hereditary_rate / chi) * half;
-                // In shares of J at `top`: the deficit is a force, and over π m/4 it may be out of range.
+                // As shares of J at `top`: the deficit is a force, and divided by π m/4 it may be out of range.
                 let share_of_deficit = deficit / (self.contact.load_per_integral() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
                 let degree = self.contact.degree(top, load_integral);

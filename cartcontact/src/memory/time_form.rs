@@ -1,21 +1,21 @@
 //! The memory integrals over time, along a falling load or one that is not straight.
 //!
-//! Let D(x) be by how much the hereditary load x e-foldings before the end is below its final value: along a straight
-//! load R x + G x²/2, where R = Y′/χ at the end and G = −F′/χ are forces. Then δ₀′ ds = 2 dD/((π m/4) s⁴) turns the
-//! integrals over s into
+//! Let D(x) be the amount by which the hereditary load x e-foldings before the end is below its final value: along a
+//! straight load it is R x + G x²/2, where R = Y′/χ at the end and G = −F′/χ are forces. Then δ₀′ ds = 2 dD/((π m/4)
+//! s⁴) turns the integrals over s into
 //!
 //! ```text
 //! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1} / s⁴ · dx
 //! ```
 //!
-//! with s from the inverse of J, up to the exact radius at the end. The integrand stays smooth where the load falls as fast
-//! as e^(−χ t), Y′ = 0; over the radius it would have the square root of a zero. Panels keep their distance from where Y, continued
-//! backwards, reaches zero.
+//! with s from the inverse of J, up to the exact radius at the end. The integrand stays smooth where the load falls as
+//! fast as e^(−χ t), Y′ = 0; over the radius it would contain a square root that vanishes. Panels keep their distance
+//! from the time at which Y, continued backwards, reaches zero.
 //!
 //! The other singularities are where δ₀′ vanishes in the plane of complex radii. Where one is near, s changes so fast
-//! that its values at the nodes show it; the finest rule and shorter panels follow. Next to it, panels of √ε/16 of the
-//! stretch are short enough: over one of them s changes like a cube root at worst, by 1e-3 in f64, of which 24 nodes
-//! miss 2e-4, and all that times the length is ε. Nothing shorter can be told from the rounding of s.
+//! that its values at the nodes show it; then the finest rule and shorter panels are used. Next to it, panels of √ε/16
+//! of the stretch are short enough: over one of them s changes like a cube root at worst, by 1e-3 in f64; 24 nodes miss
+//! 2e-4 of that, and the product with the length is ε. Nothing shorter can be told from the rounding of s.
 
 use super::Increment;
 use super::stretch::Stretch;
@@ -26,11 +26,11 @@ use crate::load::Load;
 use crate::quadrature::{MOST_NODES, Rule};
 use crate::{GapProfile, Scalar};
 
-/// How often panels are halved at most. A user-defined geometry may have radii that no panel resolves.
+/// The most halvings of panels. A user-defined geometry may have radii that no panel resolves.
 const MOST_HALVINGS: u32 = 256;
 
 /// The increment of a stretch during which the hereditary load falls short of its final value by D and rises at D′,
-/// the `shortfall` of x; R and G of a parabola that nowhere rises less.
+/// which `shortfall` gives for x; `rate` and `rise` are R and G of a parabola that nowhere rises less.
 pub(super) fn increment<T, P, L>(
     stretch: &Stretch<'_, T, P, L>,
     (rate, rise): (T, T),
@@ -77,7 +77,7 @@ where
     sum
 }
 
-/// How far the hereditary load fell short of its final value, which is that of a load integral.
+/// How far the hereditary load fell short of its final value, which is given by its load integral.
 struct History<'a, T, P, L, S> {
     contact: &'a Contact<T, P, L>,
     final_integral: T,
@@ -93,11 +93,11 @@ where
     L: Load<T>,
     S: Fn(T) -> (T, T),
 {
-    /// When the hereditary load would have been zero, if it rose at `rate` at the `longest` age, and before at one that
-    /// was higher by `rise` per e-folding.
+    /// The age at which the hereditary load would have been zero, if it rose at `rate` at the `longest` age, and before
+    /// that faster by `rise` per e-folding.
     fn age_of_nothing(&self, (rate, rise): (T, T), longest: T) -> T {
         let two = T::constant(2.0);
-        // In shares of what there was: the squares of forces may be out of range.
+        // As shares of the hereditary load then: the squares of forces may be out of range.
         let hereditary =
             self.contact.load_per_integral() * self.contact.profile().quick_load_integral(self.low);
         let (rate, rise) = (rate / hereditary, rise / hereditary);

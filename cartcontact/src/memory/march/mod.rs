@@ -1,21 +1,21 @@
 //! From one stage to another, knot by knot.
 //!
 //! **Rounding.** The hereditary load Y grows like χ t, and an error ε Y is an error ε Y/F in χ t: after a long history
-//! two stages computed on their own would not agree on what lies between them. So only differences are used: a
-//! surplus follows from the one before it by what Y and J gained since, both without cancellation.
+//! two stages computed independently would not agree on what lies between them. So only differences are used: a surplus
+//! follows from the previous one and from what Y and J have gained since, both without cancellation.
 //!
-//! **The strip** is the ring between the rounded radius and the exact one. An integral over the radius runs between rounded
-//! radii, so that it lays the strip at its beginning again: that much is taken out first, and the strip at the very end is
-//! added when the march is over. Integrals over time, and what is laid at once where the edge stands still, know nothing of
-//! rounded radii: there the strip stays, and fades with the rest. To count it as new would be wrong under a load that falls
-//! as fast as e^(−χ t), under which it would soon be all the pressure there is.
+//! **The strip** is the ring between the rounded radius and the exact one. An integral over the radius runs between
+//! rounded radii, so it lays the strip at its beginning a second time: that strip is taken out first, and the strip at
+//! the very end is added after the march. Integrals over time, and pressures laid at once where the edge stands still,
+//! do not use rounded radii: there the strip stays, and fades with the rest. Counting it as new would be wrong under a
+//! load that falls as fast as e^(−χ t): it would soon be the whole pressure.
 //!
-//! **The load** that a stretch adds follows from the forces at its ends, and what its integral gives is scaled to it: then
-//! forces balance, and on the axis most of what is rounded cancels. Of a cut stretch, and of forces that are all
-//! rounding, nothing is known.
+//! **The load** that a stretch adds follows from the forces at its ends, and its integral is scaled to that load: then
+//! forces balance, and on the axis most of the rounding cancels. The load is unknown for a cut stretch and where forces
+//! are pure rounding, so nothing is scaled there.
 //!
-//! **Straight loads.** The load hands out its pieces in order. As many as are short are integrated at once,
-//! [`run`](super::run), the others one by one.
+//! **Straight loads.** The load hands out its pieces in order. Short ones are integrated many at once
+//! ([`run`](super::run)), the others one by one.
 //!
 //! **Loads that are not straight** are followed in [`steps`].
 
@@ -30,8 +30,8 @@ use crate::load::{Load, Piece, knot_between};
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 
-/// The transition for radii up to `reach`, at least the first radius, to a time with its contact radius.
-// Compiled into its few callers, which need not copy the stages.
+/// The transition to a time with its contact radius, for radii up to `reach`, which is at least the first radius.
+// Inlined into its few callers, which then need not copy the stages.
 #[inline(always)]
 pub(crate) fn march<T, P, L>(
     contact: &Contact<T, P, L>,
@@ -52,7 +52,7 @@ where
         radius: radius.max(from.radius),
         force,
         now: from,
-        // The pressures at the start have the strip beyond its rounded radius.
+        // The pressures at the start include the strip beyond its rounded radius.
         has_strip: reach <= from.radius,
         transition: Transition::none(reach),
     };
@@ -67,21 +67,21 @@ where
     march.transition
 }
 
-/// Whether a difference is not one of nearly the same.
+/// Whether a difference, of numbers whose magnitudes add up to `sizes`, has not lost its digits.
 fn has_digits<T: Scalar>(difference: T, sizes: T) -> bool {
     sizes <= T::constant(16.0) * difference
 }
 
-/// A transition on its way.
+/// A transition in progress.
 struct March<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
-    /// Where it ends; that radius must be met to the last bit.
+    /// Where it ends; the radius there must be met to the last bit.
     time: T,
     radius: T,
-    /// The force there.
+    /// The force at the end.
     force: T,
     now: Stage<T>,
-    /// Whether the transition has what lies between the rounded radius and the exact one.
+    /// Whether the transition includes the strip of the present stage.
     has_strip: bool,
     transition: Transition<T>,
 }
@@ -94,8 +94,9 @@ impl<T: Scalar, P, L> Clone for March<'_, T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
-    /// Continues to the end along a straight load, and through the jump that it may make there: as
-    /// [`advance_in_pieces`](Self::advance_in_pieces) would, but most loads are held, and need no room for pieces.
+    /// Continues to the end along a straight load, and through the jump that it may make there.
+    /// [`advance_in_pieces`](Self::advance_in_pieces) would do the same, but most loads are held and need no room for
+    /// pieces.
     fn advance_in_one_piece(&mut self) {
         let (load, start) = (self.contact.load(), self.now.time);
         if start < self.time {
@@ -123,7 +124,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 self.jump(last, next);
                 ahead = rest;
             }
-            // A user-defined load may know no more pieces.
+            // A user-defined load may give no more pieces.
             if self.now.time <= start {
                 break;
             }
@@ -142,7 +143,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         if self.now.time < self.time { self.contact.load().force(self.now.time) } else { self.force }
     }
 
-    /// Passes a jump of the load, which never falls there. One of no height may have a derivative.
+    /// Passes a jump of the load, which is never downward. A jump of no height may have a derivative.
     fn jump(&mut self, before: T, after: T) {
         if after > before || !is_plain::<T>() {
             let radius = self.radius_under(self.now.time, after);
@@ -150,11 +151,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    /// Continues along the pieces ahead that are short, and returns how many they are; not along any of them if one turns
-    /// out not to be.
+    /// Continues along the short pieces that come first, and returns how many there are; continues along none if one of
+    /// them turns out not to be short.
     fn advance_run(&mut self, pieces: &[Piece<T>]) -> usize {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        // One piece alone costs less over the radius, and between two pieces may be a step that only derivatives show.
+        // A single piece costs less over the radius, and between two pieces there may be a step that only derivatives
+        // show.
         if pieces.len() < 2 || !is_plain::<T>() || !self.is_covered() {
             return 0;
         }
@@ -171,7 +173,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 let load = kept * contact.integral_per_load();
                 increment = increment.scaled_to_load(load, self.transition.reach);
             }
-            // Times know nothing of rounded radii: what they lay includes the strips.
+            // Integrals over time do not use rounded radii: they include the strips.
             self.add_strip();
             self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);
             self.now.impulse = run.impulse;
@@ -182,10 +184,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         run.len()
     }
 
-    /// By how many e-foldings, at least, the share has faded that a piece has in the pressures at the end.
+    /// The least number of e-foldings by which a piece's share in the pressures at the end has faded.
     ///
-    /// What was there when the piece ended carries F e^(−χ age) of the force at the end, on a disc that is smaller; a
-    /// margin of 3 makes up for the sizes of the discs.
+    /// The pressures when the piece ended carry F e^(−χ age) of the force at the end, on a smaller disc; a margin of 3
+    /// makes up for the sizes of the discs.
     fn faded_since(&self, piece: &Piece<T>) -> T {
         if piece.end.1 > self.force {
             return T::zero();
@@ -193,11 +195,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         (self.contact.medium().chi() * (self.time - piece.end.0) - T::constant(3.0)).max(T::zero())
     }
 
-    /// Leaves out what a straight stretch that does not fall adds so early that nothing of it is left at its end, and
-    /// returns the rest.
+    /// Skips the early part of a straight stretch that does not fall, of which nothing is left at its end, and returns
+    /// the rest.
     ///
-    /// What a held load covered `folds` e-foldings ago carries e^(−folds) of it. The panels of an integral are chosen for
-    /// what counts, next to the edge, and could not resolve it within a much longer stretch.
+    /// What a held load covered `folds` e-foldings ago carries e^(−folds) of it. The panels of an integral are chosen
+    /// to resolve what counts, next to the edge, and could not do so within a much longer stretch.
     fn skip_what_fades(&mut self, piece: Piece<T>) -> Piece<T> {
         let chi = self.contact.medium().chi();
         let folds = faded_folds::<T>();
@@ -208,7 +210,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         {
             return piece;
         }
-        // At least a few roundings of the time, lest nothing is left.
+        // At least a few roundings of the time, so that something is left.
         let time = end - (folds / chi).max(end * T::default_epsilon() * T::constant(4.0));
         let skipped = piece.before(time);
         self.now.impulse.add(skipped.impulse());
@@ -236,7 +238,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.time = piece.end.0;
     }
 
-    /// Extends the contact to a radius along a course of the load between two forces, on which the hereditary load
+    /// Extends the contact to a radius along a course of the load between two forces, during which the hereditary load
     /// gains `gain`.
     fn cover(&mut self, high: T, course: &Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
@@ -267,7 +269,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
         self.transition.advance(fading, self.quarter_m(), increment, low);
         self.now = Stage { radius: high, surplus, ..self.now };
-        // Of a surplus that is left out there is none.
+        // A surplus that is left out has no strip.
         self.has_strip = is_over_time;
     }
 
@@ -276,7 +278,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.transition.reach <= self.now.radius
     }
 
-    /// Lets time pass in which nothing is covered.
+    /// Lets time pass during which nothing is covered.
     fn fade(&mut self, fading: Fading<T>) {
         if self.is_covered() {
             self.add_strip();
@@ -291,7 +293,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now.surplus + (gain - contact.load_per_integral() * growth)
     }
 
-    /// Adds what lies between the rounded radius and the exact one.
+    /// Adds the strip.
     fn add_strip(&mut self) {
         if !self.has_strip {
             self.add_at_edge(self.now.strip(self.contact.integral_per_load()));
@@ -299,8 +301,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    /// Takes away what an integral over the radius, which begins at the rounded one, will have between that and the exact
-    /// one.
+    /// Takes the strip away, which an integral over the radius includes because it begins at the rounded radius.
     fn leave_strip(&mut self) {
         if self.has_strip {
             self.add_at_edge(-self.now.strip(self.contact.integral_per_load()));
@@ -313,15 +314,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.transition.add(self.quarter_m(), Increment::at(self.now.radius, weight, reach), reach);
     }
 
-    /// Lays what a stretch gains at its last radius, which is the first one but for some roundings.
+    /// Lays all that a stretch gains at its last radius, which is some roundings from its first.
     ///
-    /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over radii
-    /// can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁, whatever
-    /// the course; with one radius for all of it the pressure is off by the share by which the radius grew. All of it
-    /// includes the strip, which is as old as the rest.
+    /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over
+    /// radii can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁,
+    /// whatever the course; one radius for the whole gain puts the pressure off by the share by which the radius grew.
+    /// The gain includes the strip, which is as old as the rest.
     fn cover_at_once(&mut self, high: T, fading: Fading<T>, forces: (T, T), gain: T) {
         self.add_strip();
-        // Half-way is no other place, but there second derivatives are those of the gain.
+        // Half-way is the same place but for rounding, and there second derivatives are those of the gain.
         let at = if is_plain::<T>() { high } else { high - (high - self.now.radius) * T::constant(0.5) };
         let (kept, _) = fading.kept_of(forces);
         let kept = Stage { radius: at, surplus: kept, ..self.now };
@@ -332,7 +333,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now = Stage { radius: high, surplus, ..self.now };
     }
 
-    /// The contact radius at a time under a force at the impulse so far: not less than now, nor more than at the end.
+    /// The contact radius at a time under a force and the impulse so far: not less than now, nor more than at the end.
     fn radius_under(&self, time: T, force: T) -> T {
         if time >= self.time && force >= self.force {
             return self.radius;

@@ -1,16 +1,16 @@
 //! Loads that are not straight, step by step.
 //!
-//! Between knots such a load is followed in steps, within which its force is a
-//! [polynomial](crate::load::ForceSeries). A step is taken in one piece and in two halves; if the force is no polynomial,
-//! or has another impulse than the load, or the two do not agree, it is shortened to its first half, otherwise the next is
-//! twice as long. The halves are kept. No step is shorter than 2^−20 of the time between knots, nor than some roundings of
-//! the time, so the march ends; where forces next to zero are rounding, the first bound [grows](Shortest).
+//! Between knots such a load is followed in steps, within which its force is a [polynomial](crate::load::ForceSeries).
+//! A step is taken whole and in two halves. If the force is no polynomial, or has another impulse than the load, or the
+//! two results disagree, the step is shortened to its first half; otherwise the halves are kept, and the next step is
+//! twice as long. No step is shorter than 2^−20 of the time between knots, nor than some roundings of the time, so the
+//! march ends; where forces near zero are rounding, the first bound [grows](Shortest).
 //!
-//! **Jumps and kinks of which no knot tells** are polynomials in no step. A limited number of steps is halved further because
-//! of them, down to roundings of the time; what then is still none is a jump.
+//! **Jumps and kinks that no knot reports** are polynomials in no step. Because of them a limited number of steps is
+//! halved further, down to roundings of the time; a force that is still no polynomial then has a jump.
 //!
-//! What drains follows from the force wherever a step resolves it, so that the two ways agree in the end even if the impulse
-//! is that of another load.
+//! Drainage follows from the force wherever a step resolves it, so that the two results agree in the end even if the
+//! impulse is that of another load.
 
 use super::March;
 use crate::load::{ForceSeries, Load, Shortest};
@@ -19,19 +19,20 @@ use crate::memory::stretch::Course;
 use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 
-/// How often steps between knots are halved at most because of their impulse, which may simply be that of another load.
+/// The most halvings of steps between knots because of their impulse, which may simply be that of another load.
 const MOST_DOUBTS: u32 = 256;
-/// How often the shortest steps are halved further at most: for some sixty jumps and kinks, by 32 halvings each.
+/// The most further halvings of the shortest steps: for some sixty jumps and kinks, with 32 halvings each.
 const MOST_HALVINGS: u32 = 2048;
 
 /// The length of steps.
 struct Pace<T> {
     step: T,
-    /// How short steps are at most, and those of which only a limited number is: still long enough to move the time, also
-    /// where all of it is few of its roundings, or below the normal numbers.
+    /// How short steps may be.
     shortest: Shortest<T>,
+    /// How short a limited number of steps may be: still long enough to move the time, also where the whole duration is
+    /// few roundings of the time, or below the normal numbers.
     least: T,
-    /// How many more may be shorter than the shortest.
+    /// How many more steps may be shorter than `shortest`.
     halvings: u32,
 }
 
@@ -42,7 +43,7 @@ impl<T: Scalar> Pace<T> {
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
     }
 
-    /// The end of a step from a time on; the last one must not leave a rest that is too short to divide.
+    /// The end of a step that begins at `start`; no rest that is too short to divide may be left before `end`.
     fn stop(&self, start: T, end: T) -> T {
         let rest = self.step.min(self.shortest.length());
         if start + self.step + rest < end { start + self.step } else { end }
@@ -80,7 +81,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     pub(super) fn advance_in_steps(&mut self, end: T) {
         let mut pace = Pace::over(end - self.now.time, end);
         let mut doubts = MOST_DOUBTS;
-        // What a share x of the force leaves is a share x^((n+2)/(n+4)) of the pressure on the axis, and none elsewhere.
+        // A share x of the force leaves a share x^((n+2)/(n+4)) of the pressure on the axis, and nothing elsewhere.
         let negligible = self.force * (T::default_epsilon() * T::default_epsilon());
         while self.now.time < end {
             let start = self.now.time;
@@ -132,8 +133,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    /// How many of its own roundings a radius is off by where the load integral is rounded: little more than none, but where
-    /// the degree of that nearly vanishes.
+    /// How many of its own roundings a radius is off by, at least 1, because the load integral is rounded: many where
+    /// the degree of the load integral nearly vanishes.
     fn condition_of(&self, a: T) -> T {
         self.contact.degree(a, self.contact.profile().quick_load_integral(a)).recip().max(T::one())
     }
@@ -153,7 +154,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         force.is_loose(end) || force.misses(after - before, rounding * T::default_epsilon())
     }
 
-    /// Continues along a step, and through a jump at its end, of which a knot may tell or not.
+    /// Continues along a step, and through a jump at its end.
     fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
         let forces = self.forces_until(end);
         let (gained, of_series) = self.take_impulse(force, end);
@@ -161,11 +162,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.arrive(end, &Course::smooth(force), forces, gain);
     }
 
-    /// Continues through a step in which the force jumps, as if it did so at its end.
+    /// Continues through a step in which the force jumps, as if it jumped at the end.
     ///
-    /// Of what the hereditary load gains, as much has drained by then as that the pressures carry the force. Most jumps are
-    /// found in no time, in which nothing drains; but steps may also be long, where the search for shorter ones was given
-    /// up.
+    /// By then, as much of what the hereditary load gains has drained as lets the pressures carry the force. Most jumps
+    /// are narrowed down to an instant, in which nothing drains; but a step may also be long, where the search for
+    /// shorter ones was given up.
     fn advance_through_jump(&mut self, force: &ForceSeries<T>, end: T) {
         let chi = self.contact.medium().chi();
         let (first, last) = self.forces_until(end);
@@ -173,7 +174,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let folds = chi * (end - self.now.time);
         let fading = Fading::over(folds);
         let (gain, (kept, _)) = ((last - first) + chi * gained, fading.kept_of((first, last)));
-        // More than such a force can make is the rounding of an impulse, which says nothing of what has drained.
+        // An impulse larger than such a force can make is rounding, and says nothing about what has drained.
         let is_of_force = chi * gained <= folds * (force.largest() + force.largest());
         let age =
             if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
@@ -181,7 +182,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.arrive(end, &Course::Step { age }, (fading.after(first, T::zero()), last), gain);
     }
 
-    /// Covers what the contact reaches at the end of a step, and passes a jump there, whether or not at a knot.
+    /// Covers what the contact reaches at the end of a step, and passes a jump there, which a knot may report or not.
     fn arrive(&mut self, end: T, course: &Course<'_, T>, forces: (T, T), gain: T) {
         let radius = self.radius_under(end, forces.1);
         self.cover(radius, course, forces, gain);
@@ -195,8 +196,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         (load.force(self.now.time), load.force_before(end))
     }
 
-    /// Continues through a step in whatever way if the contact does not come to the radii that the transition is for: then
-    /// nothing but the impulse counts.
+    /// Continues through a step if the contact stays below the radii that the transition is for: then only the impulse
+    /// counts, and any way will do.
     fn advance_below_reach(&mut self, force: &ForceSeries<T>, end: T) -> bool {
         let mut ahead = self.clone();
         ahead.advance_through_jump(force, end);
@@ -207,11 +208,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         is_below
     }
 
-    /// Adds what the impulse gains in a step until its end, and returns it with what the series makes of it.
+    /// Adds the gain of the impulse up to the end of a step, and returns it with the gain according to the series.
     fn take_impulse(&mut self, force: &ForceSeries<T>, end: T) -> (T, T) {
         let load = self.contact.load();
         let impulse = load.impulse(end);
-        // Where the series is rough, the difference of two impulses may be the better one.
+        // Where the series is rough, the difference of two impulses may be more accurate.
         let (of_series, uncertainty) = force.impulse();
         let is_better = uncertainty <= impulse.max(of_series) * T::default_epsilon();
         let gained = if is_better { of_series } else { impulse - load.impulse(self.now.time) };
