@@ -7,7 +7,7 @@ use crate::scalar::{is_single, is_size};
 
 /// One biphasic layer on its bone.
 ///
-/// Any consistent units do; the field's own are mm, N, MPa = N/mm² and s.
+/// Any consistent units will do; those of the field are mm, N, MPa = N/mm² and s.
 ///
 /// # Examples
 ///
@@ -30,7 +30,8 @@ pub struct Layer<T> {
 }
 
 impl<T: Scalar> Layer<T> {
-    /// The time in which fluid diffuses through the layer, in s: results hold for times that are short against it.
+    /// The time in which fluid diffuses through the layer, in s: results hold for times that are short compared with
+    /// it.
     ///
     /// `poisson_ratio` is that of the solid matrix, ν. Without permeability the time is infinite.
     ///
@@ -40,8 +41,8 @@ impl<T: Scalar> Layer<T> {
     /// h²/(k H),     H = 2 μ (1 − ν)/(1 − 2 ν)
     /// ```
     ///
-    /// H is the aggregate modulus λ + 2 μ. For one layer, or two that are alike, the memory fades within a like time,
-    /// 1/χ = h²/(3 μ k).
+    /// H is the aggregate modulus λ + 2 μ. For one layer, or two that are alike, the memory fades within a similar
+    /// time, 1/χ = h²/(3 μ k).
     ///
     /// # Errors
     ///
@@ -70,7 +71,7 @@ impl<T: Scalar> Layer<T> {
         Ok(quotient([per_modulus, h, h], [shear_modulus, permeability]))
     }
 
-    /// Whether the three constants are those of a layer.
+    /// Whether the three constants are valid.
     fn check(&self) -> Result<(), MediumError> {
         let positive = |x: T| x > T::zero() && x.is_finite();
         if !positive(self.thickness) {
@@ -106,7 +107,7 @@ impl<T: Scalar> Layer<T> {
 
 /// The product of some numbers over that of others, which is out of range only if the result is.
 ///
-/// Zeros and what is no number are no powers of two times a fraction, and leave the range nowhere.
+/// Zeros, infinities and NaN are not split into a fraction and a power of two; they never leave the range.
 fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N], divisors: [T; M]) -> T {
     // Of five numbers between 1/most and most all products are in range.
     let most = T::constant(if is_single::<T>() { 3e7 } else { 1e60 });

@@ -20,7 +20,7 @@ use crate::profile::GapProfile;
 /// let now = contact.at(0.0)?;
 /// let a = now.radius();
 /// assert_eq!((now.time(), now.force()), (0.0, 100.0));
-/// // Of a paraboloid C r² before anything has drained: δ₀ = C a²/2 and P = (m C/16) (a² − r²)².
+/// // For a paraboloid C r² before anything has drained: δ₀ = C a²/2 and P = (m C/16) (a² − r²)².
 /// assert!((now.approach() - 0.025 * a * a / 2.0_f64).abs() < 1e-15);
 /// assert!((now.pressure(3.0) - 0.375 * 0.025 / 16.0 * (a * a - 9.0_f64).powi(2)).abs() < 1e-14);
 /// assert_eq!((now.peak_pressure(), now.pressure(a)), (now.pressure(0.0), 0.0));
@@ -102,8 +102,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         change.apply(self.initial_pressure(start, r), r)
     }
 
-    /// The pressure P(0, t) on the axis, the largest of all, in MPa, within 8 units in the last place: a third of the bound
-    /// of [`pressure`](Self::pressure) at r = 0.
+    /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place: a third of the
+    /// bound of [`pressure`](Self::pressure) at r = 0.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }
@@ -113,7 +113,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
         let start = self.start_of_memory();
         let from_start = march(self.contact, start, (self.time, self.radius), start.radius);
-        // A loop without branches; what it gives beyond the start means nothing and is replaced by the next.
+        // A loop without branches; its values beyond the radius at the start mean nothing and are replaced by the next
+        // loop.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
         let initial_stiffness = if start.time.is_zero() { m } else { T::zero() };
         let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()) * T::constant(0.25));
@@ -150,7 +151,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// The stage before which the history no longer counts: 0, or where it has faded below rounding.
     ///
-    /// F e^(χ τ) never falls, so what was there at τ carries at most the share F(τ) e^(−χ (t−τ)) of F(t) now.
+    /// F e^(χ τ) never falls, so the pressures at τ now carry at most F(τ) e^(−χ (t−τ)) of F(t).
     pub(crate) fn start_of_memory(&self) -> Stage<T> {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let folds = faded_folds::<T>();
@@ -159,12 +160,12 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         while past < chi * self.time {
             let time = self.time - past / chi;
             if time >= self.time {
-                // Fewer e-foldings than one rounding of the time.
+                // So many e-foldings are less than one rounding of the time.
                 past += past;
                 continue;
             }
             let share = load.force(time) * (folds - past).exp();
-            // Also where the share is not a number, lest the search goes on.
+            // Also where the share is not a number, so that the search ends.
             if share.partial_cmp(&present) != Some(core::cmp::Ordering::Greater) {
                 return self.past_stage(time);
             }

@@ -1,9 +1,9 @@
-//! Numbers of common size, which leave the format in no formula.
+//! Numbers of common size, with which no formula leaves the format.
 //!
 //! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two are J/a⁵
-//! and J but for a factor of the exponents. If rate, force, load integral and radius lie between 1/b and b, all of
-//! these lie between b⁻⁶ and b⁶ but for that factor, which are normal numbers: a few comparisons with constants stand
-//! for a division and a dozen of them. What is not so common is asked the conditions themselves.
+//! and J up to a factor that depends on the exponents. If rate, force, load integral and radius lie between 1/b and b,
+//! all of these lie between b⁻⁶ and b⁶ up to that factor, and are normal numbers: a few comparisons with constants
+//! replace a division and a dozen comparisons. Where numbers are less common, the conditions themselves are checked.
 
 use super::Loading;
 use crate::Scalar;
@@ -33,14 +33,14 @@ impl<T: Scalar> CommonSizes<T> {
         chi.is_zero() | self.contain(chi)
     }
 
-    /// The time itself if it is one of common size, otherwise one that is.
+    /// The time itself if it is of common size, otherwise a time that is.
     #[inline(always)]
     pub(super) fn time_near(self, time: T) -> T {
         let zero = T::zero();
         lesser(if time >= zero { time } else { zero }, self.most)
     }
 
-    /// Whether the load is such as a contact accepts.
+    /// Whether a load of common size is one that a contact accepts.
     ///
     /// An infinite impulse makes the load integral infinite or, times a rate of zero, not a number.
     #[inline(always)]

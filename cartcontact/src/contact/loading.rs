@@ -18,14 +18,14 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether the load has all its digits: as it is, over π m/4, times χ and times t.
+    /// Whether the load has all its digits: as it is, divided by π m/4, times χ and times t.
     #[inline(always)]
     pub(super) fn has_digits(&self, chi: T, load_integral: T) -> bool {
         let (force, least) = (self.force, smallest_normal());
         let drained = chi * force;
         let has_drained = chi.is_zero() | ((drained >= least) & (drained + drained).is_finite());
         let has_force = force.is_zero() | ((force >= least) & has_drained);
-        // Of an impulse only what is not rounding beside the force has to be right.
+        // An impulse must have its digits only where it is more than rounding beside the force.
         let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
         has_force & has_impulse & (load_integral >= least) & load_integral.is_finite()
     }

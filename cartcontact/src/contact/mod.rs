@@ -125,8 +125,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # References
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
-    // Always: it is as large as what compilers hesitate about, so that a change elsewhere would decide whether it is compiled
-    // into a loop over times, which is worth 40 % of the instructions.
+    // Always: compilers hesitate to inline a function of this size, so that a change elsewhere would decide whether it
+    // is inlined into a loop over times, which saves 40 % of the instructions.
     #[inline(always)]
     pub fn at(&self, t: T) -> Result<Snapshot<'_, T, P, L>, ContactError> {
         Ok(Snapshot::new(self, t, self.radius_at(t)?))
@@ -141,8 +141,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if the slices are empty or differ in length, and for every time as [`at`](Self::at); `radii`
-    /// then hold nothing to be used.
+    /// [`ContactError`] if the slices are empty or differ in length, and for every time as [`at`](Self::at); the
+    /// contents of `radii` are then not to be used.
     ///
     /// # Examples
     ///
@@ -182,8 +182,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if a slice is empty, `values` has another length than times × radii, times descend,
-    /// a radius is negative or not finite, and for every time as [`at`](Self::at); `values` then hold nothing to be used.
+    /// [`ContactError`] if a slice is empty, `values` has another length than times × radii, times descend, a radius is
+    /// negative or not finite, and for every time as [`at`](Self::at); the contents of `values` are then not to be
+    /// used.
     ///
     /// # Examples
     ///
@@ -202,7 +203,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         field::fill(self, times, radii, values)
     }
 
-    /// The hereditary load of a radius is this times its load integral: π m/4.
+    /// π m/4: a load integral times this is its hereditary load.
     pub(crate) fn load_per_integral(&self) -> T {
         self.scales.load_per_integral
     }
@@ -223,10 +224,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.radius_of_one(hereditary * self.scales.integral_per_load)
     }
 
-    /// The contact radius of a load integral where one is all that is asked for: out of line, and given in a register.
+    /// The contact radius of a single load integral: out of line, and given the number in a register.
     ///
-    /// A [`Loading`] would be passed in memory, two numbers of which are then read at once that were written one by one; a
-    /// processor waits with that until all before it is done, 20 ns of one pressure.
+    /// A [`Loading`] would be passed in memory. Its numbers are written one by one, but two of them are then read at
+    /// once; a processor waits with that until all earlier work is done, 20 ns of one pressure.
     #[inline(never)]
     fn radius_of_one(&self, load_integral: T) -> Result<T, RadiusError> {
         self.radius_of(load_integral)

@@ -1,7 +1,7 @@
 //! The contact radii at many times, without a branch for each.
 //!
-//! Times are taken in blocks. One whose numbers are all of common size needs no more than that; another, such as one
-//! that begins unloaded, is held to the conditions themselves; and where one of these fails, times are taken one by
+//! Times are taken in blocks. A block whose numbers are all of common size needs no other check. For any other, such as
+//! one that begins unloaded, the conditions themselves are checked; where one of these fails, times are taken one by
 //! one, until the first without a radius names its fault.
 
 use super::common_sizes::CommonSizes;
@@ -65,7 +65,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
             && (is_common && self.has_common_radii() || self.keeps_digits())
     }
 
-    /// The load integrals; false if not all of them, of the times and of the forces are of common size.
+    /// Takes the load integrals; false unless all of them, all times and all forces are of common size.
     #[inline(always)]
     fn take_load_integrals(&mut self) -> bool {
         let (sizes, chi, scales) = (CommonSizes::new(), self.contact.medium.chi(), self.contact.scales);
@@ -79,7 +79,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
         are_common
     }
 
-    /// The load integrals; false if not all times and loads are such as [`Contact::at`] accepts.
+    /// Takes the load integrals; false unless [`Contact::at`] accepts all times and loads.
     fn take_unusual_load_integrals(&mut self) -> bool {
         let contact = self.contact;
         self.load_integrals.iter_mut().zip(self.times).all(|(load_integral, &time)| {

@@ -1,4 +1,4 @@
-//! The contact radius at a time, and what keeps a contact from having one.
+//! The contact radius at a time, and why there may be none.
 
 use super::common_sizes::CommonSizes;
 use super::loading::Loading;
@@ -29,7 +29,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline(always)]
     fn common_radius_at(&self, t: T, is_advancing: impl FnOnce() -> bool) -> Option<T> {
         let (sizes, chi) = (CommonSizes::new(), self.medium.chi());
-        // At a time that is none a load need not have a force.
+        // At an invalid time a load need not have a force.
         let time = sizes.time_near(t);
         let loading = self.loading(time);
         let load_integral = self.scales.load_integral(loading);
@@ -69,7 +69,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
     ///
-    /// J/a⁵ is δ₀′ but for a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
+    /// J/a⁵ is δ₀′ up to a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
     #[inline(always)]
     pub(super) fn keeps_digits(&self, force: T, radius: T, load_integral: T) -> bool {
         let square = radius * radius;
@@ -109,7 +109,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if !is_size(loading.force) {
             return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
-        // As a difference of nearly the same, a good one is negative by rounding early on.
+        // Early on a valid impulse, being a difference of nearly equal numbers, may be negative by rounding.
         let is_rounding = || {
             let rounding = impulse_tolerance(loading.hereditary, self.medium.chi());
             rounding.is_finite() && loading.impulse.abs() <= rounding
@@ -126,7 +126,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             || loading.has_digits(self.medium.chi(), self.scales.load_integral(loading))
     }
 
-    /// The last time up to `t` at which the radius is still admissible, or where a jump of the load ends that; by
+    /// The last time up to `t` at which the radius is still admissible, or the time of the jump that ends that; by
     /// bisection to the last bit. 0 if it never is.
     fn time_of_leaving(&self, t: T) -> T {
         let radius_at = |time| self.radius_under_loading(self.loading(time));

@@ -7,23 +7,24 @@ use crate::evaluate::double_word::DoubleWord;
 use crate::medium::Medium;
 use crate::scalar::{is_single, smallest_normal};
 
-/// π/4 less its word in each format, from the next digits of π; of the last of them 1/2 counts for 2⁻¹⁰⁶ and 2⁻⁴⁸.
+/// π/4 minus its word in each format, from the next digits of π; half a unit of the last digit counts for 2⁻¹⁰⁶ and
+/// 2⁻⁴⁸.
 const REST_OF_QUARTER_PI: f64 = 3.061616997868383e-17;
 const REST_OF_QUARTER_PI_IN_SINGLE: f64 = -2.1855695e-8;
 
-/// The factors between the two, each of them rounded once.
+/// The factors between hereditary loads and load integrals, each rounded once.
 ///
-/// A contact radius is off by what its load integral is, over the degree of J: of F 4/(π m) + ∫F 4 χ/(π m), each product
-/// of which is rounded as often as its factors are, there is less than of (F + χ ∫F)/(π m/4).
+/// A contact radius is off by as much as its load integral, over the degree of J. F 4/(π m) + ∫F 4 χ/(π m), each
+/// product of which is rounded as often as its factors, is off by less than (F + χ ∫F)/(π m/4).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<T> {
     /// π m/4, in N/mm⁵.
     pub(super) load_per_integral: T,
-    /// 4/(π m), in mm⁵/N: kept, as a product takes a third of the time of a quotient.
+    /// 4/(π m), in mm⁵/N: stored, as a product takes a third of the time of a quotient.
     pub(super) integral_per_load: T,
     /// 4 χ/(π m), in mm⁵/(N s).
     integral_per_impulse: T,
-    /// Whether that has all its digits.
+    /// Whether `integral_per_impulse` has all its digits.
     has_digits: bool,
 }
 

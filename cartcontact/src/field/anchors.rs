@@ -1,8 +1,9 @@
-//! Rows long before the present one, from which it is taken anew now and then, so that roundings do not add up.
+//! Much earlier rows, from which the present one is computed anew now and then, so that roundings do not add up.
 //!
-//! Blocks of equal times change a row by equal shares, whose roundings have the same sign. After every 64 blocks the last row
-//! is taken from the one before all of them, after every 64² from the one before these, and so on: of N blocks 64 roundings
-//! of every length add up, instead of N. Radii that the contact had not reached there keep what they have.
+//! Blocks of equal duration change a row by equal shares, whose roundings have the same sign. After every 64 blocks the
+//! last row is taken from the row before all of them, after every 64² from the row before these, and so on: over N
+//! blocks 64 roundings of every length add up, instead of N. Radii that the contact had not reached at that row keep
+//! their values.
 
 use super::block::Edge;
 use super::runs::Runs;
@@ -29,7 +30,7 @@ struct Anchor<T> {
     since: LongChange<T>,
 }
 
-/// Many changes one after the other, see [`Change`]; of the decay all but 1.
+/// Many changes one after the other, see [`Change`]; `gain` is the decay minus 1.
 #[derive(Clone, Copy)]
 struct LongChange<T> {
     gain: CompensatedSum<T>,
@@ -38,13 +39,13 @@ struct LongChange<T> {
 }
 
 impl<T: Scalar> Anchors<T> {
-    /// All at a row with an edge.
+    /// All anchors at the same row, with its edge.
     pub(super) fn at(row: usize, edge: Edge<T>) -> Self {
         Self([Anchor::at(row, edge); LENGTHS])
     }
 
-    /// Passes a block by whose change the last row, with an edge, follows from the one before it, and takes that row of
-    /// `values` anew if it is time to.
+    /// Passes a block, by whose change its last row, with an edge, follows from the row before the block, and computes
+    /// that last row of `values` anew if it is time to.
     pub(super) fn pass(
         &mut self,
         change: Change<T>,
@@ -53,7 +54,7 @@ impl<T: Scalar> Anchors<T> {
         values: &mut [T],
     ) {
         if !change.is_slow() {
-            // Of what was rounded before, half is lost, too.
+            // Half of the earlier roundings is lost, too.
             *self = Self::at(row, edge);
             return;
         }
@@ -78,7 +79,7 @@ impl<T: Scalar> Anchor<T> {
         self.age += 1;
     }
 
-    /// Takes a later row from this one, at the radii that were covered here.
+    /// Computes a later row from this one, at the radii that were covered here.
     fn renew(&self, row: usize, runs: &Runs<'_, T>, values: &mut [T]) {
         let (radii, change) = (runs.radii, self.since.rounded());
         let (before, now) = values[self.row * radii.len()..].split_at_mut((row - self.row) * radii.len());

@@ -1,4 +1,4 @@
-//! Some rows that are taken from the same row before them.
+//! Rows that are taken from the same earlier row.
 
 use super::panel::Panel;
 use super::runs::{Run, Runs};
@@ -17,7 +17,7 @@ pub(super) struct Edge<T> {
     pub(super) radius: T,
 }
 
-/// Rows one after the other, and how they follow from the row before the first of them, their base.
+/// Consecutive rows, and how they follow from their base, the row before the first of them.
 pub(super) struct Block<'a, T, P, L> {
     base: Edge<T>,
     count: usize,
@@ -90,8 +90,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         Ok(())
     }
 
-    /// Takes rows by one march each: one row under a load that the next may have a panel for, otherwise until
-    /// half the memory has faded.
+    /// Takes rows by one march each: a single row if the load may allow a panel for the next, otherwise rows until half
+    /// the memory has faded.
     fn march(&mut self, contact: &Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
@@ -138,11 +138,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     ) {
         let width = runs.radii.len();
         let (base, rows) = values.split_at_mut(width);
-        // All at once, for short runs leave no room for vectors; what it gives beyond the base means nothing and is
-        // replaced by the next.
+        // All columns at once, because short runs leave no room for vectors; values beyond the edge of the base mean
+        // nothing and are replaced next.
         let covered = runs.span_inside(self.base.radius);
         take_rows_from(base, runs.radii, covered, &self.since_base, squares, &mut rows[..self.count * width]);
-        // Not the last one, as roundings may let it fall behind.
+        // Not simply the last radius, which rounding may make smaller.
         let widest = self.radii[..self.count]
             .iter()
             .fold(self.base.radius, |widest, &a| if a > widest { a } else { widest });

@@ -4,14 +4,13 @@
 //! whose scalars are shared by all radii; only a radius covered for the first time needs an integral of its
 //! own, once. A field of N times × M radii therefore costs O(N + M) integrals.
 //!
-//! Rows are done in blocks of up to [`BLOCK`]: [`panel`] finds the changes of a whole block from a few
-//! contact radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies
-//! them.
+//! Rows are computed in blocks of up to [`BLOCK`]: [`panel`] finds the changes of a whole block from a few contact
+//! radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies them.
 //!
-//! **Rounding.** Taking every row from the one before it would add up N roundings. Rows are therefore taken
-//! from the last row before their block; only radii covered within the block go row by row. Where a row changes too much
-//! for blocks, the memory has lost its roundings after some dozen rows; those of many blocks are kept from adding up by
-//! [`anchors`].
+//! **Rounding.** Taking every row from the one before it would add up N roundings. Rows are therefore taken from the
+//! last row before their block; only radii covered within the block go row by row. Where rows change too much for
+//! blocks, the memory has lost its roundings after some dozen rows; [`anchors`] keep those of many blocks from adding
+//! up.
 
 mod anchors;
 mod block;
@@ -31,11 +30,11 @@ use block::{Block, Edge};
 use runs::Runs;
 use sweep::TILE;
 
-/// The most rows in a block: many enough to share the cost of a panel, few enough for the stack of a small
-/// processor.
+/// The most rows in a block: enough to share the cost of a panel, few enough for the stack of a small processor.
 const BLOCK: usize = 64;
 
-/// Checks the arguments of [`Contact::pressure_field`]: times, too, as the load is asked for the last one early on.
+/// Checks the arguments of [`Contact::pressure_field`], including times, because the load is asked for the last one
+/// early on.
 pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result<(), ContactError> {
     for (what, slice) in [("times", times), ("radii", radii)] {
         if slice.is_empty() {
@@ -57,7 +56,7 @@ pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result
 
 /// The index of the first number that is negative or not finite.
 fn first_of_no_size<T: Scalar>(numbers: &[T]) -> Option<usize> {
-    // All at once first, which is a loop without branches.
+    // All at once first, in a loop without branches.
     if numbers.iter().fold(true, |all, &x| all & is_size(x)) {
         return None;
     }
@@ -77,7 +76,7 @@ where
     L: Load<T>,
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
-    // Once for all: to search a history takes a user-defined load as long as many rows.
+    // Once for all rows: searching the history of a user-defined load takes as long as many of them.
     if times.last().is_some_and(|&last| contact.recedes_until(last)) {
         times.iter().try_for_each(|&time| contact.radius_at(time).map(drop))?;
     }
@@ -104,9 +103,9 @@ where
     Ok(())
 }
 
-/// The contact at a time, if nothing of the pressures `before` is left of its own.
+/// The contact at a time, if nothing of the pressures at the time `before` is left.
 ///
-/// A history of many e-foldings is long to follow, and rounds.
+/// A history of many e-foldings takes long to follow, and rounds.
 fn anew<'a, T, P, L>(
     contact: &'a Contact<T, P, L>,
     before: T,
@@ -124,7 +123,7 @@ where
     Ok((before < now.start_of_memory().time).then_some(now))
 }
 
-/// Whether pressures fade below rounding between two times, unless forces fall as they do.
+/// Whether pressures fade below rounding between two times, unless forces fall as fast.
 fn is_long<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, from: T, to: T) -> bool {
     contact.medium().chi() * (to - from) > faded_folds::<T>()
 }

@@ -7,17 +7,17 @@
 //! P(r, t) = e^(−χ (t − t₁)) [P(r, t₁) + ∫ q(τ) (a²(τ) − r²) dτ],    q(τ) = (2/π) Y′(τ)/a⁴(τ) · e^(χ (τ − t₁))
 //! ```
 //!
-//! over τ from t₁ to t, and for others the same from the time on at which the edge passes r. Here q and
-//! q (a² − a₁²), with a₁ = a(t₁), are smooth functions of time alone. Over a short time they are polynomials of
-//! degree 7 to full accuracy, found once from their values at the Chebyshev nodes, and a Gauss rule of four
-//! nodes integrates them exactly between any two times.
+//! over τ from t₁ to t. For radii covered later it is the same from the time on at which the edge passes r. Here q and
+//! q (a² − a₁²), with a₁ = a(t₁), are smooth functions of time alone. Over a short time they are polynomials of degree
+//! 7 to full accuracy, found once from their values at the Chebyshev nodes, and a Gauss rule of four nodes integrates
+//! them exactly between any two times.
 //!
-//! **When a panel is short enough** is read off the polynomials: their Chebyshev coefficients fall
-//! geometrically, so the last two of the eight bound what was cut off. And χ times its duration is at most 1/8,
-//! so that e^(−x) − 1 is ten terms of its series.
+//! **When a panel is short enough** is read off the polynomials: their Chebyshev coefficients fall geometrically, so
+//! the last two of the eight bound what is cut off. And χ times its duration is at most 1/8, so that e^(−x) − 1 is ten
+//! terms of its series.
 //!
-//! **Accuracy.** The time is known exactly, so the rounding of radii enters only through a⁻⁴ and a² − r², and
-//! not multiplied by the powers of the geometry.
+//! **Accuracy.** The time is known exactly, so the rounding of radii enters only through a⁻⁴ and a² − r², and the
+//! powers of the geometry do not multiply it.
 
 use super::BLOCK;
 use super::block::Edge;
@@ -34,7 +34,7 @@ use crate::scalar::smallest_normal;
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
 const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
 
-/// A time from `start` on in which pressures change like polynomials of time.
+/// A period from `start` on during which pressures change like polynomials of time.
 pub(super) struct Panel<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     start: Edge<T>,
@@ -102,7 +102,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         resolved.then(|| Self { contact, start, scale: half.recip(), slope, offset, force_rate })
     }
 
-    /// The changes at `times`, from the one before, the first from the start, and from the start.
+    /// The changes at `times`: from the time before (the first from the start), and from the start.
     pub(super) fn changes(&self, times: &[T], since_previous: &mut Changes<T>, since_start: &mut Changes<T>) {
         let (mut elapsed, mut durations) = ([T::zero(); BLOCK], [T::zero(); BLOCK]);
         let (elapsed, durations) = (&mut elapsed[..times.len()], &mut durations[..times.len()]);
@@ -162,7 +162,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         not_negative(faded * (offset - slope * ((r - self.start.radius) * (r + self.start.radius))))
     }
 
-    /// The integrals of `offset` and `slope` over a duration that ends when some time has elapsed.
+    /// The integrals of `offset` and `slope` over a duration that ends when `elapsed` has passed since the start.
     #[inline(always)]
     fn integrals(&self, elapsed: T, duration: T) -> (T, T) {
         let half = duration * self.scale * T::constant(0.5);
@@ -213,10 +213,9 @@ impl<T: Scalar> Interpolant<T> {
 
     /// Whether what is cut off is below the rounding of values of some size.
     ///
-    /// The terms of degree 6 and 7 are T₆/32 and T₇/64. Coefficients that fall geometrically from `size` on
-    /// reach 1024 ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8,
-    /// is ε/16. If they fall more slowly from less, it is the bound at degree 7 that keeps the rest below a
-    /// few ε.
+    /// The terms of degree 6 and 7 are T₆/32 and T₇/64. Coefficients that fall geometrically from `size` on reach 1024
+    /// ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8, is ε/16. If they
+    /// fall more slowly from a smaller value, the bound at degree 7 keeps the rest below a few ε.
     fn is_resolved(&self, size: T) -> bool {
         let (sixth, seventh) =
             (self.even[3] * T::constant(1.0 / 32.0), self.odd[3] * T::constant(1.0 / 64.0));

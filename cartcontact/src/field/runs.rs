@@ -4,10 +4,11 @@ use core::ops::Range;
 
 use crate::Scalar;
 
-/// The longest runs of radii, one after the other; they are found anew in every pass, as there is no place to keep them.
+/// The longest runs of radii, one after the other. They are found anew in every pass, as there is no place to keep
+/// them.
 pub(super) struct Runs<'a, T> {
     pub(super) radii: &'a [T],
-    /// Of radii in order it is the only one, and they need not be searched again.
+    /// If the radii are in order it is the only run, and they need not be searched again.
     first: Run,
 }
 
@@ -21,7 +22,7 @@ pub(super) struct Run {
 impl<'a, T: Scalar> Runs<'a, T> {
     pub(super) fn of(radii: &'a [T]) -> Self {
         let pairs = || radii.iter().zip(radii.iter().skip(1));
-        // All at once, which are loops without branches.
+        // All at once, in loops without branches.
         let ascends = pairs().fold(true, |all, (r, next)| all & (r <= next));
         let descends = !ascends && pairs().fold(true, |all, (r, next)| all & (r >= next));
         let first = if ascends || descends {
@@ -41,7 +42,7 @@ impl<'a, T: Scalar> Runs<'a, T> {
         })
     }
 
-    /// The narrowest range with all columns inside an edge.
+    /// The narrowest range that has all columns inside an edge.
     pub(super) fn span_inside(&self, edge: T) -> Range<usize> {
         if self.first.len() == self.radii.len() {
             return self.first.split(self.first.count_inside(self.radii, edge)).0.columns;
@@ -74,7 +75,7 @@ impl Run {
         self.columns.clone()
     }
 
-    /// The column before which `count` others are nearer to the axis.
+    /// The column that `count` others are nearer to the axis than.
     pub(super) fn column(&self, count: usize) -> usize {
         if self.descends { self.columns.end - 1 - count } else { self.columns.start + count }
     }

@@ -1,8 +1,8 @@
 //! From one row of pressures to others.
 //!
-//! What bounds the speed is memory. Rows are taken two at a time, so that the pressures and radii they come
-//! from are read once for both, and in tiles of columns that stay in the first cache while all rows of a
-//! block pass over them; only the results travel.
+//! Memory bounds the speed. Rows are taken two at a time, so that the pressures and radii they come from are read once
+//! for both, and in tiles of columns that stay in the first cache while all rows of a block pass over them; only the
+//! results travel to memory.
 
 use core::ops::Range;
 
@@ -65,7 +65,7 @@ impl<T: Scalar> Change<T> {
         not_negative(self.kept * pressure + (self.gain * pressure + (self.on_axis - self.slope * square)))
     }
 
-    /// Whether the decay is near 1: all but the last change of a block.
+    /// Whether the decay is near 1, as it is in all but the last change of a block.
     #[inline(always)]
     pub(super) fn is_slow(self) -> bool {
         self.kept == T::one()
@@ -85,7 +85,7 @@ impl<T: Scalar> Change<T> {
     }
 }
 
-/// The changes of the rows of a block, each component by itself, so that vectors can take many rows at once.
+/// The changes of the rows of a block, component by component, so that vectors can take many rows at once.
 pub(super) struct Changes<T> {
     kept: [T; BLOCK],
     pub(super) gain: [T; BLOCK],
@@ -100,7 +100,7 @@ impl<T: Scalar> Changes<T> {
         Self { kept: [T::one(); BLOCK], gain: zeros, on_axis: zeros, slope: zeros }
     }
 
-    /// Makes decays near 1 of them all, so that their gains are small.
+    /// Marks all decays as near 1, so that their gains are small.
     pub(super) fn slow_down(&mut self) {
         self.kept.fill(T::one());
     }
@@ -131,7 +131,7 @@ impl<T: Scalar> Changes<T> {
 
 /// Takes some columns of all `rows`, each as wide as `base`, from the row `base`.
 ///
-/// `squares` are room for those of the radii, once for all blocks: to set them up takes as long as some rows.
+/// `squares` is room for those of the radii, shared by all blocks: initialising it takes as long as some rows.
 pub(super) fn take_rows_from<T: Scalar>(
     base: &[T],
     radii: &[T],

@@ -1,4 +1,4 @@
-//! Sums of Chebyshev polynomials Σ cₖ Tₖ(ξ) of one degree: through given values, their derivatives and their means.
+//! Sums of Chebyshev polynomials Σ cₖ Tₖ(ξ) of one degree: interpolation, derivatives and means.
 //!
 //! Source: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
@@ -52,7 +52,7 @@ pub(super) fn sum_at<T: Scalar>(sum: &[T], x: T) -> T {
     total
 }
 
-/// The derivative of a sum: d₍ₖ₋₁₎ = d₍ₖ₊₁₎ + 2 k cₖ, of which the first is halved.
+/// The derivative of a sum: d₍ₖ₋₁₎ = d₍ₖ₊₁₎ + 2 k cₖ, with the first one halved.
 pub(super) fn derivative<T: Scalar>(sum: &[T]) -> Coefficients<T> {
     let mut slope = [T::zero(); DEGREE + 1];
     for k in (1..sum.len()).rev() {
@@ -65,8 +65,8 @@ pub(super) fn derivative<T: Scalar>(sum: &[T]) -> Coefficients<T> {
 
 /// The mean of a sum from ξ to 1.
 ///
-/// With the coefficients aₖ of the integral, βₖ = 2 β₍ₖ₊₁₎ − β₍ₖ₊₂₎ + aₖ are those of its quotient by ξ − 1,
-/// which is β₁ + 2 Σ β₍ₖ₊₁₎ Tₖ.
+/// With the coefficients aₖ of the integral, let βₖ = 2 β₍ₖ₊₁₎ − β₍ₖ₊₂₎ + aₖ. Then the integral over ξ − 1 is β₁ + 2 Σ
+/// β₍ₖ₊₁₎ Tₖ.
 pub(super) fn mean_to_the_end<T: Scalar>(sum: &[T]) -> Coefficients<T> {
     let at = |k: usize| sum.get(k).copied().unwrap_or(T::zero());
     let two = T::constant(2.0);

@@ -1,7 +1,7 @@
-//! When the impulse that a load tells cannot be that of the force that it tells.
+//! When the impulse of a load cannot be that of its force.
 //!
-//! Between samples a force may be anything, so that no number of them tells its integral. But where the edge does not
-//! recede, Y = F + χ ∫F does not fall, and with it F e^(χ t) does not, whose slope is Y′ e^(χ t). So between two forces
+//! Between samples a force may be anything, so no number of samples determines its integral. But where the edge does
+//! not recede, Y = F + χ ∫F does not fall, and neither does F e^(χ t), whose slope is Y′ e^(χ t). So between two forces
 //! F₁ and F₂, x e-foldings apart,
 //!
 //! ```text
@@ -11,7 +11,7 @@
 //! whatever the force does in between: steps, kinks and oscillations too fast for any sample are no exception. An
 //! impulse outside these bounds belongs to another force, or Y falls between the two times.
 //!
-//! Many impulses are the result of a quadrature themselves. They may be off by what counts for little, √ε of Y/χ.
+//! Many impulses result from a quadrature themselves. They may be off by √ε of Y/χ, which counts for little.
 
 use super::ForceSeries;
 use super::LoadError;
@@ -27,9 +27,9 @@ pub(super) struct Contradiction<T> {
     integral: T,
 }
 
-/// By how much an impulse may be off, in a history up to a time with a hereditary load.
+/// By how much an impulse may be off in a history that ends with a hereditary load.
 ///
-/// Without drainage impulses count for nothing, so that this is infinite.
+/// Infinite without drainage, as impulses then do not count.
 pub(crate) fn tolerance<T: Scalar>(hereditary: T, chi: T) -> T {
     hereditary / chi * T::default_epsilon().sqrt()
 }
@@ -40,7 +40,7 @@ fn bounds<T: Scalar>(force: &ForceSeries<T>, end: T, chi: T) -> (T, T) {
     (0..ForceSeries::<T>::START).fold((T::zero(), T::zero()), |(least, most), node| {
         let duration = force.time(node, end) - force.time(node + 1, end);
         let folds = chi * duration;
-        // The means of e^(−x) and e^x on the way.
+        // The means of e^(−x) and e^x between the nodes.
         let (falling, rising) = if folds.is_zero() {
             (T::one(), T::one())
         } else {
@@ -52,8 +52,8 @@ fn bounds<T: Scalar>(force: &ForceSeries<T>, end: T, chi: T) -> (T, T) {
 }
 
 impl<T: Scalar> Contradiction<T> {
-    /// That between a series of the force and the impulses up to its start and its end, either of which may be off, if
-    /// there is one.
+    /// The contradiction, if any, between a force series and the impulses at its ends, each of which may be off by the
+    /// tolerance.
     pub(super) fn within(
         force: &ForceSeries<T>,
         (from, first): (T, T),
@@ -67,8 +67,8 @@ impl<T: Scalar> Contradiction<T> {
         is_outside.then(|| Self { from, to, impulse, integral: force.impulse().0 })
     }
 
-    /// That between the impulse up to a time and the integral of straight pieces, if there is one: it is known, but many who
-    /// are content with a few hundredths of a percent sum their impulses in plain arithmetic.
+    /// The contradiction, if any, between the impulse up to a time and the integral of straight pieces. The integral is
+    /// known, but users sum impulses in plain arithmetic, hence 1/256 = 0.4 % is tolerated, too.
     pub(super) fn with_integral((to, impulse): (T, T), integral: T, tolerance: T) -> Option<Self> {
         let is_off = (impulse - integral).abs() > integral * T::constant(1.0 / 256.0) + tolerance;
         is_off.then(|| Self { from: T::zero(), to, impulse, integral })

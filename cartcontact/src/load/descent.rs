@@ -1,13 +1,13 @@
 //! How far the hereditary load Y = F + χ ∫F falls below its highest value along straight pieces.
 //!
-//! A piece falls nowhere if F₁ ≥ F₀/(1 + χ Δt). As forces are rounded, each may fall short of that by 8 ε. What is
-//! forgiven adds up: pieces of 1/1000 s, in which a force may fall by ten ε in single precision, could fall at twice the
-//! rate that the pressure follows. So the falls are summed, and √ε of the force is too much. Forces that are rounded each
-//! by itself, by ε/2 at the most, make less of up to 4/ε pieces, as their errors add up like a square root; and up to
-//! 1/(8 √ε) pieces make less, whatever they do.
+//! Y falls nowhere along a piece if F₁ ≥ F₀/(1 + χ Δt). As forces are rounded, each may fall short of that by 8 ε.
+//! These allowances add up: pieces of 1/1000 s, in which a force may fall by ten ε in single precision, could fall at
+//! twice the rate that the pressure follows. So the falls are summed, and a sum of √ε of the force is too much. Forces
+//! rounded independently, by at most ε/2, stay below that over up to 4/ε pieces, as their errors add up like a square
+//! root; and up to 1/(8 √ε) pieces stay below it whatever they do.
 //!
-//! Where F₁ is F₀/(1 + χ Δt) as the format has it, it is the bound and no fall, however often: in equal steps that is
-//! rounded the same way each time.
+//! Where F₁ is F₀/(1 + χ Δt) as rounded to the format, it is the bound and not a fall, however often: in equal steps it
+//! is rounded the same way each time.
 
 use super::Piece;
 use crate::Scalar;
@@ -22,12 +22,12 @@ pub(super) struct Descent<T> {
     fallen: T,
 }
 
-/// What the falls of many pieces may add up to, over the force.
+/// What the falls of many pieces may add up to, as a share of the force.
 fn tolerance<T: Scalar>() -> T {
     T::default_epsilon().sqrt()
 }
 
-/// Whether the falls of so many pieces can be too much, each of which is forgiven.
+/// Whether the falls of so many pieces, each within its allowance, can add up to too much.
 pub(super) fn may_add_up<T: Scalar>(count: usize) -> bool {
     from_single::<T>(count as f32 * 8.0) * T::default_epsilon() > tolerance()
 }
@@ -37,8 +37,8 @@ impl<T: Scalar> Descent<T> {
         Self { chi, crest: (T::zero(), T::zero()), fallen: T::zero() }
     }
 
-    /// Continues along a piece that begins at the end of the one before it; since when the edge has receded at `t`, if it
-    /// has.
+    /// Continues along a piece that begins at the end of the one before it, and returns since when the edge has receded
+    /// at `t`, if it has.
     pub(super) fn pass(&mut self, piece: &Piece<T>, t: T) -> Option<T> {
         if let Some(turn) = piece.recession(self.chi) {
             // At the very time at which a slope becomes too steep the edge has not moved yet.

@@ -24,9 +24,9 @@ pub enum LoadError {
         /// The impulse, in N s.
         impulse: f64,
     },
-    /// The impulse is not the integral of the force; or the force falls, but within a time too short to be seen.
+    /// The impulse is not the integral of the force; or the force falls, but in a period too short to be seen.
     ContradictoryImpulse {
-        /// The beginning of the time in which they differ, in s.
+        /// The beginning of the period in which they differ, in s.
         from: f64,
         /// Its end, in s.
         to: f64,

@@ -1,33 +1,33 @@
-//! What makes a history one that the solution does not cover.
+//! Faults, because of which the solution does not cover a history.
 
 use super::contradiction::{self, Contradiction};
 use super::{Load, LoadError};
 use crate::Scalar;
 
-/// Why a history is not one that the solution covers.
+/// Why the solution does not cover a history.
 pub(super) enum Fault<T> {
     /// The hereditary load falls by more than rounding, from a time on.
     Falls(T),
     /// Its impulse is not that of its force.
     Contradicts(Contradiction<T>),
-    /// At some time, its force is negative, or one of both is not finite.
+    /// At a time, its force is negative, or its force or impulse is not finite.
     IsInvalid(T, LoadError),
 }
 
 impl<T: Scalar> Fault<T> {
-    /// A force at a time that is none.
+    /// An invalid force at a time.
     pub(super) fn of_force((time, force): (T, T)) -> Self {
         Self::IsInvalid(time, LoadError::InvalidForce { time: time.value(), force: force.value() })
     }
 
-    /// What is wrong with an impulse up to a time, if it is not finite. Early on, a good one may be negative by rounding;
-    /// what is more is a contradiction.
+    /// The fault of an impulse up to a time, if it is not finite. Early on, a valid impulse may be negative by
+    /// rounding; more than that is a contradiction.
     pub(super) fn of_impulse((time, impulse): (T, T)) -> Option<Self> {
         let error = || LoadError::InvalidImpulse { time: time.value(), impulse: impulse.value() };
         (!impulse.is_finite()).then(|| Self::IsInvalid(time, error()))
     }
 
-    /// Since when.
+    /// Since when the history is not covered.
     pub(super) fn time(&self) -> T {
         match self {
             Self::Falls(since) => *since,
@@ -54,7 +54,7 @@ pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T)
     (negligible_force, contradiction::tolerance(hereditary, chi))
 }
 
-/// Whether a number is a force, if one that is negative may be rounding up to `negligible`.
+/// Whether a number is a valid force, which may be negative by up to `negligible`.
 pub(super) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
     number >= -negligible && number.is_finite()
 }

@@ -1,15 +1,15 @@
 //! A force over a step of time as a sum of Chebyshev polynomials, and how the hereditary load rose during the step.
 //!
-//! A load that is not straight tells its force and its impulse. The impulse grows without end, so that after a long
-//! history the difference of two has lost the digits of what lies between: at χ t = 1000 the hereditary load of the
-//! last e-folding is off by 500 ε. So what drains in a step follows from the forces within it.
+//! A load that is not straight gives its force and its impulse. The impulse grows without end, so that after a long
+//! history the difference of two impulses has lost the digits of what lies between: at χ t = 1000 the hereditary load
+//! of the last e-folding is off by 500 ε. So what drains in a step follows from the forces within it.
 //!
-//! Let ξ go from −1 at the start of the step to 1 at its end, and F − F(1) = Σ cₖ Tₖ(ξ) interpolate the forces at
-//! cos(π j/N), which include both ends; no error of a force is multiplied by more than 3. In a step of h e-foldings the
-//! hereditary load grows at dY/dξ = F′ + (h/2) F, and its mean growth M from ξ to the end gives what it still gains,
-//! (1 − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits also
-//! where the time to the end is short; and the force comes in only by how it differs from that at the end, so that the
-//! many small gains of a long history do not round as the force does.
+//! Let ξ go from −1 at the start of the step to 1 at its end, and F − F(1) = Σ cₖ Tₖ(ξ) interpolate the forces at cos(π
+//! j/N), which include both ends; no error of a force is multiplied by more than 3. In a step of h e-foldings the
+//! hereditary load grows at dY/dξ = F′ + (h/2) F, and its mean growth M from ξ to the end gives what it still gains, (1
+//! − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits even
+//! where the time to the end is short; and the force enters only through its difference from that at the end, so that
+//! the many small gains of a long history do not round as the force does.
 //!
 //! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
@@ -32,7 +32,7 @@ pub(crate) struct ForceSeries<T> {
     rest: T,
     /// How many coefficients are more than rounding.
     length: usize,
-    /// Of the force, less that at the end.
+    /// The series of the force minus that at the end.
     variation: Coefficients<T>,
     /// dY/dξ.
     growth: Coefficients<T>,
@@ -47,7 +47,7 @@ struct Local<T> {
 }
 
 impl<T: Scalar> ForceSeries<T> {
-    /// The first node in time, which are counted from the end.
+    /// The first node in time; nodes are counted from the end.
     pub(crate) const START: usize = DEGREE;
 
     /// The series of a load between two times without a knot between them.
@@ -55,7 +55,7 @@ impl<T: Scalar> ForceSeries<T> {
         Self::through_forces(load, times, chi).grown()
     }
 
-    /// The same without what is noise.
+    /// The same without noise.
     pub(crate) fn without_noise<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
         Self::through_forces(load, times, chi).denoised(times.1).grown()
     }
@@ -64,7 +64,7 @@ impl<T: Scalar> ForceSeries<T> {
         let duration = end - start;
         let forces = core::array::from_fn(|place| {
             let before_end = duration * (T::one() - cosine(place)) * T::constant(0.5);
-            // Not a little before it, where the load may be another: the duration is rounded.
+            // Exactly the start: the duration is rounded, and a little earlier the load may be another.
             let time = if place == Self::START { start } else { end - before_end };
             if time < end { load.force(time) } else { load.force_before(end) }
         });
@@ -78,11 +78,11 @@ impl<T: Scalar> ForceSeries<T> {
         Self { duration, folds, forces, size, rest, length, variation, growth: none, mean_growth: none }
     }
 
-    /// Leaves out the coefficients that are noise, where the step ends at `end`.
+    /// Leaves out the coefficients that are noise, in a step that ends at `end`.
     ///
-    /// After a long history the times of the nodes are rounded by a share of the step, and so is what a load makes of
-    /// them. Coefficients then no longer fall but from some degree on are as large as the last. They count N² times in
-    /// F′, of which no rule expects such waves. The series still has the forces at both ends, so that steps join, and
+    /// After a long history the times of the nodes are rounded by a share of the step, and the forces with them.
+    /// Coefficients then no longer decrease, but from some degree on are as large as the last. They count N² times in
+    /// F′, in which no rule expects such waves. The series still has the forces at both ends, so that steps join, and
     /// what a pressure gains and loses during them remains that of one history.
     fn denoised(mut self, end: T) -> Self {
         let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
@@ -126,9 +126,9 @@ impl<T: Scalar> ForceSeries<T> {
         self.size
     }
 
-    /// ∫F over the step, and by how much it may be off for what the series leaves out.
+    /// ∫F over the step, and by how much it may be off because of what the series leaves out.
     pub(crate) fn impulse(&self) -> (T, T) {
-        // Of Tₖ it is 1/(1 − k²) for an even k and zero for an odd one.
+        // The mean of Tₖ is 1/(1 − k²) for even k and zero for odd k.
         let even = self.variation.iter().step_by(2).zip((0_u16..).step_by(2));
         let means = even.map(|(&c, k)| c / (T::one() - T::constant(f64::from(k * k))));
         let mean = self.last() + means.fold(T::zero(), |sum, c| sum + c);
@@ -147,15 +147,15 @@ impl<T: Scalar> ForceSeries<T> {
         self.rest > self.size * T::default_epsilon().sqrt()
     }
 
-    /// Whether the coefficients do not decrease, so that the series only meets the force at the nodes.
+    /// Whether the coefficients do not decrease, so that the series meets the force only at the nodes.
     pub(crate) fn is_unresolved(&self) -> bool {
         let varying = self.variation[1..].iter().fold(T::zero(), |sum, c| sum + c.abs());
         let rounding = self.size * T::default_epsilon() * T::constant(16.0);
         self.rest > varying * T::constant(1.0 / 1024.0) + rounding
     }
 
-    /// The most by which the hereditary load can fall within the step, as far as the coefficients tell: it does not if
-    /// this is not above zero.
+    /// The most by which the hereditary load can fall within the step, as far as the coefficients tell: it does not
+    /// fall unless this is above zero.
     pub(crate) fn deepest_dip(&self) -> T {
         let least = self.growth[1..].iter().fold(self.growth[0], |least, g| least - g.abs());
         let left_out = self.rest * T::constant((DEGREE * DEGREE) as f64);
@@ -167,7 +167,7 @@ impl<T: Scalar> ForceSeries<T> {
         self.growth.iter().fold(T::zero(), |sum, g| sum + g.abs()) * T::constant(2.0) / self.folds
     }
 
-    /// By how much a [dip](Self::deepest_dip) may come from the rounding of forces, N³ ε of them.
+    /// How large a [dip](Self::deepest_dip) the rounding of forces may make, N³ ε of them.
     pub(crate) fn noise(&self) -> T {
         self.size * T::default_epsilon() * T::constant((DEGREE * DEGREE * DEGREE) as f64)
     }
@@ -179,8 +179,8 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// By how much the hereditary load grows from each node to the end.
     ///
-    /// The forces at the nodes are taken as they are, so that what a step between nodes does to the series counts only
-    /// in what drains.
+    /// The forces at the nodes are taken as they are, so that a jump between nodes, which spoils the series, affects
+    /// only what drains.
     pub(crate) fn growth_since_nodes(&self) -> Coefficients<T> {
         let mean = mean_to_the_end(&self.variation[..self.length]);
         core::array::from_fn(|node| {
@@ -190,13 +190,13 @@ impl<T: Scalar> ForceSeries<T> {
         })
     }
 
-    /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be off for what the series leaves out.
+    /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be off because of what the series leaves out.
     pub(crate) fn uncertainty(&self) -> T {
         self.folds * self.rest
     }
 
     /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be rounded: early in a long step the hereditary
-    /// load may be far less.
+    /// load may be far smaller.
     pub(crate) fn rounding_of_gains(&self) -> T {
         self.folds * self.size * T::default_epsilon() * T::constant(DEGREE as f64)
     }
@@ -206,8 +206,8 @@ impl<T: Scalar> ForceSeries<T> {
         self.forces[node]
     }
 
-    /// The first node with a force that is negative by more than what is negligible, or not finite, if the step ends at
-    /// `end`: its time and the force.
+    /// The time and the force of the first node whose force is negative by more than what is negligible, or not finite,
+    /// if the step ends at `end`.
     pub(crate) fn invalid_force(&self, end: T, negligible: T) -> Option<(T, T)> {
         let node = (0..=Self::START).rev().find(|&node| !is_force(self.forces[node], negligible))?;
         Some((self.time(node, end), self.forces[node]))
@@ -222,13 +222,13 @@ impl<T: Scalar> ForceSeries<T> {
         end - self.duration * (T::one() - x) * T::constant(0.5)
     }
 
-    /// When the hereditary load turns, next to the node at which it is highest of all.
+    /// The time at which the hereditary load turns, next to the node at which it is highest.
     pub(crate) fn time_of_turn(&self, highest: usize, end: T) -> T {
         let half = T::constant(0.5);
         let position = |node: usize| cosine(node);
         let (mut rising, mut falling) =
             (position((highest + 1).min(DEGREE)), position(highest.saturating_sub(1)));
-        // The nodes are less than half apart: down to the spacing of numbers.
+        // The nodes are less than 1/2 apart, so this goes down to the spacing of numbers.
         for _ in 0..60 {
             let middle = (rising + falling) * half;
             if self.at(middle).growth > T::zero() {
@@ -240,12 +240,12 @@ impl<T: Scalar> ForceSeries<T> {
         self.time_at(rising, end)
     }
 
-    /// Whether the series of a step that ends at `end` leaves out more than what rounds.
+    /// Whether the series of a step that ends at `end` leaves out more than rounding.
     pub(crate) fn is_loose(&self, end: T) -> bool {
         self.rest > self.rounding(end)
     }
 
-    /// What rounds: forces, and the times up to `end` that they are of.
+    /// The effect of rounding the forces, and the times up to `end` that they belong to.
     fn rounding(&self, end: T) -> T {
         let slope = derivative(&self.variation[..self.length]);
         let change = slope.iter().fold(T::zero(), |sum, c| sum + c.abs());
@@ -253,8 +253,8 @@ impl<T: Scalar> ForceSeries<T> {
         (forces + change * (end / self.duration)) * T::default_epsilon()
     }
 
-    /// How much smaller than at the end the hereditary load was some e-foldings before, and by how much it grew in an
-    /// e-folding.
+    /// How much smaller the hereditary load was some e-foldings before the end than at the end, and how much it grew
+    /// per e-folding then.
     pub(crate) fn shortfall(&self, folds: T) -> (T, T) {
         let per_fold = T::constant(2.0) / self.folds;
         let before_end = folds * per_fold;
@@ -268,7 +268,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// Newton's method in a bracket, which is halved where a step would leave it. It ends with the step after which
-    /// there is nothing but rounding left, so that derivatives are those of the root, and after 60 steps at the latest.
+    /// only rounding is left, so that derivatives are those of the root, and after 60 steps at the latest.
     ///
     /// A rounded radius may belong to a time just outside the step.
     fn folds_since(&self, deficit: T) -> T {
@@ -307,18 +307,18 @@ impl<T: Scalar> ForceSeries<T> {
     }
 }
 
-/// The size of the largest of some numbers.
+/// The largest magnitude among some numbers.
 fn largest<T: Scalar>(numbers: &[T]) -> T {
     numbers.iter().fold(T::zero(), |largest, x| largest.max(x.abs()))
 }
 
-/// How many coefficients there are up to the last that is more than negligible.
+/// How many coefficients there are up to the last one that is not negligible.
 fn length_above<T: Scalar>(coefficients: &[T], negligible: T) -> usize {
     coefficients.iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1)
 }
 
-/// Leaves out the values of all coefficients from `length` on, and returns how many are left: derivatives with respect to
-/// a parameter may count where the force itself hardly varies.
+/// Leaves out the values of all coefficients from `length` on, and returns how many are left. Derivatives with respect
+/// to a parameter stay: they may count where the force itself hardly varies.
 fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usize {
     for c in &mut coefficients[length..] {
         *c -= T::constant(c.value());

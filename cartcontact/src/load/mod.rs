@@ -26,21 +26,22 @@ pub(crate) use shortest::Shortest;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
 ///
-/// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip or
-/// must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the contact
-/// recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not report are
-/// found too, at the cost of thousands of calls of [`force`](Self::force) each: about fifty between two times to full accuracy,
-/// some five hundred kinks to 1e-12. With more of them pressures are off, by 1e-7 with a thousand and by up to 3e-3
-/// with several thousand: sampled data need `next_knot`, or [`PiecewiseLinear`]. A load that oscillates is followed wave
-/// by wave: a pressure takes some 40 forces for each wave of the last forty e-foldings, however small its waves are.
+/// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip
+/// or must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the
+/// contact recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not
+/// report are found too, at the cost of thousands of calls of [`force`](Self::force) each: about fifty between two
+/// times to full accuracy, some five hundred kinks to 1e-12. With more of them pressures are off, by 1e-7 with a
+/// thousand and by up to 3e-3 with several thousand: sampled data need `next_knot`, or [`PiecewiseLinear`]. An
+/// oscillating load is followed wave by wave: a pressure takes some 40 forces for each wave of the last forty
+/// e-foldings, however small the waves are.
 ///
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
-/// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through the
-/// samples can have without receding is refused, [`LoadError::ContradictoryImpulse`]. One that is off by a
-/// few hundredths or less, or is right at the time asked for, may not be noticed: the radius is then that of the
-/// impulse, the pressure lies between the two.
+/// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through
+/// the samples can have unless the edge recedes is refused with [`LoadError::ContradictoryImpulse`]. One that is off by
+/// a few hundredths or less, or is right at the time asked for, may go unnoticed: the radius is then that of the
+/// impulse, and the pressure lies between the two.
 ///
-/// A reference to a load is one, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>` that is
+/// A reference to a load is a load, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>`
 /// chosen at run time.
 ///
 /// # Examples
@@ -88,7 +89,7 @@ pub(crate) use shortest::Shortest;
 ///         self.samples[self.count] = (time, force, impulse + 0.5 * (last + force) * (time - before));
 ///         self.count += 1;
 ///     }
-///     /// Where the straight piece begins that a time is in, and the force then.
+///     /// The start of the straight piece that contains a time, and the force at that time.
 ///     fn at(&self, t: f64) -> ((f64, f64, f64), f64) {
 ///         let samples = &self.samples[..self.count];
 ///         let next = samples.partition_point(|sample| sample.0 <= t);
@@ -136,7 +137,7 @@ pub(crate) use shortest::Shortest;
     note = "for any other implement `Load`: it has an impulse, which a function of time alone does not tell"
 )]
 pub trait Load<T: Scalar> {
-    /// The force F(t) at a time t ≥ 0, in N; just after a jump, its value behind the jump.
+    /// The force F(t) at a time t ≥ 0, in N; at a jump, its value just after the jump.
     fn force(&self, t: T) -> T;
 
     /// The impulse ∫₀ᵗ F dτ up to a time t ≥ 0, in N s.
@@ -147,24 +148,25 @@ pub trait Load<T: Scalar> {
         self.force(t)
     }
 
-    /// The first time after `t`, in s, at which the load jumps or has a kink; none if there is no such time. A load that
-    /// jumps provides [`force_before`](Self::force_before), too, and one of thousands of knots says if it is
-    /// [linear between them](Self::is_linear_between_knots).
+    /// The first time after `t`, in s, at which the load jumps or has a kink; none if there is no such time. A load
+    /// that jumps must also provide [`force_before`](Self::force_before), and one with thousands of knots should say if
+    /// it is [linear between them](Self::is_linear_between_knots).
     fn next_knot(&self, _t: T) -> Option<T> {
         None
     }
 
-    /// Whether the force is linear in time between knots; memory integrals are then explicit, and nothing else is looked for
-    /// between them. With ten thousand knots one pressure takes less than 10 ms if so, and more than 60 ms otherwise.
+    /// Whether the force is linear in time between knots; memory integrals are then explicit, and the solver looks for
+    /// nothing else between them. With ten thousand knots one pressure takes less than 10 ms if so, and more than 60 ms
+    /// otherwise.
     fn is_linear_between_knots(&self) -> bool {
         false
     }
 
-    /// Fills `pieces` with the straight pieces between two times, in order and as many as there is room for, and says
-    /// how many they are; for loads that are [linear between knots](Self::is_linear_between_knots).
+    /// Fills `pieces` with the straight pieces between two times, in order and as many as there is room for, and
+    /// returns how many there are; for loads that are [linear between knots](Self::is_linear_between_knots).
     ///
-    /// The first begins at `from`, with the force behind a step there, the last ends at `until` at the latest.
-    /// The provided method looks for one knot after the other; a load that holds its knots in order need not.
+    /// The first begins at `from`, with the force after a step there; the last ends at `until` at the latest. The
+    /// provided method looks for one knot after the other; a load that holds its knots in order need not.
     #[inline]
     fn straight_pieces(&self, (from, until): (T, T), pieces: &mut [Piece<T>]) -> usize {
         let mut time = from;
@@ -182,14 +184,15 @@ pub trait Load<T: Scalar> {
     /// falls there, so that the edge recedes, or the force and the impulse are in
     /// [`contradiction`](Self::contradiction).
     ///
-    /// The provided method follows the force between knots as closely as it varies. It finds every fall by more than
-    /// rounding, 8 ε of the hereditary load, that a smooth load makes, and of ripples on it, too short for its steps, those
-    /// by √ε of the force. It needs some 17 forces for each panel of a few radians of an oscillation, or a few e-foldings of
-    /// a decay, and up to 1e5 where forces are the rounding of something larger, as 1 − cos t is at first. A load that knows
-    /// the answer should give it.
+    /// The provided method follows the force between knots as closely as it varies. It finds every fall of a smooth
+    /// load by more than rounding, 8 ε of the hereditary load, and falls by √ε of the force in ripples that are too
+    /// short for its steps. It needs some 17 forces for each panel of a few radians of an oscillation, or a few
+    /// e-foldings of a decay, and up to 1e5 where forces are the rounding of something larger, as 1 − cos t is at
+    /// first. A load that knows the answer should give it.
     ///
-    /// Of a load that is [linear between knots](Self::is_linear_between_knots) it takes the pieces, three forces for each. As
-    /// forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them by √ε.
+    /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with three
+    /// forces for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them together
+    /// by √ε.
     fn recession(&self, chi: T, t: T) -> Option<T> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }

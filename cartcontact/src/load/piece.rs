@@ -26,7 +26,7 @@ pub struct Piece<T> {
 }
 
 impl<T: Scalar> Piece<T> {
-    /// No time, and no force.
+    /// A piece of no duration and no force.
     pub(crate) fn none() -> Self {
         Self { start: (T::zero(), T::zero()), end: (T::zero(), T::zero()) }
     }
@@ -40,17 +40,17 @@ impl<T: Scalar> Piece<T> {
         self.end.1 - self.start.1
     }
 
-    /// The force at a time within the piece, after a step.
+    /// The force at a time within the piece; after it, if it is a step.
     pub(crate) fn force(&self, t: T) -> T {
         if self.duration().is_zero() {
             return self.end.1;
         }
-        // From the smaller force on, so that what is added loses none of its digits.
+        // Starting from the smaller force, so that the addend loses none of its digits.
         let (from, to) =
             if self.end.1 < self.start.1 { (self.end, self.start) } else { (self.start, self.end) };
         let (elapsed, rise) = ((t - from.0).abs(), to.1 - from.1);
         let share = elapsed / self.duration();
-        // A share so small has lost digits, which the slope has not.
+        // So small a share has lost digits, but the slope has not.
         from.1 + if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share }
     }
 
@@ -86,9 +86,9 @@ impl<T: Scalar> Piece<T> {
         self.fall_forgiving(T::zero())
     }
 
-    /// The same, if the force at the end may be less by rounding, 8 ε of the first one, which is what a fall as fast as
-    /// e^(−χ t) may be too fast by when its forces are rounded: a long one leaves so little that this is more than its
-    /// own rounding.
+    /// The same, if rounding may have made the force at the end smaller, by 8 ε of the first one. A fall as fast as
+    /// e^(−χ t) may be too fast by that much when its forces are rounded: a long fall leaves so little that this is
+    /// more than its own rounding.
     pub(super) fn fall_beyond_rounding(&self) -> T {
         self.fall_forgiving(self.start.1 * T::default_epsilon() * T::constant(8.0))
     }
@@ -96,7 +96,7 @@ impl<T: Scalar> Piece<T> {
     fn fall_forgiving(&self, rounding: T) -> T {
         let (first, last) = (self.start.1, self.end.1);
         let drop = (first - last) - rounding;
-        // A drop is a share of the force that the format holds, so that nothing leaves it but the result.
+        // A drop is a share of the force that the format can hold, so only the result can leave the format.
         if drop > T::zero() {
             (drop / (last + rounding) / self.duration()).max(smallest_normal())
         } else {

@@ -9,7 +9,7 @@ use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::pairs::Pairs;
 use crate::scalar::is_size;
 
-/// How many impulses a load keeps, so that any other is the sum of one of them and of few pieces.
+/// How many impulses a load stores; any other is the sum of one of them and of few pieces.
 const CHECKPOINTS: usize = 64;
 
 /// A load through knots (time in s, force in N), linear between them and constant after the last.
@@ -29,8 +29,8 @@ const CHECKPOINTS: usize = 64;
 /// ```
 ///
 /// The solution holds while the edge of the contact does not recede: from one knot to the next, Δt later, a force F may
-/// fall to F/(1 + χ Δt) at least. The noise of a measured record falls faster, and is clamped (to its peaks: smooth it
-/// before if that matters):
+/// fall to F/(1 + χ Δt) and no lower. The noise of a measured record falls faster, and must be clamped (which keeps its
+/// peaks: smooth the record first if that matters):
 ///
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
@@ -48,7 +48,7 @@ const CHECKPOINTS: usize = 64;
 #[derive(Clone, Copy, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
-    /// The largest −F′/F that counts: with a faster memory than that the edge never recedes.
+    /// The largest −F′/F that counts: if χ is no smaller, the edge never recedes.
     fastest_fall: T,
     /// The impulses up to every `stride`-th knot.
     impulses: [T; CHECKPOINTS],
@@ -80,7 +80,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
                 let (from, to) = (piece.start.0.value(), piece.end.0.value());
                 return Err(LoadError::TooSteep { knot: index + 1, from, to });
             }
-            // Of few pieces, what rounding makes of a fall does not count.
+            // With few pieces, the part of a fall that may be rounding does not count.
             let fall = if counts_rounding { piece.fall() } else { piece.fall_beyond_rounding() };
             load.fastest_fall = load.fastest_fall.max(fall);
             sum.add(piece.impulse());
@@ -99,7 +99,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
         self.knots.as_ref()
     }
 
-    /// The force at `t` read from the last knot that `is_before` selects and the knot behind it.
+    /// The force at `t`, from the last knot that `is_before` selects and the knot after it.
     fn force_after(&self, t: T, is_before: impl Fn(T) -> bool) -> T {
         let knots = self.knots.as_ref();
         let count = knots.partition_point(|&(time, _)| is_before(time));
@@ -112,12 +112,12 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
     }
 }
 
-/// Zero before the load is applied; NaN if the time is.
+/// Zero before the load is applied; NaN if the time is NaN.
 fn before_the_start<T: Scalar>(t: T) -> T {
     if t.value().is_nan() { t } else { T::zero() }
 }
 
-/// The pieces between neighbouring knots, steps among them.
+/// The pieces between neighbouring knots, including steps.
 fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
     knots.windows(2).filter_map(|pair| match *pair {
         [start, end] => Some(Piece { start, end }),

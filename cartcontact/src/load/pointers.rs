@@ -1,4 +1,4 @@
-//! What points to a load is one.
+//! Pointers to a load are loads.
 
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
@@ -71,7 +71,7 @@ mod tests {
         }
         let shared: Arc<dyn Load<f64>> = Arc::new(ramp);
         assert_eq!(radius(shared.clone()), radius(ramp));
-        // Every method is that of the load itself.
+        // Every method is forwarded to the load itself.
         assert!(shared.is_linear_between_knots());
         assert_eq!((shared.next_knot(0.0), shared.force_before(5.0)), (Some(10.0), 60.0));
         assert!(radius(Box::new(Constant(-1.0))).is_none() && Box::new(Constant(-1.0)).check().is_err());

@@ -1,22 +1,22 @@
 //! When a load of any kind first falls so fast that the edge of the contact recedes.
 //!
 //! The edge recedes while the hereditary load Y = F + χ ∫F falls. Between knots the load is followed in panels, in
-//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one
-//! too, Σ gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. A panel is
+//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too, Σ
+//! gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. On a panel
 //!
-//! - one on which Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
-//! - one on which it falls if at a node it is below its highest so far by more than rounding;
-//! - otherwise halved, until what can still hide between the nodes is rounding.
+//! - Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
+//! - Y falls if at a node it is below its highest so far by more than rounding;
+//! - Y may do either otherwise; the panel is halved until only rounding can hide between the nodes.
 //!
-//! That the nodes miss nothing is seen from the coefficients, which must decrease, and from the impulse, which the load
-//! knows by itself: a dip between nodes, or a swing that happens to look smooth at them, has an area.
+//! Two things show that the nodes miss nothing: the coefficients, which must decrease, and the impulse, which the load
+//! gives independently: a dip between nodes, or a swing that happens to look smooth at them, has an area.
 //!
 //! An impulse that no force through the nodes can have, unless Y falls between them, is a
 //! [contradiction](super::contradiction) if no fall is found there.
 //!
-//! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of others,
-//! so the search ends. What a panel that is not halved any more still leaves out is a jump, a kink, or noise such as the
-//! rounding of 1 − e^(−t) early on, because of which the bound [grows](Shortest).
+//! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of other
+//! panels is, so the search ends. What a panel still leaves out when it is halved no more is a jump, a kink, or noise
+//! such as the rounding of 1 − e^(−t) early on; because of noise the bound [grows](Shortest).
 //!
 //! A load that is [straight] between its knots is not searched.
 
@@ -28,7 +28,7 @@ use super::{Load, Shortest, knot_between};
 use crate::Scalar;
 use crate::scalar::smallest_normal;
 
-/// How often panels are halved at most because of their impulse, which may simply be that of another load, or when they
+/// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
 /// are short already.
 const MOST_DOUBTS: u32 = 128;
 
@@ -61,16 +61,16 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     None
 }
 
-/// By how much a hereditary load may fall and only be rounded; next to zero all numbers are rounded alike.
+/// By how much rounding may make a hereditary load fall; near zero all numbers are rounded alike.
 fn rounding_of<T: Scalar>(hereditary: T) -> T {
     hereditary.max(smallest_normal()) * T::default_epsilon() * T::constant(8.0)
 }
 
-/// A history on its way.
+/// A search in progress.
 struct Search<'a, T, L: ?Sized> {
     load: &'a L,
     chi: T,
-    /// Up to where a negative force is rounding.
+    /// By how much a force may be negative.
     negligible: T,
     /// By how much an impulse may be off.
     tolerance: T,
@@ -79,11 +79,11 @@ struct Search<'a, T, L: ?Sized> {
     impulse: T,
     /// The highest hereditary load so far.
     crest: Crest<T>,
-    /// Of the time between knots, the share below which panels are short.
+    /// The share of the time between knots below which panels are short.
     shortest: Shortest<T>,
-    /// How many more panels may be halved that are short, or because of their impulse.
+    /// How many more panels may be halved because of their impulse, or although they are short.
     doubts: u32,
-    /// A contradiction that a fall would explain, if one is found before its end; the shortest so far.
+    /// The shortest contradiction so far, unless a fall that is found before its end explains it.
     suspicion: Option<Contradiction<T>>,
 }
 
@@ -98,9 +98,9 @@ struct Crest<T> {
 enum Finding<T> {
     /// The hereditary load falls from a time on.
     Falls(T),
-    /// It seems to, by no more than gains within the panel are rounded.
+    /// It seems to fall, by no more than the rounding of gains within the panel.
     SeemsToFall(T),
-    /// It does not; with its crest at the end of the panel.
+    /// It does not fall; with its crest at the end of the panel.
     Rises(Crest<T>),
     /// It may fall between the nodes.
     Unclear(Crest<T>),
@@ -111,9 +111,9 @@ enum Finding<T> {
 enum Halving {
     /// Always.
     Free,
-    /// As long as the search [doubts](Search::doubts): the panel is short.
+    /// As long as there are [doubts](Search::doubts) left: the panel is short.
     Limited,
-    /// No more: its halves would hardly hold another number.
+    /// Never: its halves would hardly contain another number.
     Over,
 }
 
@@ -134,7 +134,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             if fault.is_some() {
                 return fault;
             }
-            // Half of it is no less than `short`, and is one: rounded, it may reach to the end like the whole.
+            // Always if half of it is no less than `short`, and is a half: rounded, it may reach to the end like the
+            // whole.
             let halving = if step <= least + least {
                 Halving::Over
             } else if step <= short + short || self.time + step * half + least >= end {
@@ -156,7 +157,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 self.shortest.give_up();
             }
             (self.time, self.impulse) = (stop, impulse);
-            // Also where no knot tells of a jump.
+            // Also where no knot reports a jump.
             if let Some(since) = self.jump() {
                 return Some(Fault::Falls(since));
             }
@@ -194,7 +195,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         force.map(Fault::of_force).or_else(|| Fault::of_impulse((end, impulse)))
     }
 
-    /// Passes a jump of the load, if there is one.
+    /// Passes a jump of the load, if there is one, and returns since when the hereditary load falls, if it does.
     fn jump(&mut self) -> Option<T> {
         let (before, after) = (self.load.force_before(self.time), self.load.force(self.time));
         if before == after {
@@ -234,7 +235,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         }
     }
 
-    /// Whether a panel is halved that leaves something open.
+    /// Whether a panel that leaves something open is halved.
     fn may_halve(&mut self, halving: Halving) -> bool {
         match halving {
             Halving::Free => true,
@@ -243,7 +244,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         }
     }
 
-    /// Whether one more panel may be halved that is short, or because of its impulse.
+    /// Whether one more panel may be halved because of its impulse, or although it is short.
     fn doubts(&mut self) -> bool {
         let may_doubt = self.doubts > 0;
         self.doubts = self.doubts.saturating_sub(1);

@@ -1,12 +1,12 @@
-//! How short the parts are at most in which a history is followed.
+//! The shortest part into which a history is divided.
 
 use crate::Scalar;
 
-/// After so many parts that are given up, the next are twice as long.
+/// After this many parts that are given up, the shortest length is doubled.
 const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
-/// The shortest length of a part. It is doubled after every sixteen parts that are given up, although they still leave
-/// something out, lest the noise of a load is followed through a whole history.
+/// The shortest length of a part. It is doubled after every sixteen parts that are given up although they still leave
+/// something out. Otherwise the noise of a load would be followed through a whole history.
 pub(crate) struct Shortest<T> {
     length: T,
     given_up: u32,

@@ -1,7 +1,7 @@
-//! When a user-defined load that is straight between its knots first falls too fast, or is none.
+//! When a user-defined load that is straight between its knots first falls too fast, or is not valid.
 //!
-//! Its pieces tell all: it is walked along them as [`PiecewiseLinear`](super::PiecewiseLinear) is, with three forces for
-//! each.
+//! Its pieces are all there is to know: the walk follows them as for [`PiecewiseLinear`](super::PiecewiseLinear), with
+//! three forces for each.
 
 use super::contradiction::Contradiction;
 use super::descent::Descent;
@@ -39,7 +39,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         if fault.is_some() {
             return fault;
         }
-        // It may know no more pieces.
+        // The load may give no more pieces.
         if walk.end.0 <= start {
             break;
         }
@@ -47,13 +47,13 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     walk.pass(&Piece { start: walk.end, end: (t, load.force(t)) })
 }
 
-/// A history on its way.
+/// A walk in progress.
 struct Walk<T> {
     t: T,
-    /// Up to where a negative force is rounding.
+    /// By how much a force may be negative.
     negligible: T,
     descent: Descent<T>,
-    /// The time up to now, and the force just before it.
+    /// The present time, and the force just before it.
     end: (T, T),
     /// ∫F up to now.
     integral: CompensatedSum<T>,

@@ -83,7 +83,7 @@ impl fmt::Display for MediumError {
     }
 }
 
-// Also where the error is that of `Medium::against_rigid`.
+// Also for errors of `Medium::against_rigid`.
 const BARE: &str = "if this body is bare, give `Medium::against_rigid` the layer of the other body alone";
 const NO_NUMBER: &str = "check what it is computed from";
 

@@ -1,4 +1,4 @@
-//! The two constants of the model that cartilage layers make.
+//! The two constants that cartilage layers contribute to the model.
 
 mod error;
 
@@ -36,8 +36,8 @@ impl<T: Scalar> Medium<T> {
     /// χ = m (h₁ k₁ + h₂ k₂)
     /// ```
     ///
-    /// The paper prints another χ, see [`between_as_printed_2011`](Self::between_as_printed_2011); finite
-    /// elements decide for this one.
+    /// The paper prints another χ, see [`between_as_printed_2011`](Self::between_as_printed_2011); finite elements
+    /// confirm this one.
     ///
     /// # Accuracy
     ///
