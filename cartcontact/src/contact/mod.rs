@@ -163,7 +163,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         radii::fill(self, times, radii, !self.recedes_until(radii::latest(times)))
     }
 
-    /// [`radii`](Self::radii) where the caller knows that the edge does not [recede](Self::recedes_until) up to any time.
+    /// [`radii`](Self::radii) where the caller knows that the edge does not [recede](Self::recedes_until) up to any
+    /// time.
     pub(crate) fn advancing_radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         radii::fill(self, times, radii, true)
     }

@@ -14,7 +14,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.common_radius_at(t, || !self.recedes_until(t)).map_or_else(|| self.checked_radius_at(t), Ok)
     }
 
-    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not [recede](Self::recedes_until) up to `t`.
+    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not [recede](Self::recedes_until) up to
+    /// `t`.
     pub(crate) fn advancing_radius_at(&self, t: T) -> Result<T, ContactError> {
         self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
     }
@@ -60,7 +61,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         }
     }
 
-    /// a J′/J = a⁵ δ₀′/(2 J), the degree of the load integral at a radius, in an order that keeps the fifth power in range.
+    /// a J′/J = a⁵ δ₀′/(2 J), the degree of the load integral at a radius, in an order that keeps the fifth power in
+    /// range.
     pub(crate) fn degree(&self, a: T, load_integral: T) -> T {
         let square = a * a;
         let slope = self.profile.quick_approach_slope(a);

@@ -75,7 +75,7 @@ impl Run {
         self.columns.clone()
     }
 
-    /// The column that `count` others are nearer to the axis than.
+    /// The column with `count` others nearer to the axis.
     pub(super) fn column(&self, count: usize) -> usize {
         if self.descends { self.columns.end - 1 - count } else { self.columns.start + count }
     }

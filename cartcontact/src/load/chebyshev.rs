@@ -65,8 +65,8 @@ pub(super) fn derivative<T: Scalar>(sum: &[T]) -> Coefficients<T> {
 
 /// The mean of a sum from ξ to 1.
 ///
-/// With the coefficients aₖ of the integral, let βₖ = 2 β₍ₖ₊₁₎ − β₍ₖ₊₂₎ + aₖ. Then the integral over ξ − 1 is β₁ + 2 Σ
-/// β₍ₖ₊₁₎ Tₖ.
+/// With the coefficients aₖ of the integral, let βₖ = 2 β₍ₖ₊₁₎ − β₍ₖ₊₂₎ + aₖ. Then the integral over ξ − 1 is
+/// β₁ + 2 Σ β₍ₖ₊₁₎ Tₖ.
 pub(super) fn mean_to_the_end<T: Scalar>(sum: &[T]) -> Coefficients<T> {
     let at = |k: usize| sum.get(k).copied().unwrap_or(T::zero());
     let two = T::constant(2.0);

@@ -68,7 +68,7 @@ impl<T: Scalar> Contradiction<T> {
     }
 
     /// The contradiction, if any, between the impulse up to a time and the integral of straight pieces. The integral is
-    /// known, but users sum impulses in plain arithmetic, hence 1/256 = 0.4 % is tolerated, too.
+    /// known, but users sum impulses in plain arithmetic, hence 1/256 = 0.4 % is tolerated as well.
     pub(super) fn with_integral((to, impulse): (T, T), integral: T, tolerance: T) -> Option<Self> {
         let is_off = (impulse - integral).abs() > integral * T::constant(1.0 / 256.0) + tolerance;
         is_off.then(|| Self { from: T::zero(), to, impulse, integral })

@@ -1,4 +1,4 @@
-//! Faults, because of which the solution does not cover a history.
+//! Faults of a history, which the solution then does not cover.
 
 use super::contradiction::{self, Contradiction};
 use super::{Load, LoadError};

@@ -4,10 +4,10 @@
 //! history the difference of two impulses has lost the digits of what lies between: at χ t = 1000 the hereditary load
 //! of the last e-folding is off by 500 ε. So what drains in a step follows from the forces within it.
 //!
-//! Let ξ go from −1 at the start of the step to 1 at its end, and F − F(1) = Σ cₖ Tₖ(ξ) interpolate the forces at cos(π
-//! j/N), which include both ends; no error of a force is multiplied by more than 3. In a step of h e-foldings the
-//! hereditary load grows at dY/dξ = F′ + (h/2) F, and its mean growth M from ξ to the end gives what it still gains, (1
-//! − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits even
+//! Let ξ go from −1 at the start of the step to 1 at its end, and F − F(1) = Σ cₖ Tₖ(ξ) interpolate the forces at
+//! cos(π j/N), which include both ends; no error of a force is multiplied by more than 3. In a step of h e-foldings the
+//! hereditary load grows at dY/dξ = F′ + (h/2) F, and its mean growth M from ξ to the end gives what it still gains,
+//! (1 − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits even
 //! where the time to the end is short; and the force enters only through its difference from that at the end, so that
 //! the many small gains of a long history do not round as the force does.
 //!

@@ -180,8 +180,8 @@ pub trait Load<T: Scalar> {
         count
     }
 
-    /// The first time up to `t`, in s, from which the solution does not hold, if there is one: the hereditary load F + χ ∫F
-    /// falls there, so that the edge recedes, or the force and the impulse are in
+    /// The first time up to `t`, in s, from which the solution does not hold, if there is one: the hereditary load
+    /// F + χ ∫F falls there, so that the edge recedes, or the force and the impulse are in
     /// [`contradiction`](Self::contradiction).
     ///
     /// The provided method follows the force between knots as closely as it varies. It finds every fall of a smooth

@@ -1,12 +1,12 @@
 //! When a load of any kind first falls so fast that the edge of the contact recedes.
 //!
 //! The edge recedes while the hereditary load Y = F + χ ∫F falls. Between knots the load is followed in panels, in
-//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too, Σ
-//! gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. On a panel
+//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too,
+//! Σ gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. On a panel
 //!
 //! - Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
 //! - Y falls if at a node it is below its highest so far by more than rounding;
-//! - Y may do either otherwise; the panel is halved until only rounding can hide between the nodes.
+//! - otherwise Y may do either, and the panel is halved until only rounding can hide between the nodes.
 //!
 //! Two things show that the nodes miss nothing: the coefficients, which must decrease, and the impulse, which the load
 //! gives independently: a dip between nodes, or a swing that happens to look smooth at them, has an area.
@@ -16,7 +16,7 @@
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of other
 //! panels is, so the search ends. What a panel still leaves out when it is halved no more is a jump, a kink, or noise
-//! such as the rounding of 1 − e^(−t) early on; because of noise the bound [grows](Shortest).
+//! such as the rounding of 1 − e^(−t) early on; because of these the bound [grows](Shortest).
 //!
 //! A load that is [straight] between its knots is not searched.
 

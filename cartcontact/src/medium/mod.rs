@@ -41,8 +41,8 @@ impl<T: Scalar> Medium<T> {
     ///
     /// # Accuracy
     ///
-    /// m is within 4 units in the last place, χ within 5. A contact is as exact as [`m`](Self::m) and [`chi`](Self::chi)
-    /// say.
+    /// m is within 4 units in the last place, χ within 5. A contact is as exact as [`m`](Self::m) and
+    /// [`chi`](Self::chi) say.
     ///
     /// # Errors
     ///

@@ -67,8 +67,8 @@ impl<T: Scalar> Line<T> {
         size.is_finite() & (size * T::default_epsilon() > smallest_normal())
     }
 
-    /// The age of a deficit where the squares of rates are out of range: the same root, with all rates in units of a power
-    /// of two near the largest, so that not a bit depends on the units of the load.
+    /// The age of a deficit where the squares of rates are out of range: the same root, with all rates in units of a
+    /// power of two near the largest, so that not a bit depends on the units of the load.
     fn age_in_units(self, deficit: T) -> T {
         let Self { chi, force_rate, hereditary_rate: rate } = self;
         let two = T::constant(2.0);

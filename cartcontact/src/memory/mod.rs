@@ -14,9 +14,9 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | `march` | goes from one time to another, from knot to knot of the load; `march::steps`: where the load is not straight |
+//! | `march` | goes from one time to another, knot by knot; `march::steps`: where the load is not straight |
 //! | `run` | many short straight pieces of the load at once |
-//! | `stretch` | one stretch of history without a knot: by `radius_form` (loads that are held or rise) or `time_form` (all others) |
+//! | `stretch` | one stretch without a knot: by `radius_form` (held or rising loads) or `time_form` (all others) |
 //! | `nodes` | the nodes of an integral over the radius |
 //! | `line`, `fading` | how long ago Y was smaller, along a straight load; what is left after some e-foldings |
 //!

@@ -12,7 +12,7 @@ pub(super) struct Node<T> {
     pub(super) s: T,
     /// The depth below the edge.
     pub(super) depth: T,
-    /// The weight of the node, with ds.
+    /// The weight of the node, including ds.
     pub(super) weight: T,
 }
 

@@ -20,9 +20,9 @@ use crate::{GapProfile, Scalar};
 /// How much larger slopes may be elsewhere than where they are evaluated.
 const MARGIN: f64 = 1.5;
 
-/// A singularity of the integrand counts as this number of e-foldings per distance to it: the rule of 24 nodes needs
-/// panels of at most 2.2 distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the length), or
-/// of 31 folds.
+/// A singularity of the integrand counts as this many e-foldings in a length equal to its distance: the rule of 24
+/// nodes needs panels of at most 2.2 distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the
+/// length), or of 31 folds.
 const FOLDS_AT_DISTANCE: f64 = 14.4;
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
@@ -135,7 +135,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         }
     }
 
-    /// The increment of the radii from `low` to `top`, at most a quarter of the contact radius, in the variable s^(1/4).
+    /// The increment of the radii from `low` to `top`, at most a quarter of the contact radius, in the variable
+    /// s^(1/4).
     fn increment_of_core(&self, top: T) -> Increment<T> {
         let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
         let ends = (fourth_root(self.low), fourth_root(top));
@@ -188,7 +189,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     }
 }
 
-/// What the centre counts as, per distance to it: a short rule notices s^(n−1) next to s = 0 from far away.
+/// How many e-foldings the centre counts as, in a length equal to its distance: a short rule notices s^(n−1) next to
+/// s = 0 from far away.
 fn folds_at_centre<T: Scalar, P: GapProfile<T>>(profile: &P) -> T {
     if profile.is_smooth_at_centre() { T::zero() } else { T::constant(FOLDS_AT_DISTANCE) }
 }

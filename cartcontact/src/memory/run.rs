@@ -1,7 +1,7 @@
 //! The memory integrals over many short pieces of a load at once.
 //!
-//! A measured load has hundreds of pieces, during each of which little happens. For radii covered before they begin, Eq.
-//! (28) integrated by parts over time reads
+//! A measured load has hundreds of pieces, during each of which little happens. For radii covered before they begin,
+//! Eq. (28) integrated by parts over time reads
 //!
 //! ```text
 //! (8/(π m)) ∫ Y′(τ) e^(−χ (end − τ)) {a² − low², 1} / a⁴ dτ,    a = a(Y(τ))

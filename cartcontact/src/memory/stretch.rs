@@ -31,7 +31,8 @@ pub(super) enum Course<'a, T> {
 }
 
 impl<'a, T: Scalar> Course<'a, T> {
-    /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in range.
+    /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in
+    /// range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
         if last > first && is_instant(chi * duration) {
             return Self::step();

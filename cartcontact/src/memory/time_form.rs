@@ -1,8 +1,8 @@
 //! The memory integrals over time, along a falling load or one that is not straight.
 //!
 //! Let D(x) be the amount by which the hereditary load x e-foldings before the end is below its final value: along a
-//! straight load it is R x + G x²/2, where R = Y′/χ at the end and G = −F′/χ are forces. Then δ₀′ ds = 2 dD/((π m/4)
-//! s⁴) turns the integrals over s into
+//! straight load it is R x + G x²/2, where R = Y′/χ at the end and G = −F′/χ are forces. Then
+//! δ₀′ ds = 2 dD/((π m/4) s⁴) turns the integrals over s into
 //!
 //! ```text
 //! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1} / s⁴ · dx

@@ -67,7 +67,7 @@ where
     march.transition
 }
 
-/// Whether a difference, of numbers whose magnitudes add up to `sizes`, has not lost its digits.
+/// Whether a difference has kept its digits; `sizes` is the sum of the magnitudes that it is the difference of.
 fn has_digits<T: Scalar>(difference: T, sizes: T) -> bool {
     sizes <= T::constant(16.0) * difference
 }
@@ -301,7 +301,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    /// Takes the strip away, which an integral over the radius includes because it begins at the rounded radius.
+    /// Takes away the strip, which an integral over the radius lays again, because it begins at the rounded radius.
     fn leave_strip(&mut self) {
         if self.has_strip {
             self.add_at_edge(-self.now.strip(self.contact.integral_per_load()));

@@ -27,10 +27,10 @@ const MOST_HALVINGS: u32 = 2048;
 /// The length of steps.
 struct Pace<T> {
     step: T,
-    /// How short steps may be.
+    /// The shortest length of a step.
     shortest: Shortest<T>,
-    /// How short a limited number of steps may be: still long enough to move the time, also where the whole duration is
-    /// few roundings of the time, or below the normal numbers.
+    /// The shortest length of a limited number of steps: still long enough to move the time, also where the whole
+    /// duration is few roundings of the time, or below the normal numbers.
     least: T,
     /// How many more steps may be shorter than `shortest`.
     halvings: u32,
