@@ -51,7 +51,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         panels.push(series.panel(&times));
     }
     figure::write(Path::new(FIGURE), 62.0, &panels)?;
-    writeln!(out, "\nfigure: {FIGURE}")?;
+    writeln!(out, "\nFigure\n  {FIGURE}")?;
     Ok(())
 }
 
@@ -121,7 +121,7 @@ impl Series {
             title: Some(self.title.to_owned()),
             x: Axis { label: self.label, decimals: 0 },
             x_end: self.sizes.last().map_or(1.0, |&size| (self.x)(size)),
-            y: Axis { label: "time, ms", decimals },
+            y: Axis { label: "time (ms)", decimals },
             curves: vec![
                 curve("pressure field", Ink::Blue, Dash::Solid, 0),
                 curve("filling the same memory", Ink::Vermilion, Dash::Dashed, 1),

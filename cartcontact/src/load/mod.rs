@@ -134,7 +134,8 @@ pub(crate) use shortest::Shortest;
     label = "not a load",
     note = "a constant load is `load::Constant(100.0)`, with a decimal point",
     note = "a measured load is `load::PiecewiseLinear::new(...)` of pairs (time, force)",
-    note = "for any other implement `Load`: it has an impulse, which a function of time alone does not tell"
+    note = "all numbers of a contact have one type: in a contact of f32 that is `load::Constant(100.0_f32)`",
+    note = "for any other implement `Load`: it also needs the integral of the force over time"
 )]
 pub trait Load<T: Scalar> {
     /// The force F(t) at a time t ≥ 0, in N; at a jump, its value just after the jump.

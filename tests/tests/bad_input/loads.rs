@@ -48,7 +48,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     refused(
         contact.at(55.0),
         is_receding,
-        "ask for earlier times, or smooth the load: from one knot to the next",
+        "ask for earlier times, or smooth the load: a force may fall as fast as",
     );
     Ok(())
 }
@@ -63,7 +63,7 @@ fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError>
     );
     let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
     let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { since: 0.0, .. });
-    refused(contact.at(0.02), is_receding, "does not cover; smooth the load: from one knot to the next");
+    refused(contact.at(0.02), is_receding, "does not cover; smooth the load: a force may fall as fast as");
     Ok(())
 }
 
