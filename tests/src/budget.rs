@@ -10,8 +10,7 @@
 //! - by what the entry itself says, and where two results are compared by 2, as either may be off by what is allowed;
 //! - for radii of gaps with terms of both signs by [`RADIUS_OF_DIFFERENCES`];
 //! - for the functions of a radius by the number of terms over [`TERMS`], where there are more;
-//! - for pressures by the greatest condition number of the radii on the way, all of which they remember;
-//! - for pressures after a load has fallen by Y/F, at most e^(χ t): of what was there so much more has drained than is left.
+//! - for pressures by the greatest condition number of the radii on the way, all of which they remember.
 //!
 //! Where a load is an exponential function of time, [`FOLD`] is added.
 //!

@@ -67,19 +67,19 @@ impl Load<f64> for Rise {
 
 /// A user-defined load that falls exponentially.
 #[derive(Clone, Copy, Debug)]
-pub struct Fall {
+pub struct Fall<T> {
     /// The first force.
-    pub force: f64,
+    pub force: T,
     /// How fast.
-    pub rate: f64,
+    pub rate: T,
 }
 
-impl Load<f64> for Fall {
-    fn force(&self, t: f64) -> f64 {
+impl<T: Scalar> Load<T> for Fall<T> {
+    fn force(&self, t: T) -> T {
         self.force * (-self.rate * t).exp()
     }
 
-    fn impulse(&self, t: f64) -> f64 {
+    fn impulse(&self, t: T) -> T {
         -self.force * (-self.rate * t).exp_m1() / self.rate
     }
 }

@@ -3,9 +3,10 @@
 use super::Loading;
 use crate::Scalar;
 use crate::evaluate::binary::{scale, split};
+use crate::evaluate::bits::is_normal;
 use crate::evaluate::double_word::DoubleWord;
 use crate::medium::Medium;
-use crate::scalar::{is_single, smallest_normal};
+use crate::scalar::is_single;
 
 /// π/4 minus its word in each format, from the next digits of π; half a unit of the last digit counts for 2⁻¹⁰⁶ and
 /// 2⁻⁴⁸.
@@ -22,10 +23,9 @@ pub(super) struct Scales<T> {
     pub(super) load_per_integral: T,
     /// 4/(π m), in mm⁵/N: stored, as a product takes a third of the time of a quotient.
     pub(super) integral_per_load: T,
-    /// 4 χ/(π m), in mm⁵/(N s).
+    /// 4 χ/(π m), in mm⁵/(N s), over a power of two: 1, or near its root where it would leave the format itself.
     integral_per_impulse: T,
-    /// Whether `integral_per_impulse` has all its digits.
-    has_digits: bool,
+    unit: T,
 }
 
 impl<T: Scalar> Scales<T> {
@@ -36,27 +36,26 @@ impl<T: Scalar> Scales<T> {
         let load = DoubleWord::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);
         let integral = DoubleWord::of(T::one()).over(load);
         let integral_per_load = scale(integral.rounded(), -exponent);
-        let integral_per_impulse = if chi.is_zero() {
+        let (integral_per_impulse, unit) = if chi.is_zero() {
             // It may carry a derivative.
-            chi * integral_per_load
+            (chi * integral_per_load, T::one())
         } else {
             let (chi, exponent_of_chi) = split(chi);
-            scale(integral.times_word(chi).rounded(), exponent_of_chi - exponent)
+            let exponent = exponent_of_chi - exponent;
+            // The fraction of the product is from 1/2 to 4.
+            let fits = is_normal::<T>(exponent - 1) && is_normal::<T>(exponent + 2);
+            let of_unit = if fits { 0 } else { exponent / 2 };
+            (scale(integral.times_word(chi).rounded(), exponent - of_unit), scale(T::one(), of_unit))
         };
-        let has_digits =
-            chi.is_zero() || (integral_per_impulse >= smallest_normal() && integral_per_impulse.is_finite());
         let load_per_integral = scale(load.rounded(), exponent);
-        Self { load_per_integral, integral_per_load, integral_per_impulse, has_digits }
+        Self { load_per_integral, integral_per_load, integral_per_impulse, unit }
     }
 
     /// The load integral under a load: J = (F + χ ∫F)/(π m/4).
     #[inline(always)]
     pub(super) fn load_integral(&self, loading: Loading<T>) -> T {
-        if self.has_digits {
-            loading.force * self.integral_per_load + loading.impulse * self.integral_per_impulse
-        } else {
-            loading.hereditary * self.integral_per_load
-        }
+        let of_impulse = loading.impulse * self.integral_per_impulse * self.unit;
+        loading.force * self.integral_per_load + of_impulse
     }
 }
 
@@ -87,5 +86,18 @@ mod tests {
                 .map(|[load, integral, impulse]| [load * unit, integral / unit, impulse]);
             assert_eq!(scales::<f64>(0.375 * unit, 0.0015 * unit), exact);
         }
+    }
+    /// Of χ/m, which is subnormal in one of the two systems of units.
+    #[test]
+    fn other_units_change_no_digit() {
+        let load_integral = |length: f32, force: f32| {
+            let (m, chi) = (1.586_556_2e15 * force / length.powi(5), 4.539_673_4e-17);
+            let medium = Medium::from_constants(m, chi).ok()?;
+            let loading = Loading::new(49_002.473 * force, 1.015_656_6e12 * 49_002.473 * force, chi);
+            Some(Scales::of(&medium).load_integral(loading) / length.powi(5))
+        };
+        let found = load_integral(1.0, 1.0);
+        assert!(found.is_some_and(f32::is_normal));
+        assert_eq!(found, load_integral(0.0625, 32.0));
     }
 }

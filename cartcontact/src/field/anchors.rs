@@ -53,12 +53,12 @@ impl<T: Scalar> Anchors<T> {
         runs: &Runs<'_, T>,
         values: &mut [T],
     ) {
-        if !change.is_slow() {
-            // Half of the earlier roundings is lost, too.
-            *self = Self::at(row, edge);
-            return;
+        for anchor in &mut self.0 {
+            anchor.pass(change);
+            if !change.is_slow() || anchor.has_faded() {
+                *anchor = Anchor::at(row, edge);
+            }
         }
-        self.0.iter_mut().for_each(|anchor| anchor.pass(change));
         let lasts = |(kind, anchor): (usize, &Anchor<T>)| anchor.age < RATIO.pow(kind as u32 + 1);
         let due = self.0.iter().enumerate().take_while(|&place| !lasts(place)).count();
         if let Some(longest) = due.checked_sub(1) {
@@ -77,6 +77,14 @@ impl<T: Scalar> Anchor<T> {
     fn pass(&mut self, change: Change<T>) {
         self.since.pass(change);
         self.age += 1;
+    }
+
+    /// Whether less than half of its pressures is left, and of their roundings.
+    ///
+    /// A row computed from them would be a difference of nearly equal numbers: under a load that falls for long, rounding
+    /// alone.
+    fn has_faded(&self) -> bool {
+        self.since.gain.value < T::constant(-0.5)
     }
 
     /// Computes a later row from this one, at the radii that were covered here.

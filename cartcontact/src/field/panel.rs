@@ -83,7 +83,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
             let z = half * (T::one() + x);
             let gain = z * (force_rate + chi * (force + T::constant(0.5) * force_rate * z));
             let a = contact.radius_under(hereditary + gain).ok()?;
-            let rate = Line::to(force + force_rate * z, force_rate, chi).hereditary_rate;
+            // Of a load that falls as fast as it may this is rounding, which may be negative: raised to zero it would add up.
+            let rate = force_rate + chi * (force + force_rate * z);
             let square = a * a;
             let growth = (T::one() + decay_gain(chi * z)) * square * square;
             let slope = T::frac_2_pi() * half * rate / growth;

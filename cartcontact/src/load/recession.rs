@@ -46,7 +46,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         tolerance,
         time: zero,
         impulse: zero,
-        crest: Crest { time: zero, fallen: zero },
+        crest: Crest::at(zero),
         shortest: Shortest::of(T::constant(1.0 / 131_072.0)),
         doubts: MOST_DOUBTS,
         suspicion: None,
@@ -61,7 +61,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     None
 }
 
-/// By how much rounding may make a hereditary load fall; near zero all numbers are rounded alike.
+/// By how much rounding may make a hereditary load fall between knots; near zero all numbers are rounded alike.
 fn rounding_of<T: Scalar>(hereditary: T) -> T {
     hereditary.max(smallest_normal()) * T::default_epsilon() * T::constant(8.0)
 }
@@ -87,11 +87,18 @@ struct Search<'a, T, L: ?Sized> {
     suspicion: Option<Contradiction<T>>,
 }
 
-/// When the hereditary load was highest, and by how much it has fallen since.
+/// When the hereditary load was highest, by how much it has fallen since, and how many knots it has passed.
 #[derive(Clone, Copy)]
 struct Crest<T> {
     time: T,
     fallen: T,
+    knots: u32,
+}
+
+impl<T: Scalar> Crest<T> {
+    fn at(time: T) -> Self {
+        Self { time, fallen: T::zero(), knots: 0 }
+    }
 }
 
 /// What a panel tells.
@@ -122,6 +129,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
         let mut step = end - self.time;
+        self.crest.knots = self.crest.knots.saturating_add(1);
         let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
         let whole = step;
         while self.time < end {
@@ -179,14 +187,23 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if self.misses(force, (stop, impulse), halving) {
             return None;
         }
-        let hereditary = self.load.force_before(stop) + self.chi * impulse;
-        let finding = self.examine(force, stop, rounding_of(hereditary));
+        let finding = self.examine(force, stop, self.rounding(self.load.force_before(stop), impulse));
         let is_vague = match finding {
             // A rough series does not tell since when, nor what else the load does.
             Finding::Falls(_) | Finding::Rises(_) => force.is_rough() && halving == Halving::Free,
             Finding::SeemsToFall(_) | Finding::Unclear(_) => self.may_halve(halving),
         };
         (!is_vague).then_some(finding)
+    }
+
+    /// By how much the hereditary load may have fallen since its crest and only be rounded.
+    ///
+    /// Forces at knots may be rounded each by itself, so that what is forgiven adds up; it ends where it is too much along
+    /// [straight pieces](super::descent), too.
+    fn rounding(&self, force: T, impulse: T) -> T {
+        let of_one = rounding_of(force + self.chi * impulse);
+        let of_all = of_one * T::constant(f64::from(self.crest.knots));
+        of_all.min(force * T::default_epsilon().sqrt()).max(of_one)
     }
 
     /// The first invalid force of a panel, or the impulse at its end if that is not finite.
@@ -201,12 +218,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if before == after {
             return None;
         }
-        let rounding = rounding_of(before + self.chi * self.impulse);
+        let rounding = self.rounding(before, self.impulse);
         let fallen = self.crest.fallen + (before - after);
         if fallen > T::zero() {
             self.crest.fallen = fallen;
         } else {
-            self.crest = Crest { time: self.time, fallen: T::zero() };
+            self.crest = Crest::at(self.time);
         }
         (fallen > rounding).then_some(self.crest.time)
     }
@@ -257,7 +274,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let dip = force.deepest_dip();
         let gain = force.gain();
         if dip <= zero && self.crest.fallen <= gain {
-            return Finding::Rises(Crest { time: end, fallen: zero });
+            return Finding::Rises(Crest::at(end));
         }
         let rounding = rounding + force.uncertainty();
         let mut fallen = self.crest.fallen;
@@ -276,7 +293,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 return if is_clear { Finding::Falls(since) } else { Finding::SeemsToFall(since) };
             }
         }
-        let crest = Crest { time: highest.map_or(self.crest.time, |node| force.time(node, end)), fallen };
+        let crest = highest.map_or(self.crest, |node| Crest::at(force.time(node, end)));
+        let crest = Crest { fallen, ..crest };
         if dip > rounding + force.noise() { Finding::Unclear(crest) } else { Finding::Rises(crest) }
     }
 }

@@ -22,8 +22,8 @@ pub(super) struct Stretch<'a, T, P, L> {
 
 /// How the hereditary load Y = F + χ ∫F rose during a stretch.
 pub(super) enum Course<'a, T> {
-    /// All at once, `age` before the end, chosen so that the right share is left at the end.
-    Step { age: T },
+    /// All at once, `age` before the end, chosen so that the right share is left at the end; `folds` pass in all.
+    Step { age: T, folds: T },
     /// Along a straight load.
     Linear { line: Line<T>, duration: T },
     /// Along any other load.
@@ -34,26 +34,28 @@ impl<'a, T: Scalar> Course<'a, T> {
     /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in
     /// range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
-        if last > first && is_instant(chi * duration) {
-            return Self::step();
+        let folds = chi * duration;
+        if last > first && is_instant(folds) {
+            return Self::Step { age: T::zero(), folds };
         }
         Self::Linear { line: Line::to(last, (last - first) / duration, chi), duration }
     }
 
     /// A load of any other kind.
     pub(super) fn smooth(force: &'a ForceSeries<T>) -> Self {
-        if is_instant(force.folds()) { Self::step() } else { Self::Smooth(force) }
+        let folds = force.folds();
+        if is_instant(folds) { Self::Step { age: T::zero(), folds } } else { Self::Smooth(force) }
     }
 
-    /// At once, at the end.
-    pub(super) fn step() -> Self {
-        Self::Step { age: T::zero() }
+    /// A jump of the load, which takes no time.
+    pub(super) fn jump() -> Self {
+        Self::Step { age: T::zero(), folds: T::zero() }
     }
 
     /// χ times the duration.
     pub(super) fn folds(&self, chi: T) -> T {
         match self {
-            Self::Step { .. } => T::zero(),
+            Self::Step { folds, .. } => *folds,
             Self::Linear { duration, .. } => chi * *duration,
             Self::Smooth(force) => force.folds(),
         }
@@ -80,7 +82,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     #[inline(always)]
     pub(super) fn age(&self, deficit: T) -> T {
         match *self {
-            Self::Step { age } => age,
+            Self::Step { age, .. } => age,
             Self::Linear { line, .. } => line.age(deficit),
             Self::Smooth(force) => force.age(deficit),
         }

@@ -180,21 +180,13 @@ impl<T: Precision> Examination<'_, T> {
         let flattest = self.exact.profile.flattest_radius(a);
         let on_the_way = flattest.map_or(1.0, |s| condition::of_radius(&self.exact.profile.kernels(s)));
         let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
-        let condition = condition.max(on_the_way) * kernel * self.condition_of_fall(now.force());
+        let condition = condition.max(on_the_way) * kernel;
         self.pressures(now, a, condition, depth);
         self.field(now, condition);
         self.units(now);
         if depth.balance && self.scene.knots.len() <= MOST_KNOTS {
-            self.balance(now, on_the_way * self.condition_of_fall(now.force()));
+            self.balance(now, on_the_way);
         }
-    }
-
-    /// Y/F under a load that falls, at most e^(χ t): what is left of it is the less certain the more has drained.
-    fn condition_of_fall(&self, force: T) -> f64 {
-        let falls =
-            self.scene.knots.windows(2).any(|pair| pair[1].1 < pair[0].1 && pair[0].0 < self.scene.time);
-        let hereditary = self.exact.hereditary(Wide::of(self.scene.time.value()));
-        if falls { (hereditary / Wide::of(force.value())).value().max(1.0) } else { 1.0 }
     }
 
     /// A distance from the axis by its distance from the edge.

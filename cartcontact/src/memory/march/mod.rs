@@ -147,7 +147,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn jump(&mut self, before: T, after: T) {
         if after > before || !is_plain::<T>() {
             let radius = self.radius_under(self.now.time, after);
-            self.cover(radius, &Course::step(), (before, after), after - before);
+            self.cover(radius, &Course::jump(), (before, after), after - before);
         }
     }
 

@@ -179,7 +179,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let age =
             if is_of_force && T::zero() < kept && kept < gain { (gain / kept).ln() / chi } else { T::zero() };
         self.fade(fading);
-        self.arrive(end, &Course::Step { age }, (fading.after(first, T::zero()), last), gain);
+        // Time has passed already.
+        let course = Course::Step { age, folds: T::zero() };
+        self.arrive(end, &course, (fading.after(first, T::zero()), last), gain);
     }
 
     /// Covers what the contact reaches at the end of a step, and passes a jump there, which a knot may report or not.

@@ -1,0 +1,102 @@
+//! Fields under loads that fall about as fast as what they press out drains: the pressures that are left hide no rounding of
+//! those that were.
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, Medium, Scalar, gap_profile};
+use tests::budget;
+use tests::condition::edge;
+use tests::loads::{Announced, Fall};
+use tests::measure::ulps;
+use tests::random::Stream;
+
+#[gap_profile(0.025 * r^2)]
+struct Ball;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// Compares every 16th row, and the last, with what the time has alone.
+fn compare<T: Scalar, L: Load<T>>(chi: T, load: L, times: &[T]) -> Result<(), Failure> {
+    let contact = Contact::new(Ball, Medium::from_constants(T::constant(0.375), chi)?, load)?;
+    let radii = [T::zero(), contact.at(T::zero())?.radius() * T::constant(0.5)];
+    let mut field = vec![T::zero(); times.len() * radii.len()];
+    contact.pressure_field(times, &radii, &mut field)?;
+    let epsilon = T::default_epsilon().value();
+    let allowed = if epsilon == f64::EPSILON { budget::FIELD.double } else { budget::FIELD.single };
+    let rows = times.iter().zip(field.chunks(radii.len())).enumerate();
+    for (k, (&t, row)) in rows.filter(|(k, _)| k % 16 == 0 || k + 1 == times.len()) {
+        let now = contact.at(t)?;
+        for (&found, &r) in row.iter().zip(&radii) {
+            let error = ulps(found.value(), now.pressure(r).value().into(), epsilon);
+            assert!(error <= allowed * edge(now.radius(), r), "row {k}, r = {r}: {error} ulp");
+        }
+    }
+    Ok(())
+}
+
+fn equal_times<T: Scalar>(count: u32, step: f64) -> Vec<T> {
+    (0..=count).map(|k| T::constant(f64::from(k) * step)).collect()
+}
+
+/// A record of equal steps, each of which leaves a share of the force.
+fn steps<T: Scalar>(times: &[T], share: f64) -> Result<PiecewiseLinear<T, Vec<(T, T)>>, Failure> {
+    let forces = (0..).map(|k| T::constant(100.0 * share.powi(k)));
+    Ok(PiecewiseLinear::new(times.iter().copied().zip(forces).collect())?)
+}
+
+#[test]
+fn rows_after_a_long_fall_are_those_of_single_times() -> Result<(), Failure> {
+    let times = equal_times::<f64>(200, 0.5);
+    for share in [1.0 / 1.25, 1.0 / 1.4, 0.95] {
+        compare(1.0, steps(&times, share)?, &times)?;
+    }
+    let times = equal_times::<f32>(100, 0.3);
+    compare(1.0, steps(&times, 1.0 / 1.24)?, &times)
+}
+
+#[test]
+fn rows_fade_with_a_load_at_the_bound() -> Result<(), Failure> {
+    // Forces are rounded, and so is the share that pressures fade by: both add up to less than the bound per e-folding.
+    for rate in [0.5, 0.9, 1.0] {
+        compare(1.0, Fall { force: 100.0, rate }, &equal_times(250, 0.3))?;
+    }
+    Ok(())
+}
+
+#[test]
+fn rows_may_be_closer_than_anything_drains() -> Result<(), Failure> {
+    for rate in [0.5e-3, 0.9e-3, 1e-3_f32] {
+        compare(1e-3, Fall { force: 100.0, rate }, &equal_times(4000, 1e-3))?;
+    }
+    compare(1e-3, Fall { force: 100.0, rate: 1e-3 }, &equal_times(3000, 1e-7))
+}
+
+/// Noise that is clamped to the steepest falls, as the documentation of `PiecewiseLinear` shows.
+fn clamped(stream: &mut Stream, count: u32, (step, chi): (f32, f32)) -> Vec<(f32, f32)> {
+    let mut record = vec![(0.0, 80.0)];
+    for k in 1..count {
+        let ((before, force), t) = (record[record.len() - 1], k as f32 * step);
+        let noise = stream.between(80.0, 81.0) as f32;
+        record.push((t, noise.max(force / (1.0 + chi * (t - before)))));
+    }
+    record
+}
+
+#[test]
+fn a_clamped_record_may_have_more_rows_than_knots() -> Result<(), Failure> {
+    let record = clamped(&mut Stream::of_case(7, 0), 1000, (0.01, 1.5e-3));
+    compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(10_000, 1e-3))
+}
+
+#[test]
+fn a_clamped_record_is_none_too_fast_behind_a_load_of_a_users_own() -> Result<(), Failure> {
+    let mut stream = Stream::of_case(7, 1);
+    for (step, chi) in [(1e-3, 1e-2), (1e-3, 1.5e-3), (0.01, 1.5e-3)] {
+        for count in [30; 40].into_iter().chain([2000]) {
+            let record = PiecewiseLinear::new(clamped(&mut stream, count, (step, chi)))?;
+            let end = (count - 1) as f32 * step;
+            assert_eq!(record.recession(chi, end), None, "{step}, {chi}, {count}");
+            assert_eq!(Announced::curved(&record).recession(chi, end), None, "{step}, {chi}, {count}");
+        }
+    }
+    Ok(())
+}
