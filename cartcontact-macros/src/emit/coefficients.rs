@@ -82,9 +82,12 @@ impl<'a> Coefficients<'a> {
 
     /// A power of a coefficient that is no integer.
     fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
-        let (power, number) = (self.names.generated("real_power"), self.names.number(exponent_of_base));
         match self.digits {
-            Digits::OfAWord => quote!(#power(#base, #number)),
+            Digits::OfAWord => {
+                let (power, number) =
+                    (self.names.generated("real_power"), self.names.number(exponent_of_base));
+                quote!(#power(#base, #number))
+            }
             Digits::OfTwo => {
                 let exponent = exponent(exponent_of_base, self.names);
                 quote!(#base.power(#exponent))

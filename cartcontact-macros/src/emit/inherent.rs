@@ -97,7 +97,7 @@ fn constants(geometry: &Geometry) -> TokenStream {
 
 /// The method `terms`, over the scalar type of the fields, or over any if they have none.
 fn of_fields(item: &Item, names: &Names, count: &impl ToTokens, body: &TokenStream) -> TokenStream {
-    let Names { krate, scalar } = names;
+    let Names { krate, scalar, .. } = names;
     let (generics, parameter) = if item.generics.has_type(scalar) {
         (bounded_generics(item, names), None)
     } else {

@@ -1,5 +1,6 @@
 //! The contact radius from the load integral, and what else the solver asks of J.
 
+use num_traits::Zero;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -10,7 +11,7 @@ use crate::closed_forms::ClosedForms;
 use crate::gap::range::Range;
 use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
-use crate::number::{integer, literal};
+use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
 use crate::start::{Start, may_have_leading_term};
 
@@ -28,9 +29,8 @@ pub(super) fn methods(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    let (gap, Names { krate, scalar }) = (&geometry.gap, names);
-    let preamble = coefficients.preamble();
-    let [a, load_integral, limit, depth] = ["a", "load_integral", "limit", "depth"].map(local);
+    let (gap, Names { krate, scalar, load_integral, limit, .. }) = (&geometry.gap, names);
+    let (preamble, [a, depth]) = (coefficients.preamble(), ["a", "depth"].map(local));
     let general = outside_table(gap, forms, start, coefficients, names);
     let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
     let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
@@ -110,8 +110,7 @@ fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
 
 /// The radius without a limit that is asked for, from the table before the range is searched for its end.
 fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let (Names { krate, scalar }, preamble) = (names, coefficients.preamble());
-    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
     let general = quote! {
         #krate::GapProfile::radius_within(self, #load_integral, #krate::GapProfile::max_radius(self))
     };
@@ -147,7 +146,7 @@ fn outside_table(
 fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
-            let [load_integral, limit] = ["load_integral", "limit"].map(local);
+            let Names { load_integral, limit, .. } = names;
             let (invert, terms) = (names.generated("invert_one_term"), coefficients.terms());
             quote!(#invert(#load_integral, #(#terms)*, #limit))
         }
@@ -168,8 +167,8 @@ fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -
 
 /// The method for slices, of which `radii` is the result.
 fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let (Names { krate, scalar }, preamble) = (names, coefficients.preamble());
-    let [load_integrals, limit, slice] = ["load_integrals", "limit", "radii"].map(local);
+    let Names { krate, scalar, load_integrals, limit, radii: slice, .. } = names;
+    let preamble = coefficients.preamble();
     quote! {
         fn radii_within(
             &self,
@@ -184,9 +183,7 @@ fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Na
 }
 
 fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let invert = names.generated("invert");
-    let zero = names.constant();
-    let zero = quote!(#zero(0.0f64));
+    let (invert, zero) = (names.generated("invert"), names.number(&Rational::zero()));
     let evaluate = value_and_log_slope(forms, coefficients, names);
     let positive = positive_terms(gap, coefficients, names);
     let has_negative = match coefficients.of_uncertain_sign() {
@@ -194,7 +191,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         Some(none) if none.is_empty() => quote!(false),
         Some(uncertain) => quote!(#(#uncertain < #zero)||*),
     };
-    let [a, load_integral, limit] = ["a", "load_integral", "limit"].map(local);
+    let (Names { load_integral, limit, .. }, a) = (names, local("a"));
     // Not the method of that name: its receiver would be one more thing to hand to the general solution.
     let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients, names).code;
     quote! {

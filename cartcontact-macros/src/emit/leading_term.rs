@@ -15,7 +15,7 @@ const HIGHEST_POWER: u32 = 80;
 
 /// The radius from the leading term, if that leads to it.
 pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let [load_integral, limit] = ["load_integral", "limit"].map(local);
+    let Names { load_integral, limit, .. } = names;
     match whole_powers(&forms.stepped, coefficients, names) {
         Some(powers) => quote!((#powers).radius(#load_integral, #limit)),
         None => radius_of_real_powers(forms, coefficients, names),
@@ -28,7 +28,7 @@ pub(super) fn radius_of_real_powers(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    let [a, load_integral, limit, scale] = ["a", "load_integral", "limit", "scale"].map(local);
+    let (Names { load_integral, limit, .. }, [a, scale]) = (names, ["a", "scale"].map(local));
     let radius = names.generated("radius_of_real_powers");
     let quick = names.generated("quick_power_sum_steepness");
     let precise = names.generated("scaled_power_sum_steepness");
@@ -54,8 +54,7 @@ pub(super) fn radii(
     let powers = whole_powers(&forms.stepped, coefficients, names)?;
     let (general, radii_of_whole_powers) =
         (names.by_radius_within(), names.generated("radii_of_whole_powers"));
-    let [load_integral, limit, more] = ["load_integral", "limit", "more"].map(local);
-    let [load_integrals, radii] = ["load_integrals", "radii"].map(local);
+    let (Names { load_integral, load_integrals, limit, radii, .. }, more) = (names, local("more"));
     Some(quote! {
         #radii_of_whole_powers(
             (#load_integrals, #radii),

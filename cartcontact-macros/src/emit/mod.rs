@@ -18,7 +18,7 @@ mod table;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
-use crate::closed_forms::ClosedForms;
+use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::geometry::Geometry;
 use crate::number::{Rational, literal};
 use crate::reading::generics::Generics;
@@ -27,6 +27,17 @@ use crate::reading::name::unraw;
 use crate::start::Start;
 use coefficients::Coefficients;
 use operations::Operations;
+
+/// A method that evaluates a closed form: its name, its variable and the sum.
+type Evaluator = (&'static str, &'static str, fn(&ClosedForms) -> &PowerSum);
+
+const EVALUATORS: [Evaluator; 5] = [
+    ("gap", "r", |forms| &forms.gap),
+    ("approach", "a", |forms| &forms.approach),
+    ("approach_slope", "a", |forms| &forms.approach_slope),
+    ("load_integral", "a", |forms| &forms.load_integral),
+    ("log_kernel", "x", |forms| &forms.log_kernel),
+];
 
 /// A variable or parameter of generated code.
 ///
@@ -42,11 +53,18 @@ struct Names {
     krate: Ident,
     /// The scalar type.
     scalar: Ident,
+    // The parameters of `radius_within` and `radii_within`.
+    load_integral: Ident,
+    load_integrals: Ident,
+    limit: Ident,
+    radii: Ident,
 }
 
 impl Names {
     fn of(item: &Item) -> Self {
-        Names { krate: local("cartcontact"), scalar: scalar_of(item) }
+        let [krate, load_integral, load_integrals, limit, radii] =
+            ["cartcontact", "load_integral", "load_integrals", "limit", "radii"].map(local);
+        Names { krate, scalar: scalar_of(item), load_integral, load_integrals, limit, radii }
     }
 
     /// The function that turns an `f64` literal into a scalar.
@@ -63,7 +81,7 @@ impl Names {
 
     /// The solution for what a table or the leading term does not lead to.
     fn by_radius_within(&self) -> TokenStream {
-        let (krate, [load_integral, limit]) = (&self.krate, ["load_integral", "limit"].map(local));
+        let Names { krate, load_integral, limit, .. } = self;
         quote!(|#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit))
     }
 
@@ -145,14 +163,8 @@ fn evaluators(
         }
     };
     let (mut methods, mut operations) = (Vec::new(), Vec::new());
-    for (name, variable, sum) in [
-        ("gap", "r", &forms.gap),
-        ("approach", "a", &forms.approach),
-        ("approach_slope", "a", &forms.approach_slope),
-        ("load_integral", "a", &forms.load_integral),
-        ("log_kernel", "x", &forms.log_kernel),
-    ] {
-        let variable = local(variable);
+    for (name, variable, sum) in EVALUATORS {
+        let (variable, sum) = (local(variable), sum(forms));
         let coefficients = coefficients.for_rounding_once(sum);
         let value = power_sum::value(sum, &variable, &coefficients, names);
         operations.push(value.operations);
@@ -207,9 +219,9 @@ pub(crate) fn fallback(
 ) -> TokenStream {
     let names = Names::of(item);
     let import = import(krate, &names);
-    let Names { krate: root, scalar } = &names;
+    let Names { krate: root, scalar, .. } = &names;
     let header = implementation(item, &names);
-    let evaluators = ["gap", "approach", "approach_slope", "load_integral", "log_kernel"].map(|name| {
+    let evaluators = EVALUATORS.map(|(name, ..)| {
         let name = format_ident!("{name}");
         quote!(fn #name(&self, _: #scalar) -> #scalar { loop {} })
     });
@@ -277,7 +289,7 @@ fn names_something(tokens: &TokenStream, name: &str) -> bool {
 
 /// `impl<..> GapProfile<T> for Item<..> where ..`.
 fn implementation(item: &Item, names: &Names) -> TokenStream {
-    let Names { krate, scalar } = names;
+    let Names { krate, scalar, .. } = names;
     let (ident, arguments, generics) =
         (&item.ident, item.generics.arguments(), bounded_generics(item, names));
     let (parameters, bounds) = (generics.declared(), generics.bounds());
@@ -286,7 +298,7 @@ fn implementation(item: &Item, names: &Names) -> TokenStream {
 
 /// The item's generics with the scalar type among them, bounded.
 fn bounded_generics(item: &Item, names: &Names) -> Generics {
-    let Names { krate, scalar } = names;
+    let Names { krate, scalar, .. } = names;
     item.generics.with_bound(scalar, &quote!(#krate::Scalar))
 }
 

@@ -50,7 +50,7 @@ fn fits_every_format(term: &Term) -> bool {
 
 /// `check` of a geometry with constants that not every format holds.
 fn check_of_constants(names: &Names) -> TokenStream {
-    let (Names { krate, scalar }, check) = (names, names.generated("check_constants"));
+    let (Names { krate, scalar, .. }, check) = (names, names.generated("check_constants"));
     quote! {
         fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
             #check::<#scalar>(&Self::TERMS)
@@ -60,7 +60,7 @@ fn check_of_constants(names: &Names) -> TokenStream {
 
 /// The end of the range, where no value of a field can make the geometry inadmissible before it.
 fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
-    let (Names { krate, scalar }, constant) = (names, names.constant());
+    let (Names { krate, scalar, .. }, constant) = (names, names.constant());
     if !unchecked(geometry).is_empty() {
         return None;
     }

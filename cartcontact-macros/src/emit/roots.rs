@@ -32,8 +32,7 @@ pub(super) fn radius_and_radii(
 ) -> [TokenStream; 2] {
     let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
     let general = names.by_radius_within();
-    let [load_integral, load_integrals, limit, radii] =
-        ["load_integral", "load_integrals", "limit", "radii"].map(local);
+    let Names { load_integral, load_integrals, limit, radii, .. } = names;
     [
         quote!(#table.radius(#load_integral, #limit, #term)),
         quote!(#table.radii((#load_integrals, #radii), #limit, #term, #general,)),

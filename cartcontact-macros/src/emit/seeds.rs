@@ -34,8 +34,8 @@ pub(super) fn radius_and_radii(
     let (variables, _) = coefficients.variables();
     let binding = units(seeds, seeded, coefficients, names);
     let (table, steepness, general) = (table::name(), steepness::name(), names.by_radius_within());
-    let [a, units, load_integral, load_integrals, limit, radii] =
-        ["a", "units", "load_integral", "load_integrals", "limit", "radii"].map(local);
+    let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
+        (names, ["a", "units"].map(local));
     let step = quote!(|#a| #steepness(#a, #variables));
     [
         quote!({

@@ -19,7 +19,7 @@ pub(super) fn function(
     body: &TokenStream,
     names: &Names,
 ) -> TokenStream {
-    let (Names { krate, scalar }, steepness) = (names, names.generated("Steepness"));
+    let (Names { krate, scalar, .. }, steepness) = (names, names.generated("Steepness"));
     let name = name();
     quote! {
         #[inline(always)]
