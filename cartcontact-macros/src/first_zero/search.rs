@@ -280,14 +280,10 @@ impl<'a> Search<'a> {
                 return Around::Nothing;
             }
             if least == count {
-                let (powers, local) = match powers.without_negligible() {
-                    Some(fewer) => {
-                        let local = Bernstein::new(&fewer, false);
-                        (fewer, local)
-                    }
-                    None => (powers, local),
-                };
-                return Around::Piece(Candidate::new(part, source, (powers, local), digits, front.missed));
+                let fewer = powers.without_negligible();
+                let local = fewer.as_ref().map_or(local, |fewer| Bernstein::new(fewer, false));
+                let polynomial = (fewer.unwrap_or(powers), local);
+                return Around::Piece(Candidate::new(part, source, polynomial, digits, front.missed));
             }
             digits = self.more(digits);
         }
