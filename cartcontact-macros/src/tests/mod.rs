@@ -7,6 +7,7 @@ mod documentation;
 mod effort;
 mod faults;
 mod golden;
+mod half_typed;
 mod leading_terms;
 mod own_units;
 mod random;
