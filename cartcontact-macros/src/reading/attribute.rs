@@ -8,7 +8,7 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
-use crate::reading::entry::{Entry, Whole, all_options, entries, is_of_r, mentions, similar};
+use crate::reading::entry::{Assignment, Entry, Whole, all_options, entries, is_of_r, mentions, similar};
 use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
@@ -35,51 +35,37 @@ pub(crate) struct Attribute {
 /// Reads the gap and the options behind it, which stand between commas.
 pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attribute {
     let mut attribute = Attribute::default();
-    let mut bodies: Vec<(Ident, Expression)> = Vec::new();
-    let mut names: Vec<Ident> = Vec::new();
+    let mut bodies: Vec<(&Ident, Expression)> = Vec::new();
+    let mut names: Vec<&Ident> = Vec::new();
     let mut digits_before_comma = None;
     let entries = entries(tokens, diagnostics);
     let of_other_names = bodies::of_other_names(&entries);
-    let has_bodies = entries.iter().any(|entry| bodies::is_entry(entry, &of_other_names));
-    for entry in entries {
+    let is_body = |option: &Assignment<'_>| bodies::is_one(option.name, &of_other_names);
+    let has_bodies = entries.iter().filter_map(Entry::assignment).any(|option| is_body(&option));
+    for entry in &entries {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());
         if entry.may_be_gap() {
-            attribute.written_gap.extend(entry.stream());
+            attribute.written_gap.extend(entry.tokens.iter().cloned());
         }
         if let Some(message) = entry.without_comma() {
             diagnostics.report(entry.extent(), message);
-            attribute.miss_option(&entry);
-            match entry.option() {
-                Some((name, _, _)) if similar(&name).is_some() => {}
-                Some((name, _, _)) if attribute.gap.is_none() && !bodies::is_one(&name, &of_other_names) => {
-                    attribute.name_gap(&name, &entry, diagnostics);
-                }
-                _ => attribute.fail_at(&entry),
-            }
-            continue;
-        }
-        match entry.option() {
-            Some((name, _, _)) if names.contains(&name) => {
+            attribute.miss_option(entry);
+            attribute.miss_gap(entry, is_body, diagnostics);
+        } else if let Some(option) = entry.assignment() {
+            let name = option.name;
+            if names.contains(&name) {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
-                attribute.fail_if_body(&entry);
+                attribute.fail_if_body(entry);
+            } else if is_body(&option) {
+                bodies.push((name, bodies::read(&option, &of_other_names, diagnostics)));
+            } else {
+                attribute.set(&option, entry, diagnostics);
             }
-            Some((name, equals, value)) if name == "positive" => {
-                let names_of_fields = equals.is_some().then_some(value);
-                attribute.positive = Some(Positive { place: name.span(), names: names_of_fields });
-                names.push(name);
-            }
-            Some((name, equals, value)) if bodies::is_one(&name, &of_other_names) => {
-                names.push(name.clone());
-                bodies.push(bodies::read((name, equals, value), &of_other_names, diagnostics));
-            }
-            Some((name, equals, value)) => {
-                attribute.set(&name, equals.unwrap_or(name.span()), value, &entry, diagnostics);
-                names.push(name);
-            }
-            None => match attribute.mistake(&entry, before, has_bodies) {
-                Some(message) => diagnostics.report(entry.extent(), message),
-                None => attribute.gap = Some(parse::expression(entry.stream(), entry.place, diagnostics)),
-            },
+            names.push(name);
+        } else if let Some(message) = attribute.mistake(entry, before, has_bodies) {
+            diagnostics.report(entry.extent(), message);
+        } else {
+            attribute.gap = Some(parse::expression(&entry.tokens, entry.place, diagnostics));
         }
     }
     attribute.is_of_bodies = !bodies.is_empty();
@@ -102,18 +88,15 @@ impl Attribute {
         }
     }
 
-    fn set(
-        &mut self,
-        name: &Ident,
-        equals: Span,
-        value: TokenStream,
-        entry: &Entry,
-        diagnostics: &mut Diagnostics,
-    ) {
+    fn set(&mut self, option: &Assignment<'_>, entry: &Entry, diagnostics: &mut Diagnostics) {
+        let Assignment { name, equals, value } = *option;
         if let Some(slot) = self.slot(name) {
-            *slot = Some(parse::expression(value, equals, diagnostics));
+            *slot = Some(option.expression(diagnostics));
+        } else if name == "positive" {
+            let names = equals.is_some().then(|| value.iter().cloned().collect());
+            self.positive = Some(Positive { place: name.span(), names });
         } else if name == "crate" {
-            self.set_crate(&ungrouped(value), equals, diagnostics);
+            self.set_crate(&ungrouped(value.iter().cloned().collect()), option.place(), diagnostics);
         } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
             self.name_gap(name, entry, diagnostics);
         } else {
@@ -123,6 +106,22 @@ impl Attribute {
                 None => format!("there are {}", all_options()),
             };
             diagnostics.report(name.span(), format!("`{name}` is not an option; {remedy}"));
+        }
+    }
+
+    /// Notes that what stands before an option without a comma could not be read, if it is not another option.
+    fn miss_gap(
+        &mut self,
+        entry: &Entry,
+        is_body: impl Fn(&Assignment<'_>) -> bool,
+        diagnostics: &mut Diagnostics,
+    ) {
+        match entry.assignment() {
+            Some(option) if similar(option.name).is_some() => {}
+            Some(option) if self.gap.is_none() && !is_body(&option) => {
+                self.name_gap(option.name, entry, diagnostics);
+            }
+            _ => self.fail_at(entry),
         }
     }
 
@@ -150,7 +149,7 @@ impl Attribute {
     }
 
     /// What to say about an entry that is no option, unless it is the gap; what it takes from gap and options is noted.
-    fn mistake(&mut self, entry: &Entry, before: Option<Whole>, has_bodies: bool) -> Option<String> {
+    fn mistake(&mut self, entry: &Entry, before: Option<Whole<'_>>, has_bodies: bool) -> Option<String> {
         if let Some(message) = entry.without_equals() {
             self.miss_option(entry);
             return Some(message);
@@ -167,7 +166,7 @@ impl Attribute {
 
     /// What to say about the digits behind a comma that is meant as a decimal point. The number that they belong to
     /// cannot be read.
-    fn decimals(&mut self, entry: &Entry, before: Option<Whole>) -> Option<String> {
+    fn decimals(&mut self, entry: &Entry, before: Option<Whole<'_>>) -> Option<String> {
         let Whole { digits: whole, option } = before?;
         let decimals = entry.first_digits()?;
         let number = match option {
@@ -178,7 +177,7 @@ impl Attribute {
             }
             // The gap may stand behind its options.
             Some(_) if self.gap.is_none() && entry.tokens.len() > 1 => return None,
-            Some(name) => self.slot(&name).and_then(Option::as_mut),
+            Some(name) => self.slot(name).and_then(Option::as_mut),
         };
         if let Some(number) = number {
             number.kind = Kind::Faulty;
@@ -196,15 +195,11 @@ impl Attribute {
             [TokenTree::Ident(name), TokenTree::Group(variable), equals, ..] if is_punct(equals, '=') => {
                 format!("{name}{variable} =")
             }
-            [TokenTree::Ident(name), equals, arrow, ..] if is_punct(equals, '=') && is_punct(arrow, '>') => {
-                format!("{name} =>")
-            }
-            [TokenTree::Ident(name), dash, arrow, ..] if is_punct(dash, '-') && is_punct(arrow, '>') => {
-                format!("{name} ->")
-            }
-            [TokenTree::Ident(name), colon, next, ..] if is_punct(colon, ':') && !is_punct(next, ':') => {
-                format!("{name}:")
-            }
+            [TokenTree::Ident(name), TokenTree::Punct(sign), next, ..] => match sign.as_char() {
+                sign @ ('=' | '-') if is_punct(next, '>') => format!("{name} {sign}>"),
+                ':' if !is_punct(next, ':') => format!("{name}:"),
+                _ => return None,
+            },
             _ => return None,
         };
         Some(written_first(&name))

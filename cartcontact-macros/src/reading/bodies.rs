@@ -1,23 +1,22 @@
 //! The two bodies of a gap, `upper = ...` and `lower = ...`, and what is meant as these.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span};
 
 use crate::diagnostics::{Diagnostics, Extent};
-use crate::reading::entry::Entry;
-use crate::reading::parse;
+use crate::reading::entry::{Assignment, Entry};
 use crate::reading::syntax::{Expression, Kind, Summand};
 
 /// The name of a body, and the one of `upper` and `lower` that is meant by it.
-type OtherName = (Ident, &'static str);
+type OtherName<'a> = (&'a Ident, &'static str);
 
 /// The names that two bodies have been given in place of `upper` and `lower`, each with the one that is meant:
 /// `femur = sphere(20), tibia = sphere(30)`. Empty if that is not what is written.
-pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName> {
-    let options = entries.iter().filter_map(Entry::option);
-    let written: Vec<Ident> = options.map(|(name, _, _)| name).collect();
+pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName<'_>> {
+    let options = entries.iter().filter_map(Entry::assignment);
+    let written: Vec<&Ident> = options.map(|option| option.name).collect();
     let mut free: Vec<&str> =
-        ["upper", "lower"].into_iter().filter(|body| !written.iter().any(|name| name == body)).collect();
-    let named: Vec<Ident> = entries.iter().filter_map(Entry::body_of_other_name).collect();
+        ["upper", "lower"].into_iter().filter(|body| !written.iter().any(|name| *name == body)).collect();
+    let named: Vec<&Ident> = entries.iter().filter_map(Entry::body_of_other_name).collect();
     let are_two = match named.as_slice() {
         [first, second] => free.len() == 2 && first != second,
         [_] => free.len() == 1,
@@ -26,7 +25,7 @@ pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName> {
     if !are_two {
         return Vec::new();
     }
-    if named.first().is_some_and(|first| first == "bottom") {
+    if named.first().is_some_and(|first| *first == "bottom") {
         free.reverse();
     }
     named.into_iter().zip(free).collect()
@@ -34,30 +33,24 @@ pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName> {
 
 /// The body that an option stands for, whose name may be another.
 pub(super) fn read(
-    (name, equals, value): (Ident, Option<Span>, TokenStream),
-    of_other_names: &[OtherName],
+    option: &Assignment<'_>,
+    of_other_names: &[OtherName<'_>],
     diagnostics: &mut Diagnostics,
-) -> (Ident, Expression) {
-    if let Some(message) = other_name(&name, of_other_names) {
-        diagnostics.report(name.span(), message);
+) -> Expression {
+    if let Some(message) = other_name(option.name, of_other_names) {
+        diagnostics.report(option.name.span(), message);
     }
-    let expression = parse::expression(value, equals.unwrap_or(name.span()), diagnostics);
-    (name, expression)
+    option.expression(diagnostics)
 }
 
 /// Whether this is the name of a body, or meant as that.
-pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName]) -> bool {
+pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName<'_>]) -> bool {
     name == "upper" || name == "lower" || other_name(name, of_other_names).is_some()
 }
 
-/// Whether an entry is a body, or meant as that.
-pub(super) fn is_entry(entry: &Entry, of_other_names: &[OtherName]) -> bool {
-    entry.option().is_some_and(|(name, _, _)| is_one(&name, of_other_names))
-}
-
 /// What to say about a name that is meant as that of a body.
-fn other_name(name: &Ident, of_other_names: &[OtherName]) -> Option<String> {
-    let (_, meant) = of_other_names.iter().find(|(other, _)| other == name)?;
+fn other_name(name: &Ident, of_other_names: &[OtherName<'_>]) -> Option<String> {
+    let (_, meant) = of_other_names.iter().find(|(other, _)| *other == name)?;
     Some(format!(
         "`{name}` is not an option; the two bodies of a gap are called `upper` and `lower`; write `{meant} =`"
     ))
@@ -66,7 +59,7 @@ fn other_name(name: &Ident, of_other_names: &[OtherName]) -> Option<String> {
 /// The gap, from one expression or two bodies in the order in which they were written.
 pub(super) fn whole(
     gap: Option<Expression>,
-    bodies: Vec<(Ident, Expression)>,
+    bodies: Vec<(&Ident, Expression)>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Expression> {
     let summand = |expression| Summand { subtracted: false, expression };
@@ -89,7 +82,7 @@ pub(super) fn whole(
             None
         }
         (None, [(name, _)]) => {
-            let other = if name == "upper" { "lower" } else { "upper" };
+            let other = if *name == "upper" { "lower" } else { "upper" };
             let message = format!(
                 "a gap lies between two bodies, and `{other}` is missing; a flat one is written `{other} = 0`"
             );

@@ -4,7 +4,8 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::similar::closest;
-use crate::reading::{is_punct, literal};
+use crate::reading::syntax::Expression;
+use crate::reading::{is_punct, literal, parse};
 
 pub(super) const OPTIONS: [&str; 7] =
     ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
@@ -22,10 +23,10 @@ pub(super) fn all_options() -> String {
 }
 
 /// Digits before a comma that may be meant as a decimal point.
-pub(super) struct Whole {
+pub(super) struct Whole<'a> {
     pub(super) digits: String,
     /// Whose value they are; nothing for the gap.
-    pub(super) option: Option<Ident>,
+    pub(super) option: Option<&'a Ident>,
 }
 
 /// What stands between two commas.
@@ -35,19 +36,37 @@ pub(super) struct Entry {
     pub(super) place: Span,
 }
 
+/// `name = value`, or `positive` alone.
+pub(super) struct Assignment<'a> {
+    pub(super) name: &'a Ident,
+    pub(super) equals: Option<Span>,
+    pub(super) value: &'a [TokenTree],
+}
+
+impl Assignment<'_> {
+    /// Where the value stands, or should stand.
+    pub(super) fn place(&self) -> Span {
+        self.equals.unwrap_or(self.name.span())
+    }
+
+    pub(super) fn expression(&self, diagnostics: &mut Diagnostics) -> Expression {
+        parse::expression(self.value, self.place(), diagnostics)
+    }
+}
+
 impl Entry {
-    /// `name = value`, or `positive` alone; `==` and `=>` are left to others, who say what is wrong with them.
-    pub(super) fn option(&self) -> Option<(Ident, Option<Span>, TokenStream)> {
-        let (name, equals, value) = match self.tokens.as_slice() {
+    /// None for `==` and `=>`: other methods say what is wrong with them.
+    pub(super) fn assignment(&self) -> Option<Assignment<'_>> {
+        match self.tokens.as_slice() {
             [TokenTree::Ident(name)] if name == "positive" => {
-                return Some((name.clone(), None, TokenStream::new()));
+                Some(Assignment { name, equals: None, value: &[] })
             }
-            [TokenTree::Ident(name), TokenTree::Punct(equals), value @ ..] => (name, equals, value),
-            _ => return None,
-        };
-        let continues = value.first().is_some_and(|next| is_punct(next, '=') || is_punct(next, '>'));
-        let assigns = equals.as_char() == '=' && !continues;
-        assigns.then(|| (name.clone(), Some(equals.span()), value.iter().cloned().collect()))
+            [_, _, next, ..] if is_punct(next, '=') || is_punct(next, '>') => None,
+            [TokenTree::Ident(name), equals, value @ ..] if is_punct(equals, '=') => {
+                Some(Assignment { name, equals: Some(equals.span()), value })
+            }
+            _ => None,
+        }
     }
 
     /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`,
@@ -112,20 +131,20 @@ impl Entry {
     }
 
     /// The name of what is likely to be one of the two bodies, but is not called so.
-    pub(super) fn body_of_other_name(&self) -> Option<Ident> {
-        let (name, equals, value) = self.option()?;
-        let is_no_option = equals.is_some() && similar(&name).is_none() && name != "gap";
+    pub(super) fn body_of_other_name(&self) -> Option<&Ident> {
+        let Assignment { name, equals, value } = self.assignment()?;
+        let is_no_option = equals.is_some() && similar(name).is_none() && name != "gap";
         let is_body = is_of_r(value) || name == "top" || name == "bottom";
         (is_no_option && is_body).then_some(name)
     }
 
     /// Whether this is meant as the gap, or as a part of it.
     pub(super) fn may_be_gap(&self) -> bool {
-        self.is_body() || self.option().is_none_or(|(name, _, _)| similar(&name).is_none())
+        self.is_body() || self.assignment().is_none_or(|option| similar(option.name).is_none())
     }
 
     /// The digits in front of the comma behind this entry, unless they are an exponent.
-    pub(super) fn last_digits(&self) -> Option<Whole> {
+    pub(super) fn last_digits(&self) -> Option<Whole<'_>> {
         let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
         if before.last().is_some_and(|token| is_punct(token, '^')) {
             return None;
@@ -133,7 +152,7 @@ impl Entry {
         let written = digits.to_string();
         let digits = literal::without_points(&written).unwrap_or(written);
         let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
-        is_whole.then(|| Whole { digits, option: self.option().map(|(name, _, _)| name) })
+        is_whole.then(|| Whole { digits, option: self.assignment().map(|option| option.name) })
     }
 
     /// The number without a point, but with its suffix, that this entry begins with.
@@ -145,22 +164,18 @@ impl Entry {
         Some(digits.to_string()).filter(is_whole)
     }
 
-    pub(super) fn stream(&self) -> TokenStream {
-        self.tokens.iter().cloned().collect()
-    }
-
     pub(super) fn extent(&self) -> Extent {
         Extent::of(&self.tokens, self.place)
     }
 }
 
 /// Whether the distance r or a surface is mentioned.
-pub(super) fn is_of_r(tokens: TokenStream) -> bool {
-    mentions(&["r", "sphere", "conic"], tokens)
+pub(super) fn is_of_r(tokens: &[TokenTree]) -> bool {
+    mentions(&["r", "sphere", "conic"], tokens.iter().cloned())
 }
 
 /// Whether one of some names is mentioned, be it right behind a number.
-pub(super) fn mentions(names: &[&str], tokens: TokenStream) -> bool {
+pub(super) fn mentions(names: &[&str], tokens: impl IntoIterator<Item = TokenTree>) -> bool {
     tokens.into_iter().any(|token| match token {
         TokenTree::Ident(name) => names.iter().any(|known| name == known),
         TokenTree::Group(group) => mentions(names, group.stream()),

@@ -4,7 +4,7 @@
 //! operator, so one compilation reports the faults of all factors and terms. Every call consumes a token or ends its loop, and
 //! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::is_punct;
@@ -17,9 +17,8 @@ pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here
 const MAXIMUM_DEPTH: usize = 64;
 
 /// Reads all of `tokens`; `place` stands for them in messages if there are none.
-pub(crate) fn expression(tokens: TokenStream, place: Span, diagnostics: &mut Diagnostics) -> Expression {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    Parser { rest: &tokens, previous: place.into(), depth: 0, diagnostics }.everything()
+pub(crate) fn expression(tokens: &[TokenTree], place: Span, diagnostics: &mut Diagnostics) -> Expression {
+    Parser { rest: tokens, previous: place.into(), depth: 0, diagnostics }.everything()
 }
 
 pub(super) struct Parser<'a> {
