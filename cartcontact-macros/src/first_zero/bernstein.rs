@@ -15,9 +15,9 @@ use crate::first_zero::powers::Powers;
 /// 379-419, doi 10.1016/j.cagd.2012.03.001).
 pub(crate) struct Bernstein {
     numbers: Numbers,
-    /// The numbers are less than so many units from the true ones.
+    /// Each number is less than this many units from the true one.
     error: i128,
-    /// Whether numbers whose sign the error leaves open are zero.
+    /// Whether a number is zero if the error leaves its sign open.
     is_exact: bool,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct SignChanges {
 }
 
 impl Bernstein {
-    /// Rounding the powers adds less than two units to their error, and leaving some of them out less than one more.
+    /// Rounding the powers adds less than two units to their error; leaving some of them out adds less than one more.
     pub(crate) fn new(powers: &Powers, is_exact: bool) -> Self {
         Bernstein { numbers: powers.bernstein(), error: powers.error + 3, is_exact }
     }
@@ -39,25 +39,25 @@ impl Bernstein {
         self.numbers.len().saturating_sub(1) as u64
     }
 
-    /// Over both halves of the part, by de Casteljau's algorithm: means of neighbours, whose errors do not grow. One
-    /// unit is what rounding them adds. The last `cut` digits are left out.
+    /// The polynomial over both halves of the part, by de Casteljau's algorithm: means of neighbours do not enlarge the
+    /// error, and rounding them adds one unit. The last `cut` digits are dropped.
     pub(crate) fn halves(self, cut: u64) -> [Bernstein; 2] {
         let degree = self.numbers.len().saturating_sub(1);
         let [left, right] = self.numbers.edges();
         let lower = left.shifted_down(&|index| index + cut as usize);
         let upper = right.shifted_down(&|index| degree - index + cut as usize);
         let error = (self.error >> cut.min(126)) + if cut > 0 { 2 } else { 1 };
-        // Halves have finer multiples, so that the exact ones must be computed anew.
+        // Over a half, exact numbers are multiples of a finer unit and must be computed anew.
         let half = |numbers| Bernstein { numbers, error, is_exact: false };
         [half(lower), half(upper)]
     }
 
-    /// The bits that all numbers of known sign have at least.
+    /// The bits of the shortest number of known sign.
     pub(crate) fn shortest(&self) -> u64 {
         self.numbers.shortest(self.error)
     }
 
-    /// A bound of the bits that the longest number has.
+    /// An upper bound of the bits of the longest number.
     pub(crate) fn length(&self) -> u64 {
         self.numbers.length()
     }
@@ -66,8 +66,8 @@ impl Bernstein {
         self.numbers.sign(index, self.error).or(self.is_exact.then_some(Ordering::Equal))
     }
 
-    /// The sign at the lower end, if it is certain, and the changes along the coefficients. The first and the last of
-    /// them are asked for if they alone are not certain.
+    /// The sign at the lower end, if it is certain, and the sign changes along the coefficients. `exactly` gives the
+    /// signs at the two ends if no others are uncertain.
     pub(crate) fn sign_changes(&self, exactly: &dyn Fn(u32) -> Ordering) -> (Option<Ordering>, SignChanges) {
         let mut signs: Vec<Option<Ordering>> =
             (0..self.numbers.len()).map(|index| self.sign(index)).collect();
@@ -80,32 +80,32 @@ impl Bernstein {
         (signs.first().copied().flatten(), SignChanges::along(&signs))
     }
 
-    /// Whether the value at the lower end, or at the upper one, is far enough from 0 for its sign to be known.
+    /// Whether the value at the lower end (0) or the upper end (1) is far enough from 0 for its sign to be known.
     pub(crate) fn knows_end(&self, end: u32) -> bool {
         let index = if end == 0 { 0 } else { self.numbers.len() - 1 };
         self.numbers.sign(index, self.error).is_some()
     }
 
-    /// What the curvature is at least: Bernstein's coefficients of it are the second differences times n (n - 1).
+    /// A lower bound of the curvature, whose Bernstein coefficients are the second differences times n (n - 1).
     pub(crate) fn least_curvature(&self) -> BigInt {
         let degree = self.degree();
         let least = self.numbers.second_differences().least() - 4 * self.error;
         least * (degree * degree.saturating_sub(1))
     }
 
-    /// About where the minimum of a convex polynomial is, in units of 2^-16 of the part: Bernstein's coefficients of
-    /// the slope, which grow, are the differences times n.
+    /// Roughly where a convex polynomial has its minimum, in units of 2^-16 of the part. The Bernstein coefficients of
+    /// the slope are the differences times n, and they grow.
     pub(crate) fn lowest(&self) -> u64 {
         let last = self.numbers.len() - 1;
         let falling = (0..last).take_while(|index| self.numbers.exceeds(*index, index + 1)).count();
         ((2 * falling).saturating_sub(1) << 15) as u64 / last.saturating_sub(1).max(1) as u64
     }
 
-    /// Where all roots of the part may be, if they are so many.
+    /// Where all roots of the part may lie, if there are `multiplicity` of them.
     ///
     /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster.
     ///
-    /// Few clusters are so small that the estimates must be known to all of their bits.
+    /// Few clusters are so small that all bits of the estimates are needed.
     pub(crate) fn cluster(&self, multiplicity: usize) -> Cluster {
         let coarse = self.cluster_to(COARSE, multiplicity);
         if coarse.agreement > COARSE / 2 { self.cluster_to(FINEST, multiplicity) } else { coarse }
@@ -118,9 +118,9 @@ impl Bernstein {
         Cluster { agreement: finest.saturating_sub((&upper - &lower).bits()), twice: lower + upper, finest }
     }
 
-    /// How far Newton's method leads from an end, whose neighbour is given, in units of 2^-finest of the part. It may
-    /// lead outside from an end amid the roots, or where the value is too small to be known: they are near this end
-    /// then, if anywhere.
+    /// How far Newton's method leads from an end, in units of 2^-finest of the part; `neighbour` is the coefficient
+    /// next to it. Zero if the method leads outside, as it may from an end amid the roots, or if the value is too small
+    /// to be known: the roots are then near this end, if anywhere.
     fn newton(&self, finest: u64, multiplicity: usize, end: usize, neighbour: usize) -> BigInt {
         if self.numbers.sign(end, self.error).is_none() {
             return BigInt::zero();
@@ -140,36 +140,36 @@ impl Bernstein {
     }
 }
 
-/// Newton's method is followed to units of 2^-COARSE of the part first, then to those of 2^-FINEST.
+/// Newton's method is computed to 2^-COARSE of the part first, then to 2^-FINEST.
 const COARSE: u64 = 128;
 const FINEST: u64 = 2048;
-/// By so many bits the piece around a cluster is longer than its roots seem to be apart.
+/// The piece around a cluster is this many bits longer than the apparent spread of its roots.
 const MARGIN: u64 = 1;
-/// A piece that is shorter by fewer bits comes about by halving as well.
+/// A piece that gains fewer bits than this is reached by halving as well.
 const LEAST_GAIN: u64 = 5;
 
-/// A place near which all roots of a part seem to be.
+/// A point near which all roots of a part seem to lie.
 pub(crate) struct Cluster {
     /// Its estimates from the two ends differ by less than 2^-agreement of the part.
     agreement: u64,
-    /// Their sum, in units of 2^-finest of the part.
+    /// The sum of the estimates, in units of 2^-finest of the part.
     twice: BigInt,
     finest: u64,
 }
 
 impl Cluster {
-    /// A piece as long as the estimates differ, from offset/2^bits on and 2^(2-bits) long: enough if they differ because
-    /// of roots outside the part only, which are as far away as it is long or farther.
+    /// A piece as long as the difference of the estimates: it starts at offset/2^bits and is 2^(2-bits) long. That is
+    /// enough if the estimates differ only because of roots outside the part that are at least its length away.
     ///
-    /// Roots as far away as the whole interval is long make a difference of about 2^-width of a part of this width; if
+    /// Roots as far away as the whole interval is long make a difference of about 2^-width of a part of this width. If
     /// the estimates agree much better, they differ for another reason.
     pub(crate) fn short_piece(&self, width: u64) -> Option<(BigInt, u64)> {
         if self.agreement > 2 * width + 16 { None } else { self.piece(self.agreement) }
     }
 
-    /// A longer one, of `most_bits` bits at most. If the roots of the cluster are up to s away from their mean, s
-    /// itself cancels in the estimates, and they differ by about s² only; so a piece as long as s is found by half of
-    /// the bits in which they agree.
+    /// A longer piece, of at most `most_bits` bits. If the roots of the cluster are up to s away from their mean, s
+    /// itself cancels in the estimates, which then differ by about s² only. So half of the bits in which they agree
+    /// give a piece as long as s.
     pub(crate) fn long_piece(&self, most_bits: u64) -> Option<(BigInt, u64)> {
         self.piece((self.agreement / 2).min(most_bits))
     }
@@ -180,7 +180,7 @@ impl Cluster {
         let last: BigInt = (BigInt::one() << bits) - 4;
         let offset: BigInt = centre - 2;
         match offset.to_u8() {
-            // One that is longer than half of what lies before it begins with the part.
+            // A piece longer than half of what lies before it is extended to the start of the part.
             Some(1..8) => Some((BigInt::zero(), bits - 2)),
             _ => Some((offset.clamp(BigInt::zero(), last), bits)),
         }
@@ -188,9 +188,9 @@ impl Cluster {
 }
 
 impl SignChanges {
-    /// Zeros aside; a sign that is not certain is taken as what makes the changes fewest, or most.
+    /// Zeros are skipped. An uncertain sign counts as whichever makes the changes fewest, and most.
     fn along(signs: &[Option<Ordering>]) -> Self {
-        // The fewest and the most changes up to here if the last sign was negative, or positive.
+        // The fewest and the most changes so far if the last sign was negative, and if it was positive.
         let mut ending: [Option<(usize, usize)>; 2] = [None, None];
         for sign in signs {
             let [negative, positive] = ending;

@@ -5,15 +5,15 @@
 //! leading coefficient or a certain resultant; those make its degree too large, never too small.
 //!
 //! So: take primes one after the other, keep the lowest degree seen, scale each result to the leading coefficient
-//! `gcd(lead(f), lead(g))`, and join them by the Chinese remainder theorem. Once their product exceeds twice every
-//! coefficient of the true divisor the joined result stops changing and is that divisor, up to a constant. A result
-//! that divides both polynomials is a common divisor of at least the greatest degree, hence the greatest; so the
-//! test division proves the answer, and the loop ends because only finitely many primes mislead it. Degree 0 modulo
+//! `gcd(lead(f), lead(g))`, and join them by the Chinese remainder theorem. Once the product of the primes exceeds
+//! twice every coefficient of the true divisor, the joined result stops changing and is that divisor, up to a constant.
+//! A result that divides both polynomials is a common divisor of at least the greatest degree, hence the greatest; so
+//! the test division proves the answer, and the loop ends because only finitely many primes mislead it. Degree 0 modulo
 //! one prime settles the common case, that there is no common divisor.
 //!
 //! That leading coefficient may be much longer than the divisor itself. Divided by it, the result has fractions for
 //! coefficients, and a fraction follows from its residue as soon as the product is longer than its numerator and
-//! denominator together. So the result is looked at as fractions, too, now and then.
+//! denominator together. So the result is also tried as fractions now and then.
 //!
 //! W. S. Brown, On Euclid's algorithm and the computation of polynomial greatest common divisors, J. ACM 18 (1971)
 //! 478-504; P. S. Wang, A p-adic algorithm for univariate partial fractions, SYMSAC 1981, 212-217, doi
@@ -27,14 +27,16 @@ use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::number::common_factor::common_factor;
 
 /// Primes are taken upward from here. They stay far below 2^32, so that a product of two residues fits into a `u64`,
-/// and below 3 215 031 751, so that [`is_prime`] is exact: up to there are 4 · 10^7 of them, enough for 10^9 bits.
+/// and below 3 215 031 751, so that [`is_prime`] is exact. There are 4 · 10^7 of them up to that number, enough for
+/// 10^9 bits.
 const FIRST_PRIME_ABOVE: u64 = 1 << 31;
 
 /// The polynomial with the same roots, each of them simple, and the same sign at 0.
 ///
-/// It, or what is divided out, is joined from images: the one of the lower degree, as it is likely to have the shorter
-/// coefficients. If p is s times d, and d divides the derivative, no root is one of d as often as of p, so that s has
-/// all of them; and it has each once, as its degree is not too high where that of d is not too low.
+/// Either this polynomial s or the factor d that is divided out is joined from images: the one of the lower degree, as
+/// its coefficients are likely to be shorter. If p = s d and d divides the derivative, every root has a lower
+/// multiplicity in d than in p, so s has all roots. It has each of them once, as its degree is not too high if that of
+/// d is not too low.
 pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
     let slope = polynomial.derivative();
     let image = |prime: u64| {
@@ -77,12 +79,12 @@ pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial
 /// A polynomial modulo a prime, with the leading coefficient 1.
 struct Image {
     residues: Vec<u64>,
-    /// The degree of the common divisor, which is never too low.
+    /// The degree of the common divisor; never too low.
     loss: usize,
 }
 
-/// Joins the images modulo one prime after the other to a primitive polynomial, whose leading coefficient divides
-/// `leading`, until `result` accepts it, and returns what that makes of it; nothing if there is no common divisor.
+/// Joins the images modulo one prime after the other into a primitive polynomial whose leading coefficient divides
+/// `leading`, until `result` accepts it. Returns what `result` makes of it; nothing if there is no common divisor.
 fn from_images(
     leading: &BigInt,
     image: &dyn Fn(u64) -> Option<Image>,
@@ -110,12 +112,12 @@ fn from_images(
     }
 }
 
-/// Whether the result is looked at as fractions after so many primes, as that costs as much as some of them.
+/// Whether to try the result as fractions after this many primes; a try costs as much as some of them.
 fn is_worth_a_look(primes: usize) -> bool {
     primes > 1 && primes.is_power_of_two()
 }
 
-/// What the primes so far agree on, coefficients in (-modulus/2, modulus/2].
+/// The result of the primes so far, with coefficients in (-modulus/2, modulus/2].
 struct Joined {
     coefficients: Vec<BigInt>,
     /// The reciprocal of the last coefficient.
@@ -131,7 +133,7 @@ impl Joined {
         Joined { coefficients: Vec::new(), inverse, modulus, primes: 0, loss: usize::MAX }
     }
 
-    /// Takes in one more prime; whether that left the result as it was.
+    /// Takes in one more prime; returns whether the result stayed the same.
     fn join(&mut self, image: &Image, inverse_residue: u64, prime: u64) -> bool {
         if image.loss < self.loss {
             let coefficients = vec![BigInt::zero(); image.residues.len()];
@@ -153,7 +155,7 @@ impl Joined {
     }
 
     /// The numerators of the result divided by its leading coefficient, as fractions with one denominator; nothing if
-    /// that is not short.
+    /// that denominator is not short.
     fn fractions(&self) -> Option<Vec<BigInt>> {
         let mut denominator = BigInt::one();
         for coefficient in &self.coefficients {
@@ -173,8 +175,8 @@ impl Joined {
         Some(numerators)
     }
 
-    /// The denominator of the fraction with short parts that a residue stands for: Euclid's algorithm, until the rest is
-    /// short.
+    /// The denominator of the fraction with short parts that a residue stands for, by Euclid's algorithm until the
+    /// remainder is short.
     fn denominator(&self, residue: BigInt) -> BigInt {
         let (mut last, mut rest) = (self.modulus.clone(), residue.abs());
         let (mut last_factor, mut factor) = (BigInt::zero(), BigInt::one());
@@ -205,7 +207,7 @@ struct Step<'a> {
 }
 
 impl Step<'_> {
-    /// Takes in what a number is modulo the prime; whether that changed it.
+    /// Makes a number agree with its residue modulo the prime; returns whether that changed it.
     fn add(&self, number: &mut BigInt, residue: u64) -> bool {
         let prime = self.prime;
         let missing = (residue + prime - reduce(number, prime)) % prime;
@@ -216,7 +218,7 @@ impl Step<'_> {
     }
 }
 
-/// The coefficients modulo a prime, unless that divides the leading one.
+/// The coefficients modulo a prime, unless it divides the leading one.
 fn residues(polynomial: &IntegerPolynomial, prime: u64) -> Option<Vec<u64>> {
     if reduce(&polynomial.leading(), prime) == 0 {
         return None;
@@ -234,7 +236,7 @@ fn divisor_modulo(mut dividend: Vec<u64>, divisor: Vec<u64>, prime: u64) -> Vec<
     dividend
 }
 
-/// The quotient and what is left, for a divisor with the leading coefficient 1.
+/// The quotient and the remainder, for a divisor with the leading coefficient 1.
 fn division(mut dividend: Vec<u64>, divisor: &[u64], prime: u64) -> (Vec<u64>, Vec<u64>) {
     let mut quotient = Vec::new();
     while dividend.len() >= divisor.len() {

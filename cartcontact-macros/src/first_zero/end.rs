@@ -13,11 +13,11 @@ pub(crate) struct End {
     denominator: u32,
 }
 
-/// Enough that seven digits hardly ever need the root more narrowly.
+/// So many bits that seven digits hardly ever need a narrower root.
 const BITS: u64 = 48;
-/// Outside, numbers of seven digits have no `f64` next to them.
+/// Outside this range, numbers of seven digits have no `f64` next to them.
 const DECIMAL_EXPONENTS: RangeInclusive<i64> = -307..=307;
-/// Outside, an end is known to its power of ten only: higher powers would take long.
+/// Outside this range, only the power of ten of an end is computed: higher powers would take long.
 const SHOWN_EXPONENTS: RangeInclusive<i64> = -1000..=1000;
 
 impl End {
@@ -25,12 +25,13 @@ impl End {
         End { root, numerator, denominator }
     }
 
-    /// This radius against another.
+    /// Compares this radius with another.
     pub(crate) fn compare(&mut self, radius: &Rational) -> Ordering {
         self.root.compare_to_power(radius, self.numerator, self.denominator)
     }
 
-    /// The end for a message, and the largest decimal of seven digits that lies below it, as its nearest `f64` does.
+    /// The end for a message, and the largest decimal of seven digits that lies below it together with its nearest
+    /// `f64`.
     ///
     /// The radius lies in (mantissa, mantissa + 1] units of the seventh digit: six digits are rounded from there.
     pub(crate) fn decimals(&mut self) -> (String, Option<String>) {
@@ -94,7 +95,7 @@ impl End {
     }
 }
 
-/// What may be written where the end has an exponent that no `f64` has, if it may be anything.
+/// The largest decimal below an end whose exponent no `f64` has; nothing if the end is too small.
 fn largest_below(exponent: i64) -> Option<String> {
     (exponent > 0).then(|| format!("1e{}", DECIMAL_EXPONENTS.end()))
 }

@@ -1,9 +1,9 @@
 //! A polynomial's smallest positive root: an algebraic number, compared and narrowed exactly.
 //!
 //! Two roots may be so close to each other, and to the number that they are compared with, that halving an interval
-//! would take thousands of steps. So Newton's method says where to look, and a step that finds the root there tries to
-//! gain twice as many bits the next time, one that does not half as many; by one bit it is a halving (J. Abbott,
-//! Quadratic interval refinement for real roots, ACM Commun. Comput. Algebra 48 (2014) 3-12, doi
+//! would take thousands of steps. So Newton's method says where to look. A step that finds the root there makes the
+//! next step try to gain twice as many bits; a step that does not, half as many. A step that gains one bit is a halving
+//! (J. Abbott, Quadratic interval refinement for real roots, ACM Commun. Comput. Algebra 48 (2014) 3-12, doi
 //! 10.1145/2644288.2644291).
 
 use core::cmp::Ordering;
@@ -20,7 +20,7 @@ use crate::number::Rational;
 
 /// A positive root that has no positive root below it.
 pub(crate) struct FirstRoot {
-    /// Has this root, and only simple ones.
+    /// Has this root; all its roots are simple.
     polynomial: IntegerPolynomial,
     place: Place,
     /// The bits that the next step tries to gain.
@@ -33,7 +33,7 @@ pub(crate) enum Place {
         offset: BigInt,
         exponent: i64,
     },
-    /// Strictly between the two, where there is no other root.
+    /// Strictly between the two ends, with no other root there.
     Between {
         lower: BigInt,
         upper: BigInt,
@@ -49,9 +49,9 @@ impl FirstRoot {
     /// Compares the root to the power `numerator/denominator` of a positive number.
     ///
     /// Both sides are raised to `denominator`. Narrowing the interval decides unless they are equal or nearly so. Once
-    /// it is shorter than the digits of the number suggest, a number that need not be raised is decided by the sign of
-    /// the polynomial; otherwise they are equal if the polynomial shares a root in the interval with x^denominator -
-    /// number^numerator, which has one positive root.
+    /// the interval is shorter than the digits of the number suggest, the sign of the polynomial decides if the number
+    /// need not be raised; otherwise both sides are equal if the polynomial shares a root in the interval with
+    /// x^denominator - number^numerator, which has one positive root.
     pub(crate) fn compare_to_power(
         &mut self,
         number: &Rational,
@@ -87,7 +87,7 @@ impl FirstRoot {
         }
     }
 
-    /// Whether the root to this power is that number.
+    /// Whether the root to the power `denominator` equals `power`.
     fn satisfies(&self, power: &Rational, denominator: u32) -> bool {
         let Place::Between { lower, upper, exponent } = &self.place else { return false };
         let mut coefficients = vec![BigInt::zero(); denominator as usize];
@@ -99,7 +99,7 @@ impl FirstRoot {
         shared.degree() > 0 && shared.sign_at(lower, *exponent) != shared.sign_at(upper, *exponent)
     }
 
-    /// Makes the interval shorter, at least by half or nearly; at points with no more digits than it takes.
+    /// Shortens the interval to about half or less, at points with no more digits than needed.
     fn step(&mut self) {
         let Place::Between { lower, upper, exponent } = &mut self.place else { return };
         let missing = (self.gain + ROOM).saturating_sub((&*upper - &*lower).bits());
@@ -146,7 +146,7 @@ impl FirstRoot {
         }
     }
 
-    /// Narrows the root to an interval that is 2^-bits of its upper end.
+    /// Narrows the root to an interval no longer than 2^-bits of its upper end.
     pub(crate) fn narrow(&mut self, bits: u64) {
         while !self.is_narrow(bits) {
             self.step();
@@ -160,9 +160,9 @@ impl FirstRoot {
     }
 }
 
-/// The bits by which a piece of an interval is longer than the unit that its ends are rounded to.
+/// A piece of an interval is this many bits longer than the unit that its ends are rounded to.
 const ROOM: u64 = 3;
-/// The digits of a value that is looked at first, beyond those of the point.
+/// The digits of the first value that is computed at a point, beyond those of the point.
 const MORE_DIGITS: u64 = 64;
 
 /// The polynomial at points in units of 2^exponent, from one power of two to the next.
@@ -179,7 +179,7 @@ impl Line<'_> {
         Part { offset: offset >> zeros, bits: bits - zeros, width: 0 }
     }
 
-    /// The value at a point, of which so many bits are right, and its digits; nothing if it is 0, or next to it.
+    /// The value at a point, with this many correct bits, and its digits; nothing if the value is 0 or next to it.
     fn value(&self, point: &Part, bits: u64) -> Option<(BigInt, u64)> {
         let source = Source::whole(self.whole);
         let [error, _] = source.errors();

@@ -1,4 +1,4 @@
-//! Fixed-point numbers of any length, and what is done with many of them: the triangle of sums.
+//! Fixed-point numbers of any length, and what is computed from many of them: the triangle of sums.
 //!
 //! Every row of the triangle holds the sums of neighbours in the row before,
 //!
@@ -9,21 +9,21 @@
 //! ```
 //!
 //! and its left and right edges are Σ_m C(r, m) v_m and Σ_m C(n−j, m) v_{j+m}. The change to Bernstein's basis and de
-//! Casteljau's division of an interval are this; Taylor shifts are sums of the same kind.
+//! Casteljau's division of an interval are such triangles; Taylor shifts are sums of the same kind.
 //!
-//! Cargo does not optimise macros, so it is calls and checks that take the time, and the arithmetic of big integers is
-//! made of them. Here digits of the same rank stand side by side, a sum is one addition of machine numbers in an array
-//! of known length, and carries wait for many rows.
+//! Cargo does not optimise macros, so most of the time goes into calls and checks, which big-integer arithmetic is full
+//! of. Here digits of the same rank stand side by side, a sum is one addition of machine numbers in an array of known
+//! length, and carries wait for many rows.
 
 use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
 use num_traits::{One, Signed, Zero};
 
-/// Numbers in digits of 96 bits; all of a number's digits are from 0 to 2^96 but the highest, which has its sign.
+/// Numbers in digits of 96 bits. All digits of a number are from 0 to 2^96, except the highest, which has its sign.
 #[derive(Clone)]
 pub(crate) struct Numbers {
-    /// The digits of all numbers by rank, the lowest first; there is one rank at least. Zeros fill the last block.
+    /// The digits of all numbers by rank, the lowest first; there is at least one rank. Zeros fill the last block.
     ranks: Vec<Vec<Block>>,
     count: usize,
 }
@@ -33,9 +33,9 @@ type Block = [i128; BLOCK];
 
 const DIGIT: u32 = 96;
 const MASK: i128 = (1 << DIGIT) - 1;
-/// A digit of 96 bits stays below 2^127 in so many rows.
+/// A digit of 96 bits stays below 2^127 for this many rows.
 const ROWS_WITHOUT_CARRY: usize = 30;
-/// What a highest digit may have before the rows of a triangle: they add one bit each.
+/// The bits that a highest digit may have before a triangle: every row adds one.
 const HIGHEST_BITS: u32 = 62;
 
 impl Numbers {
@@ -63,7 +63,7 @@ impl Numbers {
         self.count
     }
 
-    /// A bound of the bits that the longest number has.
+    /// An upper bound of the bits of the longest number.
     pub(crate) fn length(&self) -> u64 {
         let Some((highest, lower)) = self.ranks.split_last() else { return 0 };
         let sizes =
@@ -71,7 +71,7 @@ impl Numbers {
         u64::from(sizes.max().unwrap_or(0)) + lower.len() as u64 * u64::from(DIGIT)
     }
 
-    /// The bits that the shortest number has whose sign is certain (`sign`).
+    /// The bits of the shortest number whose sign is certain (`sign`).
     pub(crate) fn shortest(&self, error: i128) -> u64 {
         let mut shortest = u64::MAX;
         let mut index = 0;
@@ -104,7 +104,7 @@ impl Numbers {
         unlike.is_some_and(|rank| at(rank, index) > at(rank, other))
     }
 
-    /// The first digits of a number, as many as it takes for 30 bits or all of them, and how many are behind these.
+    /// The first digits of a number, enough for 30 bits or all of them, and how many digits follow.
     fn leading(&self, index: usize) -> (i128, usize) {
         let mut leading: i128 = 0;
         let mut lower = self.ranks.len();
@@ -129,9 +129,9 @@ impl Numbers {
         (0..self.len()).map(|index| self.value(index)).collect()
     }
 
-    /// The sign of a number that is less than `error` < 2^30 units from the true one, if they must agree.
+    /// The sign of a number that is less than `error` < 2^30 units from the true one, if both must have the same sign.
     pub(crate) fn sign(&self, index: usize, error: i128) -> Option<Ordering> {
-        // All lower digits are less than one unit of it, and so is the error.
+        // The lower digits are less than one unit of the leading ones, and so is the error.
         let (leading, _) = self.leading(index);
         (leading.abs() >= error).then(|| leading.cmp(&0))
     }
@@ -149,7 +149,7 @@ impl Numbers {
                     let last = self.count - 1 - row;
                     left[row / BLOCK][row % BLOCK] = rank[0][0];
                     right[last / BLOCK][last % BLOCK] = rank[last / BLOCK][last % BLOCK];
-                    // What stands behind the last number of a row never comes into the triangle.
+                    // What stands behind the last number of a row never enters the triangle.
                     add_neighbours(&mut rank[..filled.min(last / BLOCK + 1)]);
                 }
             }
@@ -160,9 +160,9 @@ impl Numbers {
         [left, right]
     }
 
-    /// The first so many Σ_m C(j+m, m) v_{j+m}, which are the coefficients of Σ v_j (1 + x)^j; zeros follow them.
+    /// The first `wanted` of Σ_m C(j+m, m) v_{j+m}, which are the coefficients of Σ v_j (1 + x)^j; zeros follow them.
     ///
-    /// Number j is what j + 1 passes of sums from the end on leave there.
+    /// Number j results from j + 1 passes of sums from the end.
     pub(crate) fn taylor_shift(mut self, wanted: usize) -> Numbers {
         self.make_room(self.count);
         let without_carry = passes_without_carry(self.count);
@@ -242,7 +242,7 @@ impl Numbers {
         self.ranks.iter().filter_map(last).max().map_or(0, |last| last + 1)
     }
 
-    /// Adds ranks until as many rows of a triangle cannot exceed the highest.
+    /// Adds ranks until this many rows of a triangle cannot overflow the highest.
     fn make_room(&mut self, rows: usize) {
         let missing = (rows as u32 + HIGHEST_BITS).saturating_sub(i128::BITS - 2);
         for _ in 0..missing.div_ceil(DIGIT) {
@@ -274,8 +274,8 @@ fn at(rank: &[Block], index: usize) -> i128 {
     rank[index / BLOCK][index % BLOCK]
 }
 
-/// Adds to every number the one behind it. Constant places in an array are not checked, even where nothing is
-/// optimised, and patterns of slices are no calls.
+/// Adds to every number the one behind it. Constant indices into an array are not checked, even in unoptimised code,
+/// and slice patterns are not calls.
 fn add_neighbours(mut blocks: &mut [Block]) {
     let mut behind = 0;
     while let [before @ .., block] = blocks {
@@ -293,7 +293,7 @@ fn add_neighbours(mut blocks: &mut [Block]) {
     }
 }
 
-/// Adds to every number from `first` on all that are behind it.
+/// Adds to every number from `first` on all numbers behind it.
 fn sum_from_the_end(blocks: &mut [Block], first: usize) {
     let mut behind = 0;
     let (before, mut after) = blocks.split_at_mut(first / BLOCK + 1);
@@ -315,8 +315,8 @@ fn sum_from_the_end(blocks: &mut [Block], first: usize) {
     }
 }
 
-/// After k passes number i is Σ_m C(m+k−1, m) v_{i+m}, and these binomials sum up to C(count, k) at most: the largest
-/// k for which that is below 2^30.
+/// The largest number k of passes without a carry. After k passes number i is Σ_m C(m+k−1, m) v_{i+m}, and these
+/// binomials add up to at most C(count, k), which must stay below 2^30.
 fn passes_without_carry(count: usize) -> usize {
     let (mut passes, mut growth) = (0, 1);
     while growth >> 30 == 0 && passes < count {

@@ -1,13 +1,12 @@
 //! Values and derivatives of a polynomial at a point, in fixed point, by Horner's rule.
 //!
-//! Cargo does not optimise macros, so that calls, checks and allocations take most of the time of products of big
-//! integers. Here coefficients are cut by whole words and the point is a fraction of whole words, so that nothing is
-//! shifted, words of a product that hardly matter for its last one are not formed, and a row of words is a loop
-//! without calls.
+//! Cargo does not optimise macros, so calls, checks and allocations take most of the time of big-integer products. Here
+//! coefficients are cut at whole words and the point is a fraction of whole words, so nothing is shifted. Words of a
+//! product that hardly matter for its last word are not formed, and a row of words is a loop without calls.
 //!
-//! **Error.** The columns of a product that are not formed lie behind the first of those that are cut off; as there are
-//! less than 2^32 words, they add up to less than 2^-31 of a unit. Cutting off the others takes less than one unit, and
-//! cutting a coefficient takes less than its factor.
+//! **Error.** The columns of a product that are not formed lie behind the first column that is cut off; as there are
+//! fewer than 2^32 words, they add up to less than 2^-31 of a unit. Cutting off the others loses less than one unit,
+//! and cutting a coefficient loses less than its factor.
 
 use num_bigint::{BigInt, Sign};
 use num_traits::Signed;
@@ -15,19 +14,19 @@ use num_traits::Signed;
 /// Coefficients as signs and words, the lowest power and the lowest word first, in units of 2^-digits.
 pub(crate) struct CoefficientTable {
     coefficients: Vec<(bool, Vec<u64>)>,
-    /// The words of the longest.
+    /// The words of the longest coefficient.
     longest: usize,
     pub(crate) digits: i64,
 }
 
-/// A number from 0 to 1, in the words behind its binary point, or 1 more than that.
+/// A number from 0 to 1 as the words behind its binary point, or 1 more than that.
 pub(crate) struct Abscissa {
     words: Vec<u64>,
     exceeds_one: bool,
 }
 
 const WORD: u64 = u64::BITS as u64;
-/// So many columns of a product behind its unit are formed.
+/// This many columns of a product are formed behind its unit.
 const FORMED: usize = 2;
 
 impl Abscissa {
@@ -74,7 +73,7 @@ impl CoefficientTable {
     }
 }
 
-/// power (power − 1) … with so many factors.
+/// power (power − 1) … with this many factors.
 fn falling(power: usize, factors: usize) -> u64 {
     let (mut product, mut less) = (1, 0);
     while less < factors {
@@ -87,13 +86,13 @@ fn falling(power: usize, factors: usize) -> u64 {
 /// An integer with its sign; there may be zeros before its first word.
 struct Value {
     is_negative: bool,
-    /// Those from `first` on; the others are left of a product.
+    /// The value begins at `first`; the words before it are left over from a product.
     words: Vec<u64>,
     first: usize,
 }
 
 impl Value {
-    /// Cuts off what is behind the unit. There is room for so many words at least then.
+    /// Cuts off what is behind the unit. The result has room for at least `room` words.
     fn multiply(&mut self, at: &Abscissa, room: usize) {
         let (mut own, fraction) = (&self.words[self.first..], at.words.as_slice());
         while let [left @ .., 0] = own {
@@ -148,7 +147,7 @@ impl Value {
     }
 }
 
-/// From 2^(64 n) minus a number of n words to that number, and back.
+/// Turns a number of n words into 2^(64 n) minus that number.
 pub(crate) fn negate(words: &mut [u64]) {
     let mut carry = true;
     for word in words {
@@ -165,7 +164,7 @@ pub(crate) fn integer(words: &[u64]) -> BigInt {
     BigInt::new(Sign::Plus, halves)
 }
 
-/// Adds a multiple of a row to the first of `sums`; what is to be added to the next is returned.
+/// Adds a multiple of a row to the first words of `sums`; returns what is to be added to the next.
 pub(crate) fn add_row(mut sums: &mut [u64], mut row: &[u64], factor: u64, carry: u64) -> u64 {
     let (factor, mut carry) = (u128::from(factor), u128::from(carry));
     while row.len() & 3 != 0 {
@@ -188,7 +187,7 @@ pub(crate) fn add_row(mut sums: &mut [u64], mut row: &[u64], factor: u64, carry:
     carry as u64
 }
 
-/// Subtracts a multiple of a row from the first of `sums`; what is to be subtracted from the next is returned.
+/// Subtracts a multiple of a row from the first words of `sums`; returns what is to be subtracted from the next.
 fn subtract_row(mut sums: &mut [u64], mut row: &[u64], factor: u64) -> u64 {
     let factor = u128::from(factor);
     let mut borrow: u128 = 0;

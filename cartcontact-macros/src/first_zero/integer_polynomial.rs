@@ -102,11 +102,10 @@ impl IntegerPolynomial {
         self
     }
 
-    /// A power of two above every positive root, as its exponent, for a positive leading coefficient.
+    /// The exponent of a power of two above every positive root, for a positive leading coefficient.
     ///
     /// With B = 2 max (|c_i|/c_n)^(1/(n-i)) over the negative c_i, x >= B gives |c_i| x^i <= c_n x^n 2^(i-n), and the
-    /// sum of these stays below c_n x^n (J. B. Kioustelidis, J. Comput. Appl.
-    /// Math. 16 (1986) 241-244).
+    /// sum of these stays below c_n x^n (J. B. Kioustelidis, J. Comput. Appl. Math. 16 (1986) 241-244).
     pub(crate) fn root_bound(&self) -> i64 {
         let negative = self.leading().is_negative();
         let leading = self.leading().bits() as i64;
@@ -148,8 +147,8 @@ pub(crate) fn derivative(coefficients: &[BigInt]) -> Vec<BigInt> {
 
 /// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.
 ///
-/// Once all terms have a common denominator, the factors that they share are those of their numerators in lowest
-/// terms: a prime factor of that denominator is missing where it comes from.
+/// Over a common denominator, the terms share only the factors that their numerators in lowest terms share: a prime
+/// factor of that denominator is missing in the term that it comes from.
 pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
     let denominator = common_denominator(terms.iter().map(|(_, coefficient)| *coefficient));
     let content = common_numerator(terms);
@@ -165,11 +164,11 @@ pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
     IntegerPolynomial::new(coefficients)
 }
 
-/// A number divided by one that it is a multiple of.
+/// The quotient of a number and one of its divisors.
 ///
-/// A quotient of b bits is the integer next to the one of what is left of both when all but b + 64 bits of the divisor
-/// are cut off: less than 1 from each of them, which makes it differ by less than 2^b/2^(b+63). So a short quotient of
-/// long numbers, as there are among the denominators of decimals, costs no division of all their bits.
+/// A quotient of b bits is the integer nearest to the quotient of what is left of both when all but b + 64 bits of the
+/// divisor are cut off. Cutting takes less than 1 from each, which changes the quotient by less than 2^b/2^(b+63). So a
+/// short quotient of long numbers, as among the denominators of decimals, needs no division of all their bits.
 fn quotient(multiple: &BigInt, divisor: &BigInt) -> BigInt {
     if divisor.is_one() {
         return multiple.clone();
@@ -181,7 +180,7 @@ fn quotient(multiple: &BigInt, divisor: &BigInt) -> BigInt {
     (twice + &divisor).div_floor(&(divisor << 1))
 }
 
-/// What all numerators of fractions are multiples of; the short ones come first, as they have few divisors.
+/// The greatest common divisor of the numerators; the short ones come first, as they have few divisors.
 fn common_numerator(terms: &[(usize, &Rational)]) -> BigInt {
     let mut numerators: Vec<&BigInt> = terms.iter().map(|(_, coefficient)| coefficient.numer()).collect();
     numerators.sort_by_key(|numerator| numerator.bits());

@@ -10,12 +10,12 @@ pub(crate) struct Interval {
     lower: BigInt,
     upper: BigInt,
     exponent: i64,
-    /// How many bits are kept of every number: a power to 1000 loses 20 of them.
+    /// The bits that are kept of every number: a power to 1000 loses 20 of them.
     bits: u64,
 }
 
 impl Interval {
-    /// offset · 2^exponent, cut to so many bits.
+    /// offset · 2^exponent, cut to this many bits.
     pub(crate) fn around(offset: &BigInt, exponent: i64, bits: u64) -> Self {
         Interval { lower: offset.clone(), upper: offset.clone(), exponent, bits }.shortened()
     }

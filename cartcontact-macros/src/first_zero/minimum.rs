@@ -6,13 +6,13 @@
 //! p' leads to such points; where a step leads out of the bracket of the minimum, or is not half as long as the one
 //! before it, the bracket is halved instead.
 //!
-//! A point that is 2^-b from the minimum makes p(l) − p'(l)²/(2 m) differ from the least value by about m 2^-2b: so
+//! A point that is 2^-b from the minimum makes p(l) − p'(l)²/(2 m) differ from the least value by about m 2^-2b. So
 //! values and slopes are computed to 2^-16 of that, and each point has about twice the bits of the step that led to it.
-//! The value that does not decide yet tells how many bits will: at points with fewer no value is looked at.
+//! A value that does not decide yet tells how many bits will; at points with fewer bits no value is computed.
 //!
 //! Termination: the roots are simple, so p is not 0 where p' is. The points come arbitrarily close to the minimum and
-//! their values arbitrarily near to the true ones; so p(l) is found to be negative or to exceed p'(l)²/(2 m). A value
-//! that does not decide puts the next one off by a limited number of bits.
+//! their values arbitrarily close to the true ones; so p(l) is found to be negative or to exceed p'(l)²/(2 m). A value
+//! that does not decide postpones the next one by a limited number of bits.
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -26,7 +26,7 @@ use crate::number::shifted;
 #[cfg_attr(test, derive(Debug))]
 pub(crate) enum Roots {
     None,
-    /// The first is alone between lower/2^bits and upper/2^bits of the part.
+    /// The first root is the only one between lower/2^bits and upper/2^bits of the part.
     Between {
         lower: BigInt,
         upper: BigInt,
@@ -34,7 +34,7 @@ pub(crate) enum Roots {
     },
 }
 
-/// It takes more digits than are allowed.
+/// The decision takes more digits than are allowed.
 #[derive(PartialEq, Eq)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Undecided;
@@ -43,11 +43,11 @@ pub(crate) struct Undecided;
 pub(crate) struct Minimum<'a> {
     part: &'a Part,
     source: Source<'a>,
-    /// What the curvature is at least, in units of 2^-digits.
+    /// A lower bound of the curvature, in units of 2^-digits.
     curvature: BigInt,
     digits: u64,
     bracket: Bracket,
-    /// The next point is accepted if it is less than 2^-steady of the part away.
+    /// A step to the next point is accepted if it is shorter than 2^-steady of the part.
     steady: i64,
 }
 
@@ -57,7 +57,7 @@ struct Point {
     bits: u64,
 }
 
-/// A value or a slope over the part, in units of 2^-digits; less than `error` of them from the true one.
+/// A value or a slope over the part, in units of 2^-digits and less than `error` units from the true one.
 struct Approximate {
     number: BigInt,
     error: u64,
@@ -71,20 +71,20 @@ struct Bracket {
     bits: u64,
 }
 
-/// The bits of the first point, and of no point fewer.
+/// The bits of the first point; no point has fewer.
 const FEWEST_BITS: u64 = 16;
-/// Values are computed to 2^-16 of what the point is worth.
+/// Values are computed to 2^-16 of what the bits of the point are worth.
 const SPARE_BITS: u64 = 16;
 
 impl<'a> Minimum<'a> {
-    /// The search in a polynomial from that source, with what its curvature is at least, in units of 2^-digits.
+    /// The search in a polynomial from this source, with a lower bound of its curvature in units of 2^-digits.
     pub(crate) fn new(part: &'a Part, source: &Source<'a>, curvature: BigInt, digits: u64) -> Self {
         let bracket = Bracket { lower: BigInt::zero(), upper: BigInt::one(), bits: 0 };
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }
     }
 
-    /// What the minimum says, which is sought from `first` on, in units of 2^-16 of the part. As many bits of a point as
-    /// were `enough` for the last minimum are likely to be so again; zero if there was none.
+    /// What the minimum says. It is sought from `first` on, in units of 2^-16 of the part. The bits of a point that
+    /// were `enough` for the last minimum are likely to be enough again; zero if there was none.
     pub(crate) fn roots(
         mut self,
         first: u64,
@@ -92,7 +92,7 @@ impl<'a> Minimum<'a> {
         most_digits: u64,
     ) -> Result<Roots, Undecided> {
         let mut point = Point { offset: first.into(), bits: FEWEST_BITS };
-        // The digits that are likely to be asked for last, at once: every time they are more takes as long.
+        // Asks at once for the digits that are likely to be needed last: every later request for more takes as long.
         self.source.for_values(self.digits_for(2 * *enough).clamp(1, most_digits as i64) as u64);
         loop {
             let digits = self.digits_for(2 * point.bits).max(1);
@@ -115,12 +115,12 @@ impl<'a> Minimum<'a> {
         }
     }
 
-    /// The digits for what is about as large as the curvature times 2^-bits.
+    /// The digits for a quantity about as large as the curvature times 2^-bits.
     fn digits_for(&self, bits: u64) -> i64 {
         (self.digits + bits + SPARE_BITS) as i64 - self.curvature.bits() as i64
     }
 
-    /// What the value and the slope at a point say. The slope is squared, so that it takes half as many digits.
+    /// What the value and the slope at a point say. The slope is squared, so it takes half as many digits.
     fn roots_beside(&self, point: &Point, value: &Approximate, enough: &mut u64) -> Option<Roots> {
         let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(value.digits));
         let steepest = shifted(&(slope.number.abs() + slope.error), value.digits - slope.digits);
@@ -136,8 +136,8 @@ impl<'a> Minimum<'a> {
         })
     }
 
-    /// The bits of a point that are enough if the value beside the minimum is that of the parabola that touches here,
-    /// p − p'²/(2 p''): there p''² (x − l)²/(2 m) is less. Nothing if it is too small to be known.
+    /// The bits of a point that are enough if the least value is that of the parabola that touches here, p − p'²/(2
+    /// p''): then p''² (x − l)²/(2 m) is less. Nothing if that value is too small to be known.
     fn likely_enough(
         &self,
         point: &Point,
@@ -168,7 +168,7 @@ impl<'a> Minimum<'a> {
         Approximate { number, error, digits }
     }
 
-    /// In units of 2^-digits, with the bounds for the errors of values and slopes.
+    /// A derivative in units of 2^-digits, with the bounds for the errors of values and slopes.
     fn derivative(&self, order: u64, point: &Point, digits: i64) -> (BigInt, [u64; 2]) {
         let source = self.source.for_values(digits.max(0) as u64);
         let at = self.part.within(&point.offset, point.bits, point.bits);
@@ -226,7 +226,7 @@ impl Bracket {
         &self.lower << (bits - self.bits) < offset && offset < &self.upper << (bits - self.bits)
     }
 
-    /// A point near the middle with no more digits than it takes to lie inside.
+    /// A point near the middle, with no more digits than it takes to lie inside.
     fn middle(&self) -> Point {
         let length = (&self.upper - &self.lower).bits() as i64;
         let bits = (self.bits as i64 - length + ROOM).max(FEWEST_BITS as i64);
@@ -236,10 +236,10 @@ impl Bracket {
 }
 
 impl Point {
-    /// Where the first root is if this is a point between two.
+    /// Where the first root lies if this point is between two roots.
     ///
-    /// At a distance of d, p is at least m d²/2 − |p'| d − |p|: positive from the d on where a half of the first term
-    /// is not less than each of the others.
+    /// At a distance d, p is at least m d²/2 − |p'| d − |p|: positive from the d on at which half of the first term is
+    /// no less than each of the others.
     fn first_root(&self, depth: &BigInt, steepest: &BigInt, curvature: &BigInt) -> Roots {
         let [depth, steepest] =
             [depth, steepest].map(|size| curvature.bits().saturating_sub(size.bits() + 3));
@@ -251,8 +251,8 @@ impl Point {
     }
 }
 
-/// The bits of the next point where `longest`, which is 16 at least, are known: so many that doubling them leads to
-/// `enough` and hardly beyond, unless these are reached already.
+/// The bits of the next point, of which `longest`, at least 16, can be known: so many that doubling them leads to
+/// `enough` and hardly beyond, unless `enough` is reached already.
 fn bits_on_the_way(enough: u64, reached: u64, longest: u64) -> u64 {
     let mut bits = enough;
     while bits > longest {
@@ -261,7 +261,7 @@ fn bits_on_the_way(enough: u64, reached: u64, longest: u64) -> u64 {
     if bits > reached { bits } else { longest }
 }
 
-/// The bits by which the bracket is longer than the unit that its middle is rounded to.
+/// The bracket is this many bits longer than the unit that its middle is rounded to.
 const ROOM: i64 = 4;
 
 #[cfg(test)]

@@ -11,14 +11,14 @@ pub(crate) struct Outline {
     negative: Vec<Term>,
 }
 
-/// From leading 2^shift x^power to less than (leading + 1) 2^shift x^power, without its sign.
+/// A term whose size is at least leading 2^shift x^power and less than (leading + 1) 2^shift x^power.
 struct Term {
     leading: u64,
     shift: i64,
     power: i64,
 }
 
-/// How many first bits there are.
+/// The bits of `leading`, at most.
 const LEADING_BITS: u64 = 32;
 
 impl Outline {
@@ -48,7 +48,7 @@ impl Outline {
         false
     }
 
-    /// The sum of the negative terms at x = 2^end, without its sign, is less than the first number times 2 to the
+    /// A bound of the negative terms at x = 2^end: the size of their sum is less than the first number times 2 to the
     /// power of the second.
     fn negative_below(&self, end: i64) -> (u64, i64) {
         let mut top = i64::MIN;

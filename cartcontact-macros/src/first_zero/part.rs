@@ -1,11 +1,12 @@
 //! A polynomial over part of the interval from 1 to 2, with as many digits as a decision takes.
 //!
-//! Over a part of width 2^-d the exact coefficients of a polynomial of degree n have n d bits more than it had itself,
-//! nearly all of which no sign depends on. Rounded to units of a power of two they stay short, and a sign is taken
-//! from them only if the error cannot change it.
+//! Over a part of width 2^-d the exact coefficients of a polynomial of degree n have n d bits more than its own, and no
+//! sign depends on nearly all of these. Rounded to units of a power of two they stay short, and a sign is taken from
+//! them only if the error cannot change it.
 //!
-//! **Error.** Cutting the coefficients c_j of the whole leaves less than one unit in each, and the Taylor shift to its
-//! beginning adds integers, so that C(n+1, j+1) units are in number j of the result: less than `powers` allows.
+//! **Error.** Cutting the coefficients c_j of the whole loses less than one unit of each. The Taylor shift to the
+//! beginning only adds integers, so number j of the result is less than C(n+1, j+1) units off: less than `powers`
+//! allows.
 
 use core::cell::RefCell;
 use core::cmp::Ordering;
@@ -21,7 +22,7 @@ use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::powers::{GUARD, Powers};
 use crate::number::shifted;
 
-/// From 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
+/// The interval from 1 + offset/2^bits on, 2^-width long; 0 <= offset < 2^bits.
 #[derive(Clone)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Part {
@@ -48,7 +49,7 @@ impl Part {
         (&inner.offset - (&self.offset << (inner.bits - self.bits)), inner.bits - self.width)
     }
 
-    /// The lower end or the upper one, in units of 2^-bits.
+    /// The lower end (0) or the upper end (1), in units of 2^-bits.
     pub(crate) fn end(&self, end: u32) -> BigInt {
         (BigInt::one() << self.bits) + &self.offset + (BigInt::from(end) << (self.bits - self.width))
     }
@@ -56,16 +57,16 @@ impl Part {
 
 /// A polynomial over the interval from 2^exponent to 2^(exponent + 1), which stands for the one from 1 to 2.
 ///
-/// Multiplied by a power of two its coefficients there, c_j 2^(exponent j), are integers, which are formed as far as
-/// they are needed only.
+/// Multiplied by a power of two, its coefficients there, c_j 2^(exponent j), are integers; only the digits that are
+/// needed are formed.
 pub(crate) struct Whole<'a> {
     pub(crate) polynomial: &'a IntegerPolynomial,
     pub(crate) exponent: i64,
-    /// Below which power of two all c_j 2^(exponent j) lie.
+    /// All c_j 2^(exponent j) lie below 2^top.
     top: i64,
-    /// That of the longest of the integers, in bits.
+    /// The length of the longest of the integers, in bits.
     pub(crate) length: u64,
-    /// The coefficients with as many digits as were asked for until now.
+    /// The coefficients with as many digits as were asked for so far.
     table: RefCell<Rc<CoefficientTable>>,
 }
 
@@ -84,19 +85,19 @@ impl<'a> Whole<'a> {
         self.polynomial.degree() as u64
     }
 
-    /// The sign at the lower end of a part, or at its upper one.
+    /// The sign at the lower end (0) or the upper end (1) of a part.
     pub(crate) fn sign_at(&self, part: &Part, end: u32) -> Ordering {
         self.polynomial.sign_at(&part.end(end), self.exponent - part.bits as i64)
     }
 
-    /// The coefficients, of which the longest has so many binary digits; what is below these is cut.
+    /// The coefficients, cut so that the longest has this many binary digits.
     pub(crate) fn coefficients(&self, digits: i64) -> Vec<BigInt> {
         let coefficients = self.polynomial.coefficients().iter().zip(0_i64..);
         let missing = |power: i64| self.exponent * power + digits - self.top;
         coefficients.map(|(coefficient, power)| shifted(coefficient, missing(power))).collect()
     }
 
-    /// The coefficients with so many digits or more, for values at points.
+    /// The coefficients with at least this many digits, for values at points.
     pub(crate) fn table(&self, digits: i64) -> Rc<CoefficientTable> {
         let mut table = self.table.borrow_mut();
         if table.digits < digits {
@@ -105,15 +106,15 @@ impl<'a> Whole<'a> {
         table.clone()
     }
 
-    /// Whether numbers over the part whose sign so many digits leave open are zero: where the unit is finer than what
-    /// all of them are multiples of.
+    /// Whether numbers over the part are zero if this many digits leave their sign open: the unit is then finer than a
+    /// number of which all of them are multiples.
     pub(crate) fn is_exact_over(&self, part: &Part, digits: u64) -> bool {
         let finest = self.length + self.degree() * part.bits + u64::from(u64::BITS);
         digits > finest && digits > finest + common_multiple(self.polynomial.degree()).bits()
     }
 
-    /// In powers from the beginning of the interval on, in units of which the longest coefficient has so many binary
-    /// digits.
+    /// The polynomial in powers from the beginning of the interval on, in units such that the longest coefficient has
+    /// this many binary digits.
     pub(crate) fn powers(&self, digits: u64) -> Powers {
         let guard = self.degree() + GUARD;
         let numbers = Numbers::new(&self.coefficients((digits + guard) as i64));

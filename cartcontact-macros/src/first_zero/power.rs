@@ -8,10 +8,10 @@ use num_traits::{One, Pow};
 use crate::first_zero::interval_power::Interval;
 use crate::number::Rational;
 
-/// How many leading bits are looked at first. They nearly always decide.
+/// The leading bits that are compared first; they nearly always decide.
 const LEADING_BITS: u64 = 192;
 
-/// base^exponent, of which no more bits are known than a comparison needs.
+/// base^exponent, computed to no more bits than a comparison needs.
 pub(crate) struct Power<'a> {
     base: &'a Rational,
     exponent: u32,
@@ -22,7 +22,7 @@ impl<'a> Power<'a> {
         Power { base, exponent }
     }
 
-    /// The bits of its numerator and denominator, at the most.
+    /// An upper bound of the bits of its numerator and denominator together.
     pub(crate) fn bits(&self) -> u64 {
         let bits =
             |number: &BigInt| if number.is_one() { 1 } else { number.bits() * u64::from(self.exponent) };
@@ -33,9 +33,9 @@ impl<'a> Power<'a> {
         self.base.pow(self.exponent as i32)
     }
 
-    /// (offset · 2^exponent)^power against it.
+    /// Compares (offset · 2^exponent)^power with this one.
     ///
-    /// Four times as many bits are looked at as before until they decide, or are as many as there are.
+    /// Each round compares four times as many bits, until they decide or all are compared.
     pub(crate) fn compare_to(&self, (offset, exponent): (&BigInt, i64), power: u32) -> Ordering {
         let most = self.bits().max(offset.bits() * u64::from(power));
         let mut bits = LEADING_BITS;

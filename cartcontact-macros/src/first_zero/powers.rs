@@ -3,9 +3,10 @@
 //! **Way.** The coefficients c_j of p are expanded at the beginning of the part (`taylor`), and those of p(f + w x),
 //! divided by C(n, j), give Bernstein's as the left edge of a triangle of sums.
 //!
-//! **Error.** In units of these coefficients, which are cut, what is left after the division and its rounding is less
-//! than 2 (n + 1) (M + 1) + 2 (`taylor`, for f of M words), and 2^(n+22) after the triangle: n is at most 1024, and M
-//! less than 1500, as numbers have no more words. [`GUARD`] digits more than n make it less than 2^-38 of the unit.
+//! **Error.** In units of these coefficients, which are cut, the error after the division and its rounding is less than
+//! 2 (n + 1) (M + 1) + 2 (`taylor`, for f of M words), and after the triangle less than 2^(n+22): n is at most 1024,
+//! and M less than 1500, as numbers have no more words. [`GUARD`] digits more than n make it less than 2^-38 of the
+//! unit.
 //!
 //! **Degree.** Around few roots far from others the higher powers are next to nothing: p is q + r, with q of a lower
 //! degree d and coefficients of r that add up to η < 2^-(d+24). What Bernstein's coefficients of q tell, if each is
@@ -15,8 +16,8 @@
 //! - One change, behind number m: with x = t/(1+t) and α = m + 1/2, the derivative of t^-α (1+t)^d q has terms of one
 //!   sign, and divided by t^(-α-1) (1+t)^d it is more than 1/2, as |j − α| >= 1/2. What r adds is less than 2 n η. So
 //!   the quotient of p, which has other signs at the ends, is monotonic, and has one root.
-//! - As many changes over a piece as over the whole, both counted with the degree d: over what is left the coefficients
-//!   of q have one sign, and at the ends they are more than 1, so that |q| > 2^(1-d) there.
+//! - As many changes over a piece as over the whole, both counted with the degree d: over the rest the coefficients of
+//!   q have one sign, and at the ends they are more than 1, so that |q| > 2^(1-d) there.
 //! - Second differences that are all more than 1: the curvature of q is more than d (d − 1) times that, and r adds less
 //!   than n² η.
 //!
@@ -34,18 +35,18 @@ use crate::number::shifted;
 /// Σ c_j x^j over the interval from 0 to 1.
 pub(crate) struct Powers {
     pub(crate) numbers: Vec<BigInt>,
-    /// They are in units of 2^-guard.
+    /// The numbers are in units of 2^-guard.
     pub(crate) guard: u64,
-    /// The polynomial is less than so many units from the true one.
+    /// The polynomial is less than this many units from the true one.
     pub(crate) error: i128,
 }
 
-/// Digits that are lost on the way to Bernstein's basis over part of an interval, beside one for every power.
+/// Digits that are lost on the way to Bernstein's basis over part of an interval, besides one for every power.
 pub(crate) const GUARD: u64 = 60;
-/// A lower degree would save nothing.
+/// A degree below this one would save nothing.
 const LEAST_DEGREE: u64 = 4;
-/// By so many bits a power that is left out is less than 2^-d: 24 for the bound of η, which is the sum of all of them,
-/// and 12 as these are up to 1024, and have errors of their own.
+/// A power that is left out is less than 2^-d by this many bits: 24 for the bound of η, which is the sum of all of
+/// them, and 12 because there are up to 1024 of them, with errors of their own.
 const NEGLIGIBLE: u64 = 36;
 
 impl Powers {
@@ -58,7 +59,7 @@ impl Powers {
     }
 
     /// The same in units of 2^digits, with as many guard digits as a change of the interval takes. Cutting the
-    /// coefficients is part of the error of that change; less than one unit is what leaving some of them out adds.
+    /// coefficients is part of the error of that change; leaving some of them out adds less than one unit.
     pub(crate) fn cut(&self, digits: u64) -> Powers {
         let guard = self.degree() + GUARD;
         let missing = guard as i64 - (self.guard + digits) as i64;
@@ -67,7 +68,7 @@ impl Powers {
         Powers { numbers, guard, error }
     }
 
-    /// Over the part from start/2^bits on that is 2^-width long.
+    /// The polynomial over the part from start/2^bits on that is 2^-width long.
     pub(crate) fn over(mut self, start: &BigInt, bits: u64, width: u64) -> Powers {
         if start.is_zero() {
             let mut shift = 0;

@@ -1,19 +1,19 @@
 //! Isolating the smallest positive root of a polynomial: Descartes' rule of signs on ever smaller intervals.
 //!
-//! The sign changes of Bernstein's coefficients bound the number of roots in an interval (`bernstein`): there is none
-//! if there is no change, one if there is one, and they never grow when the interval is divided. So the interval in
-//! front is divided until there is 0 or 1.
+//! The sign changes of Bernstein's coefficients bound the number of roots in an interval (`bernstein`): there is no
+//! root if there is no change, one root if there is one, and the changes never grow when the interval is divided. So
+//! the interval in front is divided until it has 0 or 1.
 //!
-//! The search goes from one power of two to the next, as roots may be of any magnitude; most of these intervals a
-//! bound that costs nothing skips.
+//! The search goes from one power of two to the next, as roots may be of any magnitude; a bound that costs nothing
+//! skips most of these intervals.
 //!
 //! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c gives p'/p = k/(x -
 //! c) nearby, so c is close to a - k p(a)/p'(a). Where both ends a of an interval lead to nearly the same point, a
 //! small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at. Two sign
 //! changes that are left where the polynomial is convex are decided by its minimum (`minimum`).
 //!
-//! An interval has no more digits than its signs take, as they are most of the work, and around a cluster ever fewer
-//! powers count (`powers`). Digits that are missing come from an interval around it (`source`).
+//! An interval has no more digits than its signs need, as digits are most of the work, and around a cluster fewer and
+//! fewer powers count (`powers`). Missing digits come from an interval around it (`source`).
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
@@ -42,14 +42,14 @@ use crate::first_zero::source::Source;
 
 /// Coefficients beyond this length, in bits, stand for differences that no measured gap has.
 const MAXIMUM_LENGTH: u64 = 1 << 19;
-/// So do decisions with more digits; it bounds the time of a proof.
+/// So do decisions that take more digits; this bounds the time of a proof.
 const MAXIMUM_DIGITS: u64 = 1 << 16;
 
-/// Digits that the piece around a cluster has beyond its own needs: the next one is likely to be taken from it.
+/// Digits that the piece around a cluster has beyond its own needs, as the next piece is likely to be taken from it.
 const SURPLUS: u64 = 128;
-/// Digits that the value at an end is computed with, beyond those that leave its sign open.
+/// Digits of the value at an end, beyond those that leave its sign open.
 const MORE_DIGITS: u64 = 512;
-/// Digits that the shortest number of an interval keeps when it is divided.
+/// Digits that the shortest number of an interval keeps when the interval is divided.
 const KEPT_DIGITS: u64 = 64;
 
 /// A proof takes longer numbers than [`MAXIMUM_LENGTH`] and [`MAXIMUM_DIGITS`] allow.
@@ -81,7 +81,7 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
 /// The search for the first root from 2^exponent to 2^(exponent + 1).
 struct Search<'a> {
     whole: &'a Whole<'a>,
-    /// The bits of a point that were enough to decide by the last minimum.
+    /// The bits of a point that were enough for the last minimum to decide.
     enough: u64,
 }
 
@@ -93,20 +93,20 @@ struct Candidate<'a> {
     /// Where more digits come from; it has the same degree.
     source: Source<'a>,
     missed: Missed,
-    /// With how many digits how many changes were uncertain before.
+    /// The number of digits before, and how many changes were uncertain with them.
     before: (u64, usize),
 }
 
-/// What there is around the roots of a candidate.
+/// What lies around the roots of a candidate.
 enum Around<'a> {
     /// An interval that has all of them.
     Piece(Candidate<'a>),
-    /// Perhaps one: the candidate with so many digits will tell.
+    /// Perhaps such an interval: the candidate with this many digits will tell.
     Unclear(u64),
     Nothing,
 }
 
-/// An interval 2^-width long did not have all of so many roots.
+/// An interval 2^-width long did not have all of `count` roots.
 #[derive(Clone, Copy)]
 struct Missed {
     count: usize,
@@ -155,8 +155,8 @@ impl<'a> Search<'a> {
         Ok(None)
     }
 
-    /// The sign at the lower end of a part, or at its upper one, which so many digits are not enough for: with more of
-    /// them, and all if that leaves it open.
+    /// The sign at the lower end (0) or the upper end (1) of a part, for which `digits` are not enough: with more
+    /// digits, and with all of them if these leave it open.
     fn sign_at(&self, part: &Part, end: u32, source: &Source<'a>, digits: u64) -> Ordering {
         let point = part.within(&end.into(), 0, 0);
         let source = source.for_values(digits + MORE_DIGITS);
@@ -167,12 +167,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// For an interval without clusters: the longest coefficient, and what is lost where the terms cancel.
+    /// The digits for an interval without clusters: those of the longest coefficient, and those that are lost where
+    /// terms cancel.
     fn few_digits(&self) -> u64 {
         self.whole.degree() + 64
     }
 
-    /// A part with so many digits, from a source that has them, without powers that are negligible then.
+    /// A part with this many digits, from a source that has them, without the powers that are then negligible.
     fn candidate(&self, part: Part, source: Source<'a>, digits: u64, missed: Missed) -> Candidate<'a> {
         let has_all_powers = source.degree() == self.whole.degree();
         let is_exact = has_all_powers && self.whole.is_exact_over(&part, digits);
@@ -183,8 +184,8 @@ impl<'a> Search<'a> {
         Candidate::new(part, source, (powers, local), digits, missed)
     }
 
-    /// As many more as it takes if every digit goes on making as many signs certain as the last ones did, or as the
-    /// values at the ends tell.
+    /// The candidate with as many more digits as needed if each of them makes as many signs certain as the last ones
+    /// did, or as the values at the ends call for.
     fn with_more_digits(
         &self,
         candidate: Candidate<'a>,
@@ -201,7 +202,7 @@ impl<'a> Search<'a> {
         Ok(next)
     }
 
-    /// The digits of the unit at which the value at an end of a part begins, and some more; nothing if so many show
+    /// The digits down to where the value at an end of a part begins, and some more; nothing if `most` digits show
     /// none.
     fn digits_at(&self, part: &Part, end: u32, most: u64) -> Option<u64> {
         let source = Source::whole(self.whole);
@@ -222,10 +223,10 @@ impl<'a> Search<'a> {
         digits + self.few_digits().max(digits / 2)
     }
 
-    /// A small interval around all roots of the front, if it keeps its sign changes.
+    /// A small interval around all roots of the front, if it keeps the sign changes.
     ///
-    /// Where one has missed some of them, the next is tried halfway, in bits; unless they turn out to fit into an
-    /// interval as short, so that it was in the wrong place.
+    /// If an interval has missed some roots, the next one tried is halfway in bits; unless the roots turn out to fit
+    /// into an interval as short, so that the first one was in the wrong place.
     fn around_cluster(&self, front: &mut Candidate<'a>, count: usize) -> Around<'a> {
         let cluster = front.local.cluster(count);
         let width = front.part.width;
@@ -244,11 +245,11 @@ impl<'a> Search<'a> {
         Around::Nothing
     }
 
-    /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has so many sign changes.
+    /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has `count` sign changes.
     ///
-    /// Around k roots values shrink by k bits with every halving, from about the smallest number of the front on: that is
-    /// how many digits the piece takes. The changes of both must be counted with the same powers, so that the front is
-    /// computed anew if its powers have fewer digits.
+    /// Around k roots the values shrink by k bits with every halving, starting from about the smallest number of the
+    /// front; this gives the digits that the piece takes. The changes of both must be counted with the same powers, so
+    /// the front is computed anew if its powers have fewer digits.
     fn piece(&self, front: &Candidate<'a>, offset: &BigInt, bits: u64, count: usize) -> Around<'a> {
         let part = front.part.within(offset, bits, bits - 2);
         let (is_first, is_last) = (offset.is_zero(), (offset + 4_u32).bits() > bits);
@@ -258,7 +259,7 @@ impl<'a> Search<'a> {
         while digits <= MAXIMUM_DIGITS {
             let source = front.source.with_digits(digits);
             if source.degree() != degree {
-                // So many more are rather a sign that it is too short.
+                // So many more digits are rather a sign that the piece is too short.
                 let is_likely = digits <= 2 * front.source.digits();
                 return if is_likely {
                     Around::Unclear(digits + SURPLUS.max(smaller))
@@ -320,7 +321,7 @@ impl<'a> Search<'a> {
 }
 
 impl<'a> Candidate<'a> {
-    /// With what a source gives over a part, which is the next source.
+    /// What a source gives over a part becomes the next source.
     fn new(
         part: Part,
         source: Source<'a>,
@@ -337,14 +338,14 @@ impl<'a> Candidate<'a> {
         self.digits.saturating_sub(self.local.length())
     }
 
-    /// Whether a quarter of the digits that its source had left have been spent since: what is computed from it would
-    /// take less from here.
+    /// Whether a quarter of the digits that its source had left have been spent since: computing from a source at this
+    /// candidate would then take less.
     fn is_far_from_source(&self) -> bool {
         let (spent, all) = (self.source.spent_digits(), self.source.digits());
         4 * self.spent_digits().saturating_sub(spent) > all - spent
     }
 
-    /// The upper half and, to be looked at first, the lower one.
+    /// The upper half and, last because it is looked at first, the lower one.
     fn halves(self) -> [Candidate<'a>; 2] {
         let Candidate { part, local, digits, source, missed, .. } = self;
         let cut = local.shortest().saturating_sub(KEPT_DIGITS).min(digits - 1);

@@ -1,15 +1,16 @@
-//! Where the polynomial over a part comes from, and the digits that are missing later.
+//! Where the polynomial over a part comes from, and the digits that turn out to be missing later.
 //!
-//! Digits that a cluster of roots has used up are zero in all numbers around it, and most of the others are not needed
-//! any more once the cluster has fallen into smaller ones. So every interval has few digits, and remembers those that
-//! it was cut out of: what is missing comes from there, where numbers are shorter and powers fewer than those of the
+//! Digits that a cluster of roots has used up are zero in all numbers around it, and most of the others are no longer
+//! needed once the cluster has split into smaller ones. So every interval has few digits, and remembers the intervals
+//! that it was cut out of: missing digits come from there, where numbers are shorter and powers fewer than those of the
 //! whole polynomial.
 //!
 //! **Error.** A polynomial over a part is as many units off as its source, and one or two more (`powers`). Where
-//! Bernstein's coefficients are less than e units off, the slope is less than 2 n e. Derivatives by Horner's rule
-//! (`horner`) lose less than their factor and 2 in each step, which is at most n^k + 2 for the k-th; it does not grow
-//! any more over a part, where the variable is at most 1, and 2^j times at most over the whole. With guard digits for
-//! (n + 1)^(k+1), for 2^n over the whole, and 3 more, it is less than one unit, and rounding the result another one.
+//! Bernstein's coefficients are less than e units off, the slope is less than 2 n e units off. Derivatives by Horner's
+//! rule (`horner`) lose less than their factor and 2 in each step, which is at most n^k + 2 for the k-th. This loss
+//! does not grow any more over a part, where the variable is at most 1, and at most 2^j times over the whole. With
+//! guard digits for (n + 1)^(k+1), for 2^n over the whole, and 3 more, it is less than one unit, and rounding the
+//! result loses another one.
 
 use core::cell::RefCell;
 use std::rc::Rc;
@@ -54,13 +55,13 @@ impl<'a> Source<'a> {
         self.near.is_none()
     }
 
-    /// What was taken from this one over a part, with so many digits, as a source itself.
+    /// What was taken from this source over a part, with this many digits, as a source itself.
     pub(crate) fn near(self, part: Part, powers: Powers, digits: u64, spent: u64) -> Self {
         let known = RefCell::new(Growing { powers: Rc::new(powers), digits, table: None });
         Source { whole: self.whole, near: Some(Rc::new(Near { part, spent, wider: self, known })) }
     }
 
-    /// The nearest one that has so many digits, or can have them without any power more.
+    /// The nearest source that has this many digits, or can have them without more powers.
     pub(crate) fn with_digits(&self, digits: u64) -> Self {
         match &self.near {
             Some(near) if self.digits() < digits => {
@@ -77,7 +78,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The nearest one for values with so many digits, which the whole polynomial has at once.
+    /// The nearest source for values with this many digits, which the whole polynomial has at once.
     pub(crate) fn for_values(&self, digits: u64) -> Self {
         match &self.near {
             Some(near) if self.digits() < digits => match near.wider.is_whole() {
@@ -91,7 +92,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The nearest one that has so many digits; if there is none but the whole, the polynomial over its interval.
+    /// The nearest source that has this many digits; if only the whole polynomial has them, the one over its interval.
     fn having(&self, digits: u64) -> Self {
         match &self.near {
             Some(near) if self.digits() < digits => {
@@ -142,8 +143,8 @@ impl<'a> Source<'a> {
         (offset.bits() <= bits).then(|| self.derivative(0, point, point, digits as i64))
     }
 
-    /// A derivative at the beginning of `point` by the variable of `part`, in units of 2^-digits; value and slope are
-    /// less than `errors` from the true ones, if there are as many digits.
+    /// A derivative at the beginning of `point` by the variable of `part`, in units of 2^-digits. Value and slope are
+    /// less than `errors` from the true ones if the source has that many digits.
     pub(crate) fn derivative(&self, order: u64, point: &Part, part: &Part, digits: i64) -> BigInt {
         let degree = self.degree();
         let guard = (order + 1) as i64 * i64::from(u64::BITS - degree.leading_zeros()) + 3;

@@ -1,16 +1,16 @@
 //! The expansion of a polynomial at another point f, by repeated division by x − f.
 //!
-//! Every pass of Horner's rule leaves one more coefficient of the expansion, and behind it the quotient for the next.
-//! The coefficient of x^k is wanted times w^k only, so that pass k leaves out as many words as w^k has zeros for.
+//! Every pass of Horner's rule leaves one more coefficient of the expansion, and behind it the quotient for the next
+//! pass. The coefficient of x^k is needed only times w^k, so pass k leaves out as many words as w^k has zeros for.
 //!
-//! As everywhere in a macro, calls and allocations would take most of the time of products of big integers. So numbers
-//! are words of one length here, modulo a power of two, with their signs in the highest bit.
+//! As everywhere in a macro, calls and allocations would take most of the time of big-integer products. So numbers are
+//! words of one length here, modulo a power of two, with their signs in the highest bit.
 //!
 //! **Error.** In pass m, in units of w^-m at most, a product with a factor of M words loses less than M, and leaving
 //! out words less than 1. As number m + i of that pass goes into coefficient k with C(i, k−m) f^(i-k+m), all of it
 //! comes to (M + 1) C(n−m+1, k−m+1) w^(k-m) units of that coefficient. C(n−m+1, k−m+1) is at most C(n+1, k+1), which is
 //! (n+1)/(k+1) C(n, k): with cut c_j that is less than 2 (n + 1) (M + 1) C(n, k) from all passes. And as w is at most
-//! 1/2 and Σ C(j+t, j) 2^-t is 2^(j+1), it is less than (M + 1) 2^(n-k+2), which is few for the highest powers.
+//! 1/2 and Σ C(j+t, j) 2^-t is 2^(j+1), it is less than (M + 1) 2^(n-k+2), which is small for the highest powers.
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -22,11 +22,11 @@ const WORD: u64 = u64::BITS as u64;
 /// The coefficients of p(f + 2^-width x) for those of p, where f = offset/2^bits is at least 2^-width and less than 1.
 pub(crate) fn expand(coefficients: &[BigInt], offset: &BigInt, bits: u64, width: u64) -> Vec<BigInt> {
     let longest = coefficients.iter().map(BigInt::bits).max().unwrap_or(0);
-    // They grow by binomials of the degree.
+    // The coefficients grow by binomials of the degree.
     let length = ((longest + coefficients.len() as u64 + 2) / WORD + 1) as usize;
     let mut rows: Vec<Vec<u64>> = coefficients.iter().map(|number| words(number, length)).collect();
     let mut factor = fraction(offset, bits);
-    // Words behind its highest do not reach any row.
+    // Words this far behind its highest one do not reach any row.
     factor.drain(..factor.len().saturating_sub(length + 1));
     let mut expanded = Vec::with_capacity(coefficients.len());
     for power in 0..coefficients.len() {
@@ -74,7 +74,7 @@ fn add_product(sums: &mut [u64], row: &[u64], fraction: &[u64]) {
         }
         let carry = (u128::from(row[behind - 1]) * u128::from(factor)) >> WORD;
         let carry = add_row(&mut sums[..length - behind], &row[behind..], factor, carry as u64);
-        // All words before the first are the sign.
+        // All words beyond the highest of a row are its sign.
         let mut rest = i128::from(carry) - if is_negative(row) { i128::from(factor) } else { 0 };
         for word in &mut sums[length - behind..] {
             let sum = i128::from(*word) + rest;
