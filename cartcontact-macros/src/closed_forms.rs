@@ -1,7 +1,7 @@
 //! [`Gap`] -> the closed forms that follow from it: Eqs. (10), (14) and (28), exactly.
 //!
-//! Each is a sum of powers whose coefficients are those of the gap times rational numbers, see
-//! I. Argatov, Mech. Res. Commun. 38 (2011), doi 10.1016/j.mechrescom.2010.11.006.
+//! Each is a sum of powers whose coefficients are those of the gap times rational numbers; see I. Argatov, Mech. Res.
+//! Commun. 38 (2011), doi 10.1016/j.mechrescom.2010.11.006.
 
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive};
@@ -10,12 +10,12 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, common_denominator, integer};
 
-/// The most binary digits of a shortener: half of the 53 of an `f64`.
+/// A shortener has at most this many binary digits: half of the 53 of an `f64`.
 const MOST_DIGITS: u64 = 26;
-/// Exponents of two decimals have the index 20 or less if they are multiples of 0.05.
+/// Exponents of two decimals have a root index of 20 or less if they are multiples of 0.05.
 const HIGHEST_ROOT: u32 = 20;
 
-/// Σ weight · C · x^exponent, where C is the coefficient of the gap's term with that index.
+/// Σ weight · C · x^exponent, where C is the coefficient of the term of the gap with that index.
 pub(crate) struct PowerSum {
     pub(crate) summands: Vec<Summand>,
 }
@@ -28,14 +28,14 @@ pub(crate) struct Summand {
 
 /// weight · C.
 pub(crate) enum Factor {
-    /// The product with a C that is a constant.
+    /// The product, if C is a constant.
     Constant(Rational),
-    /// The weight of one that depends on fields.
+    /// The weight alone, if C depends on fields.
     Weight(Rational),
 }
 
 impl Summand {
-    /// The factor of its power in the sums that belong to `gap`.
+    /// The factor of the power in the sums that belong to `gap`.
     pub(crate) fn coefficient(&self, gap: &Gap) -> Coefficient {
         match &self.factor {
             Factor::Constant(value) => Coefficient::constant(value.clone()),
@@ -43,7 +43,7 @@ impl Summand {
         }
     }
 
-    /// What a symbol is multiplied by in the factor of its power, if it is one.
+    /// The weight of the symbol in the factor of the power; nothing if the factor is a constant.
     pub(crate) fn weight(&self) -> Option<&Rational> {
         match &self.factor {
             Factor::Constant(_) => None,
@@ -51,7 +51,7 @@ impl Summand {
         }
     }
 
-    /// The factor of its power, if that is a constant.
+    /// The factor of the power, if it is a constant.
     pub(crate) fn constant(&self) -> Option<&Rational> {
         match &self.factor {
             Factor::Constant(value) => Some(value),
@@ -66,8 +66,8 @@ pub(crate) struct Scaled {
     pub(crate) per_unit: Rational,
 }
 
-/// J for the step from a table of seeds: of the root of the radius with this index, of which its powers are whole; or of the
-/// radius itself, index 1, if there is none but with a high index.
+/// J for the step from a table of seeds: a function of the root of the radius with this index, in which its powers are
+/// whole. The index is 1, for the radius itself, if only a root of a high index would do.
 pub(crate) struct Seeded {
     pub(crate) scaled: Scaled,
     pub(crate) root: u32,
@@ -82,7 +82,7 @@ pub(crate) struct ClosedForms {
     pub(crate) approach_slope: PowerSum,
     /// J(a) = Σ C n aⁿ⁺⁴/((n+2)(n+4)), Eq. (14)
     pub(crate) load_integral: PowerSum,
-    /// J as the steps to the radius take it: where coefficients are symbols, with weights that have few digits.
+    /// J as the steps to the radius take it: with weights of few digits where coefficients are symbols.
     pub(crate) stepped: Scaled,
     /// The same for the step from a table of seeds.
     pub(crate) seeded: Seeded,
@@ -129,13 +129,13 @@ impl PowerSum {
         Self { summands: summands.collect() }
     }
 
-    /// The least index of a root of x of which all powers are whole, if it is not too high.
+    /// The least index of a root of x in which all powers are whole, if it is not too high.
     fn root_of_whole_powers(&self) -> Option<u32> {
         let index = common_denominator(self.summands.iter().map(|summand| &summand.exponent));
         index.to_u32().filter(|&index| index <= HIGHEST_ROOT)
     }
 
-    /// The sum with all exponents multiplied: one of powers of a root of x.
+    /// The sum with all exponents multiplied by the index: a sum of powers of that root of x.
     fn in_root(&self, index: u32) -> Self {
         let mut sum = self.weighted(|_| Rational::one());
         for summand in &mut sum.summands {
@@ -148,9 +148,9 @@ impl PowerSum {
         Scaled { load_integral: self.weighted(|_| per_unit.clone()), per_unit }
     }
 
-    /// The common denominator of the weights, divided by powers of two so that it is odd, and by others so that it is
-    /// less than 2: times it, they are small whole numbers and powers of two. 1 if it has more than half the digits of
-    /// a number.
+    /// The common denominator of the weights, made odd by dividing out powers of two and then divided by a power of two
+    /// so that it is less than 2: multiplied by it, the weights are small whole numbers times powers of two. 1 if it
+    /// has more than half the digits of a number.
     fn shortener(&self) -> Rational {
         let common = common_denominator(self.summands.iter().filter_map(Summand::weight));
         let odd = &common >> common.trailing_zeros().unwrap_or(0);

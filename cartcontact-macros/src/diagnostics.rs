@@ -5,7 +5,7 @@
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 
-/// A stretch of source: the first and the last token of what a message points at.
+/// A stretch of source: the first and the last token that a message points at.
 ///
 /// Stable Rust cannot join two spans into one, but a diagnostic may start at one and end at another.
 #[derive(Clone, Copy)]

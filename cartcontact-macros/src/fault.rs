@@ -1,7 +1,7 @@
-//! What is wrong with a geometry as a whole, and the way out that is offered.
+//! What is wrong with a geometry as a whole, and the remedy that is offered.
 //!
-//! A change that contents one stage may be refused by another: a range that ends before the gap turns may reach the rim
-//! of a surface, or be too long for the order. So a way is offered only if it leads to a geometry.
+//! A change that satisfies one stage may be refused by another: a range that ends before the gap turns may reach the
+//! rim of a surface, or be too long for the order. So a remedy is offered only if it leads to a geometry.
 
 use num_traits::ToPrimitive;
 
@@ -12,21 +12,22 @@ use crate::gap::truncation::three_digits;
 use crate::number::{Rational, decimal, fraction};
 use crate::reading::literal;
 
-/// Of two faults the higher is reported: it remains if the other is mended, or is the reason for it.
+/// Of two faults the one of higher rank is reported: it remains if the other is mended, or it is the reason for the
+/// other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Rank {
     /// The proof was given up: nobody knows whether the range ends.
     Undecided,
     /// What an order neglects.
     Truncation,
-    /// The range ends behind the one in which the gap determines a contact radius.
+    /// The range goes beyond the one in which the gap determines a contact radius.
     Range,
     Rim,
     /// The gap does not open.
     Opening,
 }
 
-/// The ways are in the order in which they are preferred; if none works, `otherwise` is what is left to say.
+/// The ways out are in order of preference; if none works, the message ends with `otherwise`.
 pub(crate) struct Fault {
     pub(crate) extent: Extent,
     pub(crate) rank: Rank,
@@ -75,7 +76,7 @@ impl Fault {
         self
     }
 
-    /// The message with the first way that works, which without surfaces any `max_radius` does.
+    /// The message with the first way out that works. Without surfaces any `max_radius` works.
     pub(crate) fn message(&self, surfaces: &[Surface], works: impl Fn(&Change<'_>) -> bool) -> String {
         let offered = self.ways.iter().find_map(|way| match way {
             Way::MaxRadius { words, largest } if surfaces.is_empty() => Some(format!("{words}{largest}`")),
@@ -91,7 +92,7 @@ impl Fault {
     }
 }
 
-/// How to write the largest `max_radius` that works, or a short one not far below it.
+/// How to write the largest `max_radius` that works, or a short number not far below it.
 fn within_series(
     words: &str,
     largest: &str,

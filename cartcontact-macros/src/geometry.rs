@@ -115,7 +115,7 @@ impl Declared {
     }
 }
 
-/// Reports what is wrong with a gap whatever its options are, which could not be read.
+/// Reports what is wrong with a gap whatever its options are, as these could not be read.
 fn check_without_range(
     shape: Shape,
     complete: bool,
@@ -133,14 +133,14 @@ fn check_without_range(
     }
 }
 
-/// The range that `max_radius` declares, where it is written; nothing if it is faulty, which is reported.
+/// The range that `max_radius` declares, if it is written; nothing if it is faulty, which is reported.
 fn declared_range(limit: Option<&Expression>, evaluator: &mut Evaluator<'_>) -> Option<Range> {
     let Some(limit) = limit else { return Some(Range::Unbounded) };
     let value = evaluator.coefficient(limit, "max_radius")?;
     Range::of(value).map_err(|message| evaluator.fault::<()>(limit.extent, message)).ok()
 }
 
-/// All that may depend on fields.
+/// All values that may depend on fields.
 fn values<'a>(gap: &'a Gap, range: &'a Range, truncation: Option<&'a Truncation>) -> Vec<&'a Coefficient> {
     let mut values: Vec<&Coefficient> = gap.terms.iter().map(|term| &term.coefficient).collect();
     if let Range::Symbolic(limit) = range {

@@ -1,7 +1,7 @@
 //! The attribute `#[gap_profile(...)]` of the crate `cartcontact`, which documents its language.
 //!
-//! A gap between joint surfaces is read, proved and turned into a solver when the program is compiled. Each stage
-//! takes what the one before it produced:
+//! A gap between joint surfaces is read, proved and turned into a solver when the program is compiled. Each stage takes
+//! what the stage before it produced:
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
@@ -18,10 +18,11 @@
 //! | `start` | geometry and closed forms | what leads the solver to the contact radius: a `table` of `seeds` (in `own_units` where coefficients are symbols) or of `roots` (one term), or the leading term |
 //! | `emit` | item and geometry | the solver |
 //!
-//! All of it is done in exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
-//! together; those of a whole geometry offer a way out that works (`fault`).
+//! All stages compute with exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported
+//! together; a fault of a whole geometry comes with a way out that works (`fault`).
 
-// Who uses the crate compiles this one: `Debug` costs time, so only what a test prints has it, and only there.
+// Every user of the crate compiles this one, and deriving `Debug` costs time: only types that a test prints derive it,
+// and only for tests.
 
 mod closed_forms;
 mod diagnostics;
@@ -45,9 +46,9 @@ use crate::reading::{attribute, item};
 
 /// Turns a struct into a gap profile: `#[gap_profile(0.025 * r^2, max_radius = 6.0)] struct Knee;`.
 ///
-/// The crate `cartcontact` describes the language and what is generated. Beside the solver these are constants of the
+/// The crate `cartcontact` describes the language and what is generated. Besides the solver these are constants of the
 /// type, `TERMS`, `MAX_RADIUS` and, for surfaces, `TRUNCATION_ERROR`, or the method `terms` where the gap depends on
-/// fields: the struct can have no constants and methods of its own by these names.
+/// fields: the struct cannot have constants or methods of its own by these names.
 #[proc_macro_attribute]
 pub fn gap_profile(
     attribute: proc_macro::TokenStream,
@@ -56,7 +57,7 @@ pub fn gap_profile(
     expand(attribute.into(), item.into()).into()
 }
 
-/// The item as it was and, beside it, its solver; or every fault, and a stub so that the rest still compiles.
+/// The item as it was, and beside it its solver; or every fault, and a stub so that the rest still compiles.
 fn expand(attribute: TokenStream, input: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
     let attribute = attribute::parse(attribute, &mut diagnostics);

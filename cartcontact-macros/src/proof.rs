@@ -1,15 +1,15 @@
 //! Gap -> proof that the contact radius is determined.
 //!
-//! It is exactly where the approach grows with the contact radius a, that is, where the gap exceeds its own mean over
-//! the contact disc: pressures are then non-negative and the surfaces stay apart outside. With the gap a sum of
-//! C rⁿ, the slope of the approach is
+//! It is determined exactly where the approach grows with the contact radius a, that is, where the gap exceeds its own
+//! mean over the contact disc: pressures are then non-negative and the surfaces stay apart outside. For a gap Σ C rⁿ,
+//! the slope of the approach is
 //!
 //! ```text
 //! δ₀′(a) = Σ 2 C n aⁿ⁻¹/(n+2)
 //! ```
 //!
 //! If its lowest term is positive, the geometry is admissible up to the first zero of this sum and no further; a zero
-//! that it only touches ends the range too. All of it is decided on exact numbers.
+//! without a change of sign ends the range too. All of it is decided with exact numbers.
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29-33, doi 10.1016/j.mechrescom.2010.11.006, Eq. (10).
 
@@ -34,7 +34,7 @@ pub(crate) enum Proof {
     AtRunTime,
 }
 
-/// What a proof is wanted for.
+/// The radii that a proof is wanted for.
 pub(crate) enum Wanted<'a> {
     AllRadii,
     UpTo(&'a Rational, Extent),
@@ -69,7 +69,7 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, Fault> {
     }
 }
 
-/// What is known although the coefficients depend on fields.
+/// What can be proved although the coefficients depend on fields.
 fn of_fields(gap: &Gap) -> Proof {
     let positive = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotNegative);
     if gap.terms.iter().all(positive) {
@@ -96,7 +96,8 @@ fn unlimited(extent: Extent, end: &mut End) -> Fault {
     with_remedy((extent, rule).into(), largest, "add `max_radius = ", "add a `max_radius` well below that")
 }
 
-/// What to do about an end below which `largest` is, where an `f64` is.
+/// Adds the remedy for a range that goes too far. `largest` is the largest decimal below its end, if there is an `f64`
+/// there.
 fn with_remedy(fault: Fault, largest: Option<String>, words: &'static str, otherwise: &str) -> Fault {
     let fault = fault.ranked(Rank::Range);
     match largest {
@@ -105,7 +106,7 @@ fn with_remedy(fault: Fault, largest: Option<String>, words: &'static str, other
     }
 }
 
-/// n and C n/(n+2) of each term; nothing if a coefficient is no number.
+/// n and C n/(n+2) of each term; nothing if a coefficient is not a number.
 fn slope(gap: &Gap) -> Option<Vec<(Rational, Rational)>> {
     let terms = gap.terms.iter().map(|term| {
         let share = &term.exponent / (&term.exponent + number::integer(2));

@@ -1,5 +1,5 @@
-//! The coefficients of the gap in generated code: literals where they are constants, otherwise computed once per
-//! call from the fields, in words or in double words.
+//! The coefficients of the gap in generated code: literals if they are constants, otherwise computed once per call from
+//! the fields, in words or in double words.
 
 use num_traits::{One, Zero};
 use proc_macro2::{Ident, TokenStream};
@@ -16,15 +16,15 @@ use crate::number::{self, Rational};
 use crate::reading::item::{Field, FieldKind, Item};
 use crate::reading::name::unraw;
 
-/// So many constants at the most are written out one by one, which compilers fold into the code around them. More stand
-/// in a table, which takes much less time to compile.
+/// At most this many constants are written out one by one, which lets compilers fold them into the code around them.
+/// More of them stand in a table, which takes much less time to compile.
 pub(super) const FEW: usize = 8;
 
 /// The digits of the coefficients.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Digits {
     OfAWord,
-    /// Twice those of a word: for sums that are rounded once.
+    /// Twice those of a word, for sums that are rounded once.
     OfTwo,
 }
 
@@ -42,7 +42,7 @@ impl<'a> Coefficients<'a> {
     }
 
     /// The same for a sum that is rounded once: with twice the digits, unless all its factors are constants or fields
-    /// times powers of two, which words hold.
+    /// times powers of two, for which a word is enough.
     pub(super) fn for_rounding_once(&self, sum: &PowerSum) -> Self {
         let are_words = sum.summands.iter().all(|summand| self.is_word(summand));
         if are_words { *self } else { self.precise() }
@@ -80,7 +80,7 @@ impl<'a> Coefficients<'a> {
         }
     }
 
-    /// A power of a coefficient that is no integer.
+    /// A power whose exponent is not an integer.
     fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
         match self.digits {
             Digits::OfAWord => {
@@ -135,7 +135,8 @@ impl<'a> Coefficients<'a> {
         })
     }
 
-    /// The factors of a sum one by one: many constants are variables that begin with `name`, and bound beforehand.
+    /// The factors of a sum one by one. Many constants become variables whose names begin with `name`, bound
+    /// beforehand.
     pub(super) fn bound(&self, name: &str, sum: &PowerSum) -> (Option<TokenStream>, Vec<TokenStream>) {
         let summands: Vec<Option<&Summand>> = sum.summands.iter().map(Some).collect();
         let Some(table) = self.table(&summands) else {
@@ -146,7 +147,7 @@ impl<'a> Coefficients<'a> {
         (Some(quote!(let [#(#variables),*] = #table;)), variables)
     }
 
-    /// The array as a table, if all are constants and many.
+    /// The array as a table, if all factors are constants and there are many.
     fn table(&self, summands: &[Option<&Summand>]) -> Option<TokenStream> {
         let constant = |summand: &Option<&Summand>| match summand {
             Some(summand) => summand.constant().map(number::rounded),
@@ -169,7 +170,7 @@ impl<'a> Coefficients<'a> {
         })
     }
 
-    /// The coefficients whose sign only the values of the fields tell; none if a constant is negative.
+    /// The coefficients whose sign depends on the values of the fields; none if a constant is negative.
     pub(super) fn of_uncertain_sign(&self) -> Option<Vec<TokenStream>> {
         let terms = &self.geometry.gap.terms;
         let constants = || terms.iter().filter_map(|term| term.coefficient.as_constant());
@@ -178,13 +179,13 @@ impl<'a> Coefficients<'a> {
             .then(|| uncertain.map(|(index, _)| variable(index).into_token_stream()).collect())
     }
 
-    /// An array of the coefficients that are not constants, and how many there are.
+    /// An array of the coefficients that are not constants, and their number.
     pub(super) fn variables(&self) -> (TokenStream, usize) {
         let variables: Vec<Ident> = self.symbolic().map(|(index, _)| variable(index)).collect();
         (quote!([#(#variables),*]), variables.len())
     }
 
-    /// Binds the coefficients that are not constants; empty if all are.
+    /// Binds the coefficients that are not constants; empty if all are constants.
     pub(super) fn preamble(&self) -> TokenStream {
         let (scalar, (variables, count)) = (self.scalar(), self.variables());
         if count == 0 {
@@ -195,7 +196,7 @@ impl<'a> Coefficients<'a> {
     }
 
     /// The functions that compute the coefficients that are not constants, in words and in double words; empty if all
-    /// are.
+    /// are constants.
     pub(super) fn functions(&self) -> [TokenStream; 2] {
         [self.function(), self.precise().function()]
     }
@@ -259,7 +260,7 @@ impl<'a> Coefficients<'a> {
         }
     }
 
-    /// The name of the function that computes them.
+    /// The name of the function that computes the coefficients.
     fn name(&self) -> Ident {
         local(match self.digits {
             Digits::OfAWord => "coefficients",

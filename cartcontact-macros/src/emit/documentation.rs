@@ -1,4 +1,4 @@
-//! What was derived from a profile, as documentation of the annotated item.
+//! Documentation of the annotated item: what was derived from its profile.
 
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -16,7 +16,7 @@ use crate::start::Start;
 use crate::start::roots::{Reach, Roots, Spans};
 use crate::start::table::Table;
 
-/// The lines of the documentation, to stand behind the item's own.
+/// The lines of the documentation, which follow the item's own.
 pub(super) fn lines(
     item: &Item,
     geometry: &Geometry,
@@ -61,7 +61,7 @@ contact radius, mm    the {a} with (π m/4) J({a}) = F(t) + χ ∫F dτ    (14)
     text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") }).collect()
 }
 
-/// The first of some names for a variable that no field has, which would stand beside it in a coefficient.
+/// The first of some names for a variable that no field has: fields stand beside it in coefficients.
 fn free<'a>(item: &Item, names: [&'a str; 3]) -> &'a str {
     let is_free = |name: &&str| item.fields.iter().all(|field| field.ident != **name);
     names.into_iter().find(is_free).unwrap_or(names[0])
@@ -99,8 +99,8 @@ fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
     *text += power;
 }
 
-/// A coefficient as it stands before a power, if there is one: in parentheses if it is a sum, or a fraction that could
-/// seem to go on.
+/// A coefficient as it is written before a power, if there is one: in parentheses if it is a sum, or a fraction that
+/// could seem to include the power.
 fn factor(coefficient: &str, power: &str) -> String {
     if is_sum(coefficient) || (coefficient.contains('/') && !power.is_empty()) {
         format!("({coefficient})")
@@ -113,8 +113,8 @@ fn is_sum(coefficient: &str) -> bool {
     coefficient.contains(" + ") || coefficient.contains(" - ")
 }
 
-/// The pressure kernel of the contact radius `a`; for even exponents with its double zero as a factor, otherwise by a
-/// function of the name `k`.
+/// The pressure kernel of the contact radius `a`: with its double zero as a factor for even exponents, otherwise
+/// written with a function of the name `k`.
 fn kernel(gap: &Gap, a: &str, k: &str) -> String {
     let is_even = gap.terms.iter().all(|term| (&term.exponent / integer(2)).is_integer());
     let weight = |n: &Rational, factor: i32| (integer(factor) * (n + integer(2)) * (n + integer(2))).recip();
@@ -192,7 +192,7 @@ fn admissibility(item: &Item, geometry: &Geometry) -> String {
     }
 }
 
-/// Why a gap is admissible; what is declared of its fields is a part of it, as `check` refuses other values.
+/// Why a gap is admissible. What is declared about its fields is part of the reason, as `check` refuses other values.
 fn reason(item: &Item, geometry: &Geometry, by: &'static str) -> &'static str {
     let is_declared = item.fields.iter().any(|field| field.used && field.is_positive);
     if is_declared && !geometry.gap.is_constant() {

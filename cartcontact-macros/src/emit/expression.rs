@@ -9,8 +9,8 @@ use crate::gap::coefficient::{Atom, Coefficient, Product};
 use crate::number::{self, Rational};
 
 impl Coefficient {
-    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators; a
-    /// product has one division at most.
+    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators. Each
+    /// product has at most one division.
     pub(crate) fn expression(&self, writer: &Writer<'_>) -> TokenStream {
         writer.sum(self)
     }
@@ -20,7 +20,7 @@ impl Coefficient {
 pub(crate) struct Writer<'a> {
     pub(crate) variable: fn(&Ident) -> Ident,
     pub(crate) number: &'a dyn Fn(&Rational) -> TokenStream,
-    /// A power that is no integer.
+    /// A power whose exponent is not an integer.
     pub(crate) power: &'a dyn Fn(&TokenStream, &Rational) -> TokenStream,
 }
 
@@ -36,7 +36,7 @@ impl Writer<'_> {
         })
     }
 
-    /// Its absolute value as far as the sign of its number goes.
+    /// The product without the sign of its number.
     fn product(&self, product: &Product) -> TokenStream {
         let (below, above): (Vec<_>, Vec<_>) =
             product.powers.iter().partition(|(_, exponent)| exponent.is_integer() && exponent.is_negative());
@@ -86,7 +86,7 @@ fn multiplied(factors: &[impl ToTokens]) -> TokenStream {
     product
 }
 
-/// `base` to an integer power > 0, by squaring: log2 of the exponent many multiplications, twice that at most.
+/// `base` to an integer power > 0, by squaring: at least log2 of the exponent multiplications, at most twice that.
 fn repeated(base: &Ident, exponent: u32) -> TokenStream {
     if exponent <= 3 {
         let copies: Vec<&Ident> = (0..exponent).map(|_| base).collect();

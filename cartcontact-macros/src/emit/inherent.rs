@@ -1,7 +1,7 @@
-//! What a program may ask of the type itself: terms, range and truncation as constants, or the terms as a method where
-//! they depend on fields.
+//! What a program may ask the type itself: terms, range and truncation as constants, or the terms as a method if they
+//! depend on fields.
 //!
-//! None of it is part of the trait, so that `dyn GapProfile` stays possible.
+//! None of this is part of the trait, so that `dyn GapProfile` stays possible.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -27,11 +27,10 @@ pub(super) fn block(
     of_fields(item, names, &geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
 }
 
-/// What stands in for them where the profile is faulty: of a gap that depends on fields if those that it names are
-/// marked as used.
+/// The stand-in for a faulty profile: that of a gap that depends on fields if any field is marked as used.
 ///
-/// How many terms there are and how large a number is depends on a constant that consists of the errors, and of which
-/// the compiler says no more than these: neither of a pattern for some terms nor of an assertion on a radius.
+/// The number of terms and the value of a number depend on a constant that consists of the errors. The compiler then
+/// reports only these errors, and none about a pattern for some terms or an assertion on a radius.
 pub(super) fn stub(item: &Item, errors: &TokenStream, names: &Names) -> TokenStream {
     let faults = local("FAULTS");
     let constant = quote!(const #faults: ::core::primitive::usize = { #errors };);
@@ -95,7 +94,7 @@ fn constants(geometry: &Geometry) -> TokenStream {
     }
 }
 
-/// The method `terms`, over the scalar type of the fields, or over any if they have none.
+/// The method `terms`, over the scalar type of the fields, or over any scalar type if they have none.
 fn of_fields(item: &Item, names: &Names, count: &impl ToTokens, body: &TokenStream) -> TokenStream {
     let Names { krate, scalar, .. } = names;
     let (generics, parameter) = if item.generics.has_type(scalar) {

@@ -1,4 +1,4 @@
-//! The contact radius from the load integral, and what else the solver asks of J.
+//! The contact radius from the load integral, and what else the solver needs from J.
 
 use num_traits::Zero;
 use proc_macro2::TokenStream;
@@ -15,13 +15,13 @@ use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
 use crate::start::{Start, may_have_leading_term};
 
-/// The highest power of a dense polynomial; beyond, powers are formed term by term.
+/// The highest power of a dense polynomial; beyond it, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
 
-/// The same for the drop of J, on which what lies between two times rests; its error is half the power times ε.
+/// The same for the drop of J, on which everything between two times depends; its error is half the power times ε.
 const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
 
-/// The methods that the inversion of J is, and what else is asked of J: drops, and slopes with them.
+/// The methods that invert J, and the other methods that concern J: drops, and slopes with them.
 pub(super) fn methods(
     geometry: &Geometry,
     forms: &ClosedForms,
@@ -66,7 +66,7 @@ pub(super) fn methods(
     }
 }
 
-/// The radius from what it starts with, and the radii of a slice, if they are found in a way of their own.
+/// The radius from its start, and the radii of a slice if they are found in a way of their own.
 fn from_start(
     forms: &ClosedForms,
     start: &Start,
@@ -89,8 +89,9 @@ fn from_start(
     }
 }
 
-/// How a radius is compiled into its callers. One from a table is as long as what compilers hesitate about: left to them, it
-/// is a call with its result in memory in one program and not in the next, which makes up to half of its time.
+/// How a radius is compiled into its callers. A radius from a table is just long enough for compilers to hesitate: left
+/// to them, it is a call with its result in memory in one program and not in the next, which makes up to half of its
+/// time.
 fn inlining(gap: &Gap, start: Option<&Start>) -> TokenStream {
     match start {
         Some(Start::Roots(_)) => quote!(#[inline(always)]),
@@ -99,8 +100,8 @@ fn inlining(gap: &Gap, start: Option<&Start>) -> TokenStream {
     }
 }
 
-/// Whether the values of fields end the range, and it does not end where the table has rows: in units of its own all radii
-/// of the table are admissible.
+/// Whether the values of fields end the range, but not where the table has rows: in units of its own, all radii of the
+/// table are admissible.
 fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
     matches!(geometry.range, Range::Unbounded)
         && matches!(geometry.proof, Proof::AtRunTime)
@@ -108,7 +109,7 @@ fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
         && matches!(start, Some(Start::Seeds(_) | Start::Roots(_)))
 }
 
-/// The radius without a limit that is asked for, from the table before the range is searched for its end.
+/// The radius without a requested limit, from the table before the end of the range is searched for.
 fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
     let general = quote! {
@@ -125,8 +126,8 @@ fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names:
     }
 }
 
-/// The radius where what it starts with does not lead to it: outside the rows of a table of seeds from the leading term,
-/// if there may be one.
+/// The radius where the start does not lead to it: outside the rows of a table of seeds, from the leading term if there
+/// may be one.
 fn outside_table(
     gap: &Gap,
     forms: &ClosedForms,
@@ -154,7 +155,7 @@ fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, name
     }
 }
 
-/// The radius that was perhaps found, or by `general`, out of the way.
+/// The radius that may have been found, otherwise the one by `general`, out of line.
 fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -> TokenStream {
     let (out_of_line, a) = (names.generated("out_of_line"), local("a"));
     quote! {
@@ -165,7 +166,7 @@ fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -
     }
 }
 
-/// The method for slices, of which `radii` is the result.
+/// The method for slices; `radii` is its result.
 fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let Names { krate, scalar, load_integrals, limit, radii: slice, .. } = names;
     let preamble = coefficients.preamble();
@@ -192,7 +193,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
         Some(uncertain) => quote!(#(#uncertain < #zero)||*),
     };
     let (Names { load_integral, limit, .. }, a) = (names, local("a"));
-    // Not the method of that name: its receiver would be one more thing to hand to the general solution.
+    // Not the method of that name: its receiver would be one more argument of the general solution.
     let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients, names).code;
     quote! {
         #invert(
@@ -245,7 +246,7 @@ fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>, nam
     }
 }
 
-/// J(a) − J(a − depth) of low whole powers, with the depth as a factor.
+/// J(a) − J(a − depth) for low whole powers, with the depth as a factor.
 fn dense_drop(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let sum = &forms.load_integral;
     let [a, s, depth] = ["a", "s", "depth"].map(local);
@@ -262,7 +263,7 @@ fn dense_drop(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Name
     Some(quote!(let #s = #a - #depth; #depth * (#quotient)))
 }
 
-/// J(a) − J(a − depth) of any powers.
+/// J(a) − J(a − depth) for any powers.
 fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let [a, depth] = ["a", "depth"].map(local);
     let (function, terms) =
@@ -270,8 +271,8 @@ fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &
     quote!(#function(#a, #depth, #terms))
 }
 
-/// The method for slices of slopes and drops, where something is the same for all: the coefficients if they depend on
-/// fields, and the powers at a of what is not a `dense` sum.
+/// The method for slices of slopes and drops, generated where something is the same for all of them: the coefficients
+/// if they depend on fields, and the powers at a if the sum is not `dense`.
 fn slopes_and_drops(
     forms: &ClosedForms,
     dense: Option<&TokenStream>,

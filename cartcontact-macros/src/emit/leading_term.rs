@@ -1,4 +1,4 @@
-//! The contact radius from the leading term of J, where coefficients are symbols and no table holds them all.
+//! The contact radius from the leading term of J, for coefficients that are symbols and that no table covers.
 
 use num_traits::One;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -10,10 +10,10 @@ use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
 use crate::number::{Rational, integer};
 
-/// Beyond, 2^p leaves single precision in the products of a step.
+/// Beyond this power, 2^p leaves single precision in the products of a step.
 const HIGHEST_POWER: u32 = 80;
 
-/// The radius from the leading term, if that leads to it.
+/// The radius from the leading term, if that term leads to it.
 pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let Names { load_integral, limit, .. } = names;
     match whole_powers(&forms.stepped, coefficients, names) {
@@ -22,7 +22,7 @@ pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     }
 }
 
-/// The same for powers of any kind, which takes nothing beside it.
+/// The same for powers of any kind; needs no item beside it.
 pub(super) fn radius_of_real_powers(
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
@@ -44,8 +44,8 @@ pub(super) fn radius_of_real_powers(
     }
 }
 
-/// The radii of a slice from the leading term, and elsewhere by `radius_within`; for whole powers only, as others are
-/// no vector code.
+/// The radii of a slice from the leading term, or else by `radius_within`; for whole powers only, as other powers do
+/// not vectorise.
 pub(super) fn radii(
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
@@ -59,7 +59,7 @@ pub(super) fn radii(
         #radii_of_whole_powers(
             (#load_integrals, #radii),
             #limit,
-            // Without it, wide vectors would end at the call.
+            // Without the attribute, wide vectors would end at the call.
             #[inline(always)]
             |#load_integral, #more| (#powers).solve(#load_integral, #more),
             #general,
@@ -67,7 +67,7 @@ pub(super) fn radii(
     })
 }
 
-/// J as `WholePowers`, if that is what they are.
+/// J as `WholePowers`, if all its powers are whole.
 fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let Scaled { load_integral: sum, per_unit } = scaled;
     let whole = whole(sum)?;
@@ -89,7 +89,7 @@ fn whole(sum: &PowerSum) -> Option<Whole> {
     Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_POWER)
 }
 
-/// The function that gives J and its derivatives, with any coefficients.
+/// The function that computes J and its derivatives, with any coefficients.
 pub(super) fn items(sum: &PowerSum, names: &Names) -> Option<TokenStream> {
     let whole = whole(sum)?;
     let (count, a) = (whole.exponents.len(), local("a"));

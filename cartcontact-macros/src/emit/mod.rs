@@ -41,8 +41,8 @@ const EVALUATORS: [Evaluator; 5] = [
 
 /// A variable or parameter of generated code.
 ///
-/// A pattern means the constant of its name if there is one in scope, whatever the span: hygiene covers variables
-/// only. So these names are such as nobody gives to a constant.
+/// A pattern refers to a constant of the same name if there is one in scope, whatever the span: hygiene covers
+/// variables only. So these names are such as nobody gives to a constant.
 pub(crate) fn local(name: &str) -> Ident {
     format_ident!("__{name}", span = Span::mixed_site())
 }
@@ -79,20 +79,20 @@ impl Names {
         quote!(#constant(#literal))
     }
 
-    /// The solution for what a table or the leading term does not lead to.
+    /// The solution where a table or the leading term does not lead to the radius.
     fn by_radius_within(&self) -> TokenStream {
         let Names { krate, load_integral, limit, .. } = self;
         quote!(|#load_integral| #krate::GapProfile::radius_within(self, #load_integral, #limit))
     }
 
-    /// A function that only generated code calls.
+    /// A function or type that only generated code uses.
     fn generated(&self, function: &str) -> TokenStream {
         let (krate, function) = (&self.krate, Ident::new(function, Span::call_site()));
         quote!(#krate::generated::#function)
     }
 }
 
-/// The annotated item with what was derived as documentation, and its implementation of `GapProfile`.
+/// The annotated item with documentation of what was derived, and its implementation of `GapProfile`.
 pub(crate) fn solver(
     input: &TokenStream,
     item: &Item,
@@ -136,7 +136,7 @@ pub(crate) fn solver(
     quote!(#documented #scope)
 }
 
-/// Generated items in a scope of their own, without lints about what is written elsewhere or by nobody.
+/// Generated items in a scope of their own, without lints about code that is written elsewhere or by nobody.
 fn scope(item: &Item, content: &TokenStream) -> TokenStream {
     let allowed = &item.allowed;
     quote! {
@@ -147,7 +147,7 @@ fn scope(item: &Item, content: &TokenStream) -> TokenStream {
     }
 }
 
-/// The methods that evaluate closed forms, and the operations that those of the interface take.
+/// The methods that evaluate closed forms, and the operation counts of those that belong to the interface.
 fn evaluators(
     geometry: &Geometry,
     forms: &ClosedForms,
@@ -184,7 +184,7 @@ fn evaluators(
     (quote!(#(#methods)* #(#pressure_kernels)*), operations)
 }
 
-/// What the inversion calls that is no method: a table and the step from it, or the step alone.
+/// What the inversion uses besides methods: a table and the step from it, or the step alone.
 fn beside_inversion(
     forms: &ClosedForms,
     start: Option<&Start>,
@@ -200,7 +200,7 @@ fn beside_inversion(
 
 /// The run-time crate under the name that generated code has for it.
 ///
-/// All generated code reaches it by this import, as the compiler is silent about what follows from a failed one: a
+/// All generated code reaches it by this import, as the compiler is silent about what follows from a failed import: a
 /// wrong path is one error, where it is written.
 fn import(krate: &TokenStream, names: &Names) -> TokenStream {
     let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
@@ -209,8 +209,8 @@ fn import(krate: &TokenStream, names: &Names) -> TokenStream {
     quote!(use #krate::#generated::root as #own;)
 }
 
-/// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes
-/// no further errors than its own.
+/// The annotated item with an implementation that only has the right signatures, so that a faulty profile causes no
+/// errors but its own.
 pub(crate) fn fallback(
     input: &TokenStream,
     item: &Item,
@@ -247,7 +247,7 @@ pub(crate) fn fallback(
     quote!(#input #scope)
 }
 
-/// The annotated item with documentation of what was derived behind its own.
+/// The annotated item with documentation of what was derived after its own.
 fn documented(item: &TokenStream, lines: &[String]) -> TokenStream {
     let mut tokens = item.clone().into_iter().peekable();
     let mut attributes = TokenStream::new();
@@ -261,8 +261,8 @@ fn documented(item: &TokenStream, lines: &[String]) -> TokenStream {
     quote!(#attributes #(#[doc = #lines])* #rest)
 }
 
-/// The type parameter that the used fields have, or one of the implementation's own. As that is seen in documentation,
-/// it is `T` unless the struct's parameters or their bounds mean something else by it.
+/// The type parameter of the used fields, or one of the implementation's own. As that is visible in documentation, it
+/// is `T` unless the struct's parameters or their bounds mean something else by it.
 fn scalar_of(item: &Item) -> Ident {
     let own = item.fields.iter().filter(|field| field.used).find_map(|field| match &field.kind {
         FieldKind::TypeParameter(parameter) => Some(parameter.clone()),
@@ -278,7 +278,7 @@ fn scalar_of(item: &Item) -> Ident {
     })
 }
 
-/// Whether a name occurs in some tokens: a parameter that is called so, or a type in a bound.
+/// Whether a name occurs in some tokens, as a parameter or as a type in a bound.
 fn names_something(tokens: &TokenStream, name: &str) -> bool {
     tokens.clone().into_iter().any(|token| match token {
         TokenTree::Ident(own) => unraw(&own) == name,
@@ -302,7 +302,7 @@ fn bounded_generics(item: &Item, names: &Names) -> Generics {
     item.generics.with_bound(scalar, &quote!(#krate::Scalar))
 }
 
-/// What quadrature has to know of the terms.
+/// What quadrature has to know about the terms.
 fn quadrature_hints(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| literal(&term.exponent));

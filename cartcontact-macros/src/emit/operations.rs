@@ -1,7 +1,7 @@
-//! How many operations an evaluator takes.
+//! The number of operations that an evaluator takes.
 //!
-//! Those of coefficients are counted in the code that was generated. Evaluators call routines of the run-time crate, whose
-//! operations follow from the powers of the sum: they are stated, in double words.
+//! The operations of coefficients are counted in the generated code. Evaluators call routines of the run-time crate,
+//! whose operations follow from the powers of the sum: they are stated, in double words.
 
 use core::fmt::{Display, Formatter, Result};
 
@@ -10,23 +10,23 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 /// The binary operators of a piece of code, and whether it also calls the run-time crate.
 #[derive(Default)]
 pub(super) struct Operations {
-    /// Divisions among them.
+    /// Including divisions.
     multiplications: u32,
-    /// Subtractions among them.
+    /// Including subtractions.
     additions: u32,
     pub(super) calls_library: bool,
     /// Whether the operands are double words.
     pub(super) is_double: bool,
 }
 
-/// Code with the operations that it takes.
+/// Code, and the operations that it takes.
 pub(super) struct Counted {
     pub(super) code: TokenStream,
     pub(super) operations: Operations,
 }
 
 impl Operations {
-    /// Those of a routine that are not counted.
+    /// The operations of a routine that are not counted.
     pub(super) fn in_library() -> Self {
         Self { calls_library: true, ..Self::default() }
     }
@@ -41,7 +41,7 @@ impl Operations {
         count
     }
 
-    /// Those in the body of a function, whose signature has arrows and bounds that look like operators.
+    /// The operations in the body of a function, whose signature has arrows and bounds that look like operators.
     pub(super) fn of_function(function: &TokenStream) -> Self {
         let tokens = function.clone().into_iter();
         let body = tokens.filter_map(|token| match token {
@@ -51,7 +51,7 @@ impl Operations {
         body.last().map(|body| Operations::of(&body)).unwrap_or_default()
     }
 
-    /// An operator stands behind an operand; a sign or a reference does not.
+    /// An operator follows an operand; a sign or a reference does not.
     fn add(&mut self, code: TokenStream) {
         let mut behind_operand = false;
         for token in code {

@@ -1,4 +1,4 @@
-//! Sums of powers as code: precise, rounded once, for what is asked for; and quick for what is only integrated.
+//! Sums of powers as code: precise, rounded once, for results; and quick for values that are only integrated.
 //!
 //! | exponents | precise | quick, below 4 ε |
 //! |---|---|---|
@@ -6,10 +6,10 @@
 //! | low in r²: all even or all odd, up to 24 | the same in r² | Horner's rule in r², corrected for its rounding |
 //! | all others | every power in double words | the same, rounded before they are added |
 //!
-//! Beyond the 8th, no two in turn of the powers that the rule goes through may be missing.
+//! Beyond the 8th power, no two consecutive powers of those that the rule goes through may be missing.
 //!
-//! Horner's rule in x rounds twice per step, at random; in r² it also repeats the rounding of r², in every step
-//! with the same sign, which at r⁸ still costs 2 ε at the most. A gap in the exponents is a power by repeated
+//! Horner's rule in x rounds twice per step, at random. In r² it also repeats the rounding of r² in every step, with
+//! the same sign, which still costs at most 2 ε at r⁸. A gap in the exponents is bridged by a power by repeated
 //! multiplication, with the same effect.
 
 use num_traits::{One, ToPrimitive};
@@ -45,12 +45,12 @@ impl Whole {
         self.exponents.last().copied().unwrap_or(0)
     }
 
-    /// 2 if all exponents are even or all are odd, so that the sum is one in r²; otherwise 1.
+    /// 2 if all exponents are even or all are odd, so that the sum is a polynomial in r²; otherwise 1.
     pub(super) fn stride(&self) -> u32 {
         if self.exponents.iter().all(|exponent| exponent % 2 == self.lowest() % 2) { 2 } else { 1 }
     }
 
-    /// What the sum is a polynomial in, and the binding of r² if it is that.
+    /// The variable in which the sum is a polynomial, and the binding of r² if it is that.
     pub(super) fn variable(&self, x: &Ident) -> (Option<TokenStream>, Ident) {
         if self.stride() == 2 && self.highest() > 1 {
             let square = local("s");
@@ -73,7 +73,7 @@ impl Whole {
         self.stride() == 2 && self.largest_gap() <= 4 && self.highest() <= 24
     }
 
-    /// The factors of all powers from `from` in steps of `step` as an array, zero where there is no summand.
+    /// The factors of all powers from `from` on in steps of `step` as an array, zero where there is no summand.
     pub(super) fn dense(
         &self,
         (from, step): (u32, u32),
@@ -97,7 +97,7 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, 
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let dense = whole.dense((lowest, stride), sum, coefficients);
     let steps = (whole.highest() - lowest) / stride;
-    // r² and an odd factor, besides the steps and the lowest power.
+    // r² and an odd factor, in addition to the steps and the lowest power.
     let (function, beside) =
         if stride == 2 { ("precise_even_sum", 1 + lowest % 2) } else { ("precise_sum", 0) };
     let function = names.generated(function);
@@ -148,7 +148,7 @@ pub(super) fn is_monic(sum: &PowerSum) -> bool {
     sum.summands.last().and_then(Summand::constant).is_some_and(One::is_one)
 }
 
-/// Horner's rule for a sum with these `factors` divided by its lowest power; the leading one of a monic sum takes no
+/// Horner's rule for a sum with these `factors` divided by its lowest power. The leading term of a monic sum takes no
 /// multiplication.
 pub(super) fn nested(
     (whole, mut is_monic): (&Whole, bool),
@@ -172,7 +172,7 @@ pub(super) fn nested(
     nested
 }
 
-/// The variable's power of `exponent`, with as few products as there are for a high one.
+/// The variable to the power `exponent`, with few products if the exponent is high.
 pub(super) fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
     if exponent > LONGEST_PRODUCT {
         let (integer_power, exponent) = (names.generated("integer_power"), Literal::u32_unsuffixed(exponent));
@@ -204,7 +204,7 @@ pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Nam
     quote!([#((#factors, #exponents)),*])
 }
 
-/// The terms as numbers, if all factors are constants and all exponents whole.
+/// The terms as numbers, if all factors are constants and all exponents are whole.
 fn table(sum: &PowerSum) -> Option<Vec<(f64, i32)>> {
     let term = |summand: &Summand| {
         let whole = summand.exponent.is_integer().then(|| whole_part(&summand.exponent))?;
@@ -233,7 +233,7 @@ fn whole_part(exponent: &Rational) -> i32 {
     exponent.floor().to_i32().unwrap_or(0)
 }
 
-/// An exponent of which nothing is rounded, in any format: its whole part, the fraction, and what that lacks.
+/// An exponent that is not rounded in any format: its whole part, the fraction as an `f64`, and what that lacks.
 fn in_parts(exponent: &Rational) -> (i32, f64, f64) {
     let (nearest, rest) = nearest_and_rest(&(exponent - exponent.floor()));
     (whole_part(exponent), nearest, rest)

@@ -1,9 +1,9 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! Low even exponents and, where a kernel is one of many that are summed, low whole exponents have kernels of their
-//! own, without a division; all others go through one whose time grows with the exponent less quickly. All belong to
-//! the run-time crate: those that are asked for themselves carry every operation's rounding error along, which is too
-//! long to be written out.
+//! Low even exponents have kernels of their own, without a division; so have low whole exponents where a kernel is one
+//! of many that are summed. All others go through one whose time grows more slowly with the exponent. All kernels are
+//! part of the run-time crate: those that are asked for themselves carry the rounding error of every operation along,
+//! which is too long to be written out.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -16,14 +16,14 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
-/// The highest even exponent of a kernel that is rounded once, and of a quick one; the highest of a quick one for all
-/// whole exponents. Of a higher power alone a kernel of its own rounds less.
+/// The highest even exponent of a kernel that is rounded once, and of a quick kernel; the highest of a quick kernel for
+/// all whole exponents. For a single higher power the general kernel rounds less.
 const HIGHEST_EVEN: u32 = 8;
 const HIGHEST_QUICK_EVEN: u32 = 24;
 const HIGHEST_QUICK_WHOLE: u32 = 12;
 const HIGHEST_ALONE: u32 = 8;
 
-/// The kernel as it is asked for, and as pressures are made of it.
+/// The kernel for callers, and the quick one that pressures are summed from.
 pub(super) fn methods(
     gap: &Gap,
     forms: &ClosedForms,
@@ -55,7 +55,7 @@ pub(super) fn methods(
     };
     [
         method("pressure_kernel", kernel, precise.preamble(), quote!(#[inline])),
-        // Loops over many radii take the quick one with wide vectors, which would end at a call.
+        // Loops over many radii use the quick kernel with wide vectors, which would end at a call.
         method("quick_pressure_kernel", quick_kernel, coefficients.preamble(), quote!(#[inline(always)])),
     ]
 }
@@ -75,7 +75,7 @@ fn precise_kernel<'a>(
     (("pressure_kernel", power_sum::terms(&forms.gap, &precise, names)), precise)
 }
 
-/// Those of the kernel as it is asked for.
+/// The operations of the kernel for callers.
 pub(super) fn operations(gap: &Gap) -> Operations {
     let Some(highest) = highest_multiple(gap, 2, HIGHEST_EVEN) else {
         return Operations::in_library();
@@ -87,7 +87,7 @@ pub(super) fn operations(gap: &Gap) -> Operations {
     }
 }
 
-/// The largest n/`step`, if all are whole and no n is above `highest`.
+/// The largest n/`step`, if all quotients are whole and no n is above `highest`.
 fn highest_multiple(gap: &Gap, step: u32, highest: u32) -> Option<u32> {
     let multiple =
         |term: &Term| whole_number(&(&term.exponent / integer(step))).filter(|index| step * index <= highest);

@@ -1,4 +1,4 @@
-//! `max_radius`, and `check` where the values of fields decide.
+//! `max_radius`, and `check` if the values of fields decide.
 
 use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
@@ -40,15 +40,15 @@ pub(super) fn methods(
     quote!(#max_radius #check)
 }
 
-/// Whether single precision certainly holds a coefficient with all its digits, and the kernels' multiples of it.
+/// Whether single precision certainly holds a coefficient with all its digits, and its multiples in the kernels.
 fn fits_every_format(term: &Term) -> bool {
     let size = term.coefficient.as_constant().and_then(|value| value.abs().to_f32());
-    // The multiples are from C n/(2 (n+2)²), with n up to 1024, to 2 C. Below n = 1 the first has no least: `check`
-    // tells.
+    // The multiples range from C n/(2 (n+2)²), with n up to 1024, to 2 C. For n below 1 the first has no lower bound:
+    // `check` tells.
     size.is_some_and(|size| (1e-30..1e38).contains(&size)) && term.exponent >= integer(1)
 }
 
-/// `check` of a geometry with constants that not every format holds.
+/// `check` for constants that not every format holds.
 fn check_of_constants(names: &Names) -> TokenStream {
     let (Names { krate, scalar, .. }, check) = (names, names.generated("check_constants"));
     quote! {
@@ -58,7 +58,7 @@ fn check_of_constants(names: &Names) -> TokenStream {
     }
 }
 
-/// The end of the range, where no value of a field can make the geometry inadmissible before it.
+/// The end of the range, if no value of a field can make the geometry inadmissible before it.
 fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let (Names { krate, scalar, .. }, constant) = (names, names.constant());
     if !unchecked(geometry).is_empty() {
@@ -84,7 +84,7 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
     }
 }
 
-/// The surfaces of which values of fields decide whether the range ends inside.
+/// The surfaces for which the values of fields decide whether the range ends inside.
 fn unchecked(geometry: &Geometry) -> &[Surface] {
     geometry.truncation.as_ref().map_or(&[], |truncation| &truncation.unchecked)
 }
@@ -105,7 +105,7 @@ struct Checked<'a> {
 }
 
 impl Checked<'_> {
-    /// Of a geometry that `check` refuses, nothing.
+    /// Zero for a geometry that `check` refuses.
     fn max_radius(&self) -> TokenStream {
         let (preamble, range) = (self.coefficients.preamble(), self.range());
         let (constant, scalar, end) = (self.names.constant(), &self.names.scalar, local("end"));
@@ -138,7 +138,7 @@ impl Checked<'_> {
         }
     }
 
-    /// The end of the range as the values of the fields have it, or the error that they cause.
+    /// The end of the range for the values of the fields, or the error that they cause.
     fn range(&self) -> TokenStream {
         let constant = self.names.constant();
         let requested = match &self.geometry.range {
@@ -167,7 +167,7 @@ impl Checked<'_> {
         quote!(#inside_surfaces(#range, [#(#surfaces),*]))
     }
 
-    /// Refuses the constants beside the fields that the format does not hold; as zeros they would be no terms.
+    /// Refuses constants beside the fields that the format does not hold: rounded to zero, they would be no terms.
     fn constants(&self) -> TokenStream {
         let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
         let is_at_risk = |term: &Term| term.coefficient.as_constant().is_some() && !fits_every_format(term);
@@ -185,7 +185,7 @@ impl Checked<'_> {
         }
     }
 
-    /// Holds the values of the fields that were declared positive to it.
+    /// Refuses values of fields that were declared positive and are not.
     fn declared(&self) -> TokenStream {
         let (bindings, names, values) = self.named(|field| field.used && field.is_positive);
         if names.is_empty() {
@@ -199,14 +199,14 @@ impl Checked<'_> {
         }
     }
 
-    /// The error, its parameters named.
+    /// The error with its parameters named.
     fn with_parameters(&self, error: &Ident) -> TokenStream {
         let (bindings, names, values) = self.named(|field| field.used);
         let with_parameters = self.names.generated("with_parameters");
         quote!({ #bindings #with_parameters(#error, &[#(#names),*], [#(#values),*]) })
     }
 
-    /// What binds the values of some fields, and the fields' names and variables.
+    /// The bindings of some fields, and their names and variables.
     fn named(&self, wanted: fn(&Field) -> bool) -> (TokenStream, Vec<String>, Vec<Ident>) {
         let bindings = self.coefficients.fields(&quote!(self), &wanted);
         let fields = self.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);

@@ -9,7 +9,7 @@ use crate::closed_forms::PowerSum;
 use crate::number::code;
 use crate::start::roots::{Power, Reach, Roots};
 
-/// The table and its series, and the spans beyond.
+/// The table with its series, and the spans beyond it.
 pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     let (name, kind) = (table::name(), names.generated("Roots"));
     let (table, series) = (table::value(&roots.table, names), code(roots.series));
@@ -23,7 +23,8 @@ pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     quote!(static #name: #kind = #kind { table: #table, series: #series }; #spans)
 }
 
-/// The radius from the table, if it is there, and the radii of a slice, elsewhere by `radius_within`.
+/// The radius from the table if it is there, and the radii of a slice, which come from `radius_within` outside the
+/// table.
 pub(super) fn radius_and_radii(
     roots: &Roots,
     load_integral: &PowerSum,
@@ -39,7 +40,7 @@ pub(super) fn radius_and_radii(
     ]
 }
 
-/// The term of J: what the table has, or its coefficient for a table of any.
+/// The term of J: the one of the table, or its coefficient if the table is for any coefficient.
 fn term(
     roots: &Roots,
     load_integral: &PowerSum,

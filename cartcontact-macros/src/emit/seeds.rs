@@ -24,7 +24,8 @@ pub(super) fn items(
     quote!(#table #function)
 }
 
-/// The radius from the table, if it is there, and the radii of a slice, elsewhere by `radius_within`.
+/// The radius from the table if it is there, and the radii of a slice, which come from `radius_within` outside the
+/// table.
 pub(super) fn radius_and_radii(
     seeds: &Seeds,
     seeded: &Seeded,
@@ -48,7 +49,7 @@ pub(super) fn radius_and_radii(
                 (#load_integrals, #radii),
                 #limit,
                 #units,
-                // Without it, wide vectors would end at the call.
+                // Without the attribute, wide vectors would end at the call.
                 #[inline(always)]
                 move #step,
                 #general,
@@ -57,7 +58,7 @@ pub(super) fn radius_and_radii(
     ]
 }
 
-/// Binds the units of the table: those of its own geometry, or of the two terms that it stands for.
+/// Binds the units of the table: those of its own geometry, or those in which the first two terms have the same size.
 fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let units = local("units");
     let Seeded { scaled: Scaled { load_integral, per_unit }, root } = seeded;
@@ -73,8 +74,8 @@ fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names:
     quote!(let #units = #root_of::<_, #index>(#own);)
 }
 
-/// The units in which the first two terms have the same size, from the sizes of all: a coefficient with another sign than
-/// in the table is negative there.
+/// The units in which the first two terms have the same size, from the sizes of all terms: a coefficient whose sign
+/// differs from the one in the table is negative there.
 fn equal_terms(
     seeds: &Seeds,
     load_integral: &PowerSum,
@@ -94,10 +95,11 @@ fn equal_terms(
     quote!(#equal_terms::of(#(#first_two,)* [#(#others),*], #per_unit))
 }
 
-/// A `Steepness` at the radius `a`: J, and a J′ and a² J″/2 in units of that of the highest power and of its square.
+/// A `Steepness` at the radius `a`: J, a J′ divided by the coefficient of its highest power, and a² J″/2 divided by the
+/// square of that coefficient.
 ///
-/// Its coefficient is then 1 in a J′, which spares a multiplication; in J it would be one that rounds, as the load
-/// integral were to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
+/// The coefficient is then 1 in a J′, which spares a multiplication. In J, a unit would cost a rounding, as the load
+/// integral would have to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
 /// bound.
 fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let Seeded { scaled: Scaled { load_integral, .. }, root } = seeded;
@@ -106,7 +108,7 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
         return quote!(#function(#a, #terms));
     };
-    // For a square root it is enough that the lowest power is known with what it lacks.
+    // For a square root it is enough to know the lowest power together with its rounding error.
     if *root > 2 {
         return nested_powers(load_integral, &whole, a, coefficients, names);
     }
@@ -126,7 +128,7 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     quote!(#values #firsts #half_seconds #steepness)
 }
 
-/// The same by Horner's rule with powers that are not rounded, as those of a root are so high that they would round often.
+/// The same by Horner's rule with powers that are not rounded: those of a root are so high that they would round often.
 fn nested_powers(
     load_integral: &PowerSum,
     whole: &Whole,
@@ -148,18 +150,18 @@ fn nested_powers(
     quote!(#nested::of(#a) #(#terms)* .of_lowest_power::<#lowest>())
 }
 
-/// The coefficient of the highest power in a J′, if all are constants.
+/// The coefficient of the highest power in a J′, if all coefficients are constants.
 fn unit(load_integral: &PowerSum) -> Option<Rational> {
     let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
     let exponent = &load_integral.summands.last()?.exponent;
     Some(*constants?.last()? * exponent)
 }
 
-/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, of which a
-/// processor does more at a time than of Horner's rule.
+/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, which lets a
+/// processor do more at a time than Horner's rule.
 ///
-/// Where both derivatives had the same form, compilers would put them side by side into one vector, and its halves had
-/// to wait for each other.
+/// If both derivatives had the same form, compilers would put them side by side into one vector, and its halves would
+/// wait for each other.
 fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>, names: &Names) -> TokenStream {
     // The variable's power from one exponent to another.
     let between = |from: u32, to: u32| power(variable, (to - from) / whole.stride(), names);

@@ -1,4 +1,4 @@
-//! J with its derivatives as code: what a step to the contact radius is taken from.
+//! J with its derivatives as code, as a step to the contact radius needs them.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -7,12 +7,12 @@ use super::power_sum::Whole;
 use super::{Names, local};
 use crate::number::{Rational, literal};
 
-/// The name of the function that gives it.
+/// The name of the function that computes them.
 pub(super) fn name() -> Ident {
     local("steepness")
 }
 
-/// The function that gives it at the radius `a` with some coefficients.
+/// The function that computes them at the radius `a` with some coefficients.
 pub(super) fn function(
     a: &Ident,
     (coefficients, count): (impl ToTokens, usize),
@@ -32,9 +32,9 @@ pub(super) fn function(
     }
 }
 
-/// The value at `a` of powers that are whole, from J and its derivatives as sums in the [`variable`](Whole::variable),
-/// divided by its lowest power; `unit` is what a J′ was divided by, and a² J″/2 by its square. Of a square root the
-/// power comes with what it lacks: it is twice as high as that of a radius, and would round as often again.
+/// The value at `a` for whole powers, from J and its derivatives as sums in the [`variable`](Whole::variable), divided
+/// by its lowest power; a J′ was divided by `unit`, and a² J″/2 by its square. For a square root the power comes with
+/// its rounding error: it is twice as high as that of a radius, and would round twice as often.
 pub(super) fn value(
     (whole, is_of_square_root): (&Whole, bool),
     a: &Ident,
@@ -54,7 +54,7 @@ pub(super) fn value(
         let (function, exponent) =
             (names.generated("integer_power"), Literal::u32_unsuffixed(lowest / stride));
         let odd = (lowest % stride == 1).then(|| quote!(* #a));
-        // Not a product, which compilers do not know to be zero.
+        // Not a product: compilers would not know that it is zero.
         (TokenStream::new(), quote!(#function(#variable, #exponent) #odd), quote!(#constant(0.0f64)))
     };
     let steepness = names.generated("Steepness");

@@ -7,10 +7,10 @@ use crate::reading::literal;
 use crate::reading::name::unraw;
 use crate::reading::syntax::{Expression, Kind, Summand};
 
-/// What stands without r in a gap as it is written.
+/// What stands without r in a gap as written.
 pub(crate) struct Standing {
     is_of_bodies: bool,
-    /// Nothing if there is none, or several.
+    /// Nothing if there is no such term, or several.
     only: Option<OnlyTerm>,
 }
 
@@ -18,7 +18,7 @@ pub(crate) struct Standing {
 struct OnlyTerm {
     value: Coefficient,
     place: Place,
-    /// Whether it is written as a number or a name, and so as it is shown.
+    /// Whether it is written as a number or a name, and so just as it is shown.
     is_plain: bool,
 }
 
@@ -27,12 +27,12 @@ struct OnlyTerm {
 enum Place {
     First,
     Behind,
-    /// It is all of a body, of which nothing would be left without it.
+    /// It is a whole body, of which nothing would be left without it.
     Alone,
 }
 
 impl Standing {
-    /// That of an expression which has been evaluated.
+    /// The terms without r of an expression that has been evaluated.
     pub(crate) fn of(written: &Expression, is_of_bodies: bool, evaluator: &mut Evaluator<'_>) -> Self {
         let mut terms = Vec::new();
         match &written.kind {
@@ -51,7 +51,7 @@ impl Standing {
     }
 }
 
-/// A term of a sum, or all that is written.
+/// A term of a sum, or the whole expression.
 struct Term<'a> {
     subtracted: bool,
     place: Place,
@@ -59,7 +59,7 @@ struct Term<'a> {
 }
 
 impl Term<'_> {
-    /// Nothing of one that is zero.
+    /// Nothing if the term is zero.
     fn evaluated(&self, evaluator: &mut Evaluator<'_>) -> Option<OnlyTerm> {
         let value = evaluator.known_coefficient(self.expression).filter(|value| !value.is_zero())?;
         let value = if self.subtracted { value.negated() } else { value };
@@ -68,7 +68,7 @@ impl Term<'_> {
     }
 }
 
-/// The terms without r, also of sums that stand in parentheses as if without.
+/// The terms without r, including those of sums in parentheses that could as well be left out.
 fn collect<'a>(term: Term<'a>, terms: &mut Vec<Term<'a>>) {
     match &term.expression.kind {
         Kind::Sum(summands) if !term.subtracted => {
@@ -94,7 +94,7 @@ fn mentions_r(expression: &Expression) -> bool {
     }
 }
 
-/// What to say about the constant `value` of a gap, of which `standing` may be all.
+/// What to say about the constant `value` of a gap; the only term in `standing` may be all of it.
 pub(super) fn message(value: &Coefficient, standing: Option<&Standing>) -> String {
     let (sign, size) = signed(value);
     let only = standing.and_then(|standing| standing.only.as_ref()).filter(|only| only.value == *value);
@@ -113,7 +113,7 @@ pub(super) fn message(value: &Coefficient, standing: Option<&Standing>) -> Strin
     format!("the gap must vanish at r = 0; a constant only shifts the approach: {remedy}")
 }
 
-/// A sign, and what to write behind it.
+/// A sign, and what to write after it.
 fn signed(value: &Coefficient) -> (char, String) {
     match value.as_constant() {
         Some(number) => (if number.is_negative() { '-' } else { '+' }, exactly(&number.abs())),

@@ -14,23 +14,23 @@ use crate::reading::name::unraw;
 use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
 use crate::reading::unknown::Place;
 
-/// What it cannot evaluate it reports, and goes on beside it.
+/// Reports what it cannot evaluate, and goes on with the rest.
 pub(crate) struct Evaluator<'a> {
     item: &'a Item,
     diagnostics: &'a mut Diagnostics,
-    /// What may be meant by a name.
+    /// Where names stand, which decides what may be meant by them.
     place: Place,
     /// Fields whose type has been reported.
     mistyped: Vec<Ident>,
 }
 
 impl<'a> Evaluator<'a> {
-    /// One that begins with the gap, in which r may be named.
+    /// An evaluator that begins with the gap, in which r may be named.
     pub(crate) fn new(item: &'a Item, names_r: bool, diagnostics: &'a mut Diagnostics) -> Self {
         Evaluator { item, diagnostics, place: Place::Gap { names_r }, mistyped: Vec::new() }
     }
 
-    /// What a gap is worth as far as it can be evaluated, and whether that is all.
+    /// The value of a gap as far as it can be evaluated, and whether that is all of it.
     pub(crate) fn gap(&mut self, expression: &Expression) -> (Shape, bool) {
         match &expression.kind {
             Kind::Sum(summands) => self.summed(summands),
@@ -55,7 +55,7 @@ impl<'a> Evaluator<'a> {
         coefficient
     }
 
-    /// A number, which `rule` asks for.
+    /// The value of a number; `rule` is reported if it is none.
     pub(crate) fn number(&mut self, expression: &Expression, rule: &str) -> Option<Rational> {
         let shape = self.shape_at(Place::Number, expression)?;
         let number = shape.as_coefficient().and_then(|value| value.as_constant());
@@ -119,7 +119,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The sum of what can be evaluated, and whether that is all.
+    /// The sum of the terms that can be evaluated, and whether these are all.
     fn summed(&mut self, summands: &[Summand]) -> (Shape, bool) {
         let mut sum = Shape::default();
         let mut complete = true;
@@ -183,7 +183,7 @@ impl<'a> Evaluator<'a> {
         result.map_err(|message| self.diagnostics.report(extent, message)).ok()
     }
 
-    /// Reports a fault; there is no value.
+    /// Reports a fault, and returns no value.
     pub(crate) fn fault<T>(&mut self, extent: Extent, message: impl Into<String>) -> Option<T> {
         self.diagnostics.report(extent, message);
         None

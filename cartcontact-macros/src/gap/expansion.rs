@@ -1,4 +1,4 @@
-//! [`Shape`] -> [`Polynomial`]: surfaces are expanded in even powers of r, up to the order that was asked for.
+//! [`Shape`] -> [`Polynomial`]: surfaces are expanded in even powers of r, up to the requested order.
 //!
 //! `order = auto` takes the smallest order whose neglected terms are within the tolerance. An order without a surface
 //! is refused, as it would cut off nothing: powers of r are kept however high they are.
@@ -18,23 +18,23 @@ use crate::gap::surface::Surface;
 use crate::gap::truncation::{HIGHEST_ORDER, Neglected};
 use crate::number::{Rational, decimal, fraction, integer};
 
-/// A shape whose surfaces are powers of r.
+/// A shape whose surfaces have become powers of r.
 pub(crate) struct Expanded {
     pub(crate) powers: Polynomial,
-    /// Nothing without surfaces. What is wrong with it may be because the powers are no gap.
+    /// Nothing without surfaces. A fault here may only follow from the powers not being a gap.
     pub(crate) truncation: Result<Option<Truncation>, Fault>,
 }
 
 /// How far surfaces were expanded.
 pub(crate) struct Truncation {
     pub(crate) order: u32,
-    /// What is neglected at most, relative to the gap, if that can be told when the program is compiled.
+    /// An upper bound of what is neglected, relative to the gap, if it can be told when the program is compiled.
     pub(crate) error: Option<Rational>,
-    /// The surfaces that max_radius must lie inside of, as far as that is not known when the program is compiled.
+    /// The surfaces whose rims max_radius must stay within, as far as that is not known when the program is compiled.
     pub(crate) unchecked: Vec<Surface>,
 }
 
-/// Expands the surfaces, if there are any; `limit` is where max_radius was written.
+/// Expands the surfaces, if there are any; max_radius was written at `limit`.
 pub(crate) fn expand(
     shape: &Shape,
     options: &Options,
@@ -86,7 +86,7 @@ fn without_surfaces(powers: &Polynomial, options: &Options) -> Result<Expanded, 
         (None, Some(tolerance)) => (tolerance, "`tolerance` is", "it"),
         (None, None) => return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) }),
     };
-    // A gap of which nothing is left is reported when it is checked.
+    // A gap with no terms left is reported when it is checked.
     if powers.terms().is_empty() {
         return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) });
     }
@@ -105,10 +105,10 @@ fn without_tolerance(limit: Option<Extent>) -> String {
     format!("`order = auto` meets a tolerance; add one, as in `tolerance = 1e-6{range}`")
 }
 
-/// A number below 1, and where it was written.
+/// A number below 1, and the place where it was written.
 type Tolerance = (Rational, Extent);
 
-/// The order that is asked for.
+/// The requested order.
 enum Request<'a> {
     Order(u32, Option<&'a Tolerance>),
     Smallest(&'a Tolerance),
@@ -123,7 +123,7 @@ impl Request<'_> {
     }
 }
 
-/// Surfaces that are expanded, and the range on which; `limit` is where its end was written, `place` where the order.
+/// Surfaces to expand, and the range. The end of the range was written at `limit`, the order at `place`.
 struct Expansion<'a> {
     shape: &'a Shape,
     range: &'a Range,
@@ -132,7 +132,7 @@ struct Expansion<'a> {
 }
 
 impl Expansion<'_> {
-    /// The order that was asked for, if it is within the tolerance and what it neglects is less than the gap.
+    /// The requested order, if it is within the tolerance and neglects less than the gap.
     fn bounded(&self, request: &Request<'_>, neglected: &Neglected) -> Result<Truncation, Fault> {
         let order = match request {
             Request::Order(order, None) => *order,
@@ -157,7 +157,8 @@ impl Expansion<'_> {
         }
     }
 
-    /// The surfaces of which the fields decide whether the range ends inside, if it reaches the rim of no other.
+    /// The surfaces for which the fields decide whether the range ends inside, if the range does not reach the rim of
+    /// another.
     fn unchecked(&self) -> Result<Vec<Surface>, Fault> {
         let (Some(end), Some(limit)) = (self.range.end(), self.limit) else { return Ok(Vec::new()) };
         let mut unchecked = Vec::new();
@@ -171,7 +172,7 @@ impl Expansion<'_> {
         Ok(unchecked)
     }
 
-    /// What orders up to the highest neglect; the reason if that is not known when the program is compiled.
+    /// What orders up to `highest` neglect, or the reason why that is not known when the program is compiled.
     fn neglected(&self, highest: u32) -> Result<Neglected, &'static str> {
         let radius = match self.range {
             Range::Limited(radius) => radius,
@@ -201,7 +202,7 @@ impl Expansion<'_> {
         fault.or_order(self.smallest_order(&fraction(1, 2)).ok().flatten()).otherwise("lower max_radius")
     }
 
-    /// Nothing if a higher order leaves no more of the gap.
+    /// The fault of a gap whose terms cancel up to the order; nothing if no higher order leaves more of the gap.
     fn nothing_left(&self, order: u32, tolerance: Option<&Tolerance>) -> Option<Fault> {
         let opens = |next: &u32| expanded(self.shape, *next).is_ok_and(|powers| !powers.terms().is_empty());
         let next = (order + 2..=HIGHEST_ORDER).step_by(2).find(opens)?;
@@ -211,14 +212,14 @@ impl Expansion<'_> {
         Some(fault.otherwise("raise the order"))
     }
 
-    /// Whatever order was asked for.
+    /// The smallest order within the tolerance, whatever order was requested.
     fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Fault> {
         let Ok(neglected) = self.neglected(HIGHEST_ORDER) else { return Ok(None) };
         neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule).into())
     }
 }
 
-/// Other exponents are reported when the gap is checked, and would take long to raise a radius to.
+/// Other exponents are reported when the gap is checked, and raising a radius to them would take long.
 fn is_of_a_gap(exponent: &Rational) -> bool {
     exponent.is_positive() && *exponent <= integer(MAXIMUM_EXPONENT)
 }
@@ -231,7 +232,7 @@ const GAP_OF_FIELDS: &str = "a tolerance is proved when the program is compiled,
 const RANGE_OF_FIELDS: &str = "a tolerance is proved when the program is compiled, and max_radius depends on fields; \
                                write a number there";
 
-/// A range that reaches the rim of this surface whatever values the fields may have.
+/// The fault of a range that reaches the rim of this surface whatever the values of the fields.
 fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
     let (end, largest) = match rim(surface) {
         Some(mut rim) => {

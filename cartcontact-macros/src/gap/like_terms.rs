@@ -1,6 +1,6 @@
 //! Sums whose like terms are merged.
 //!
-//! A sorted list, as sums are short: a tree for each kind of them was a fifth of the code that this crate generates.
+//! A sorted list, as sums are short: a tree for each kind of sum was a fifth of the code generated for this crate.
 
 use core::ops::Deref;
 
@@ -8,7 +8,7 @@ use num_traits::Zero;
 
 use crate::number::Rational;
 
-/// What stands before a power, or above it, and is added up.
+/// What stands before a power, or in its exponent, and is added up.
 pub(crate) trait Summable {
     fn add(&mut self, other: Self);
     fn vanishes(&self) -> bool;
@@ -24,7 +24,7 @@ impl Summable for Rational {
     }
 }
 
-/// Values by what they have in common, which ascends; none of them is zero.
+/// Values by the key that they share, in ascending order; no value is zero.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct LikeTerms<Key, Value> {
@@ -57,7 +57,7 @@ impl<Key: Ord, Value: Summable> LikeTerms<Key, Value> {
         }
     }
 
-    /// Takes a value out, if it is there.
+    /// Removes and returns a value, if it is there.
     pub(crate) fn take(&mut self, key: &Key) -> Option<Value> {
         let index = self.terms.binary_search_by(|(own, _)| own.cmp(key)).ok()?;
         Some(self.terms.remove(index).1)

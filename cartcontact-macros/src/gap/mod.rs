@@ -1,6 +1,6 @@
 //! Syntax -> [`Gap`], by way of a sum of powers and surfaces: what was written, with exact coefficients.
 //!
-//! Here the last step, [`Polynomial`] -> [`Gap`]: it checks that a sum of powers is a gap.
+//! This file has the last step, [`Polynomial`] -> [`Gap`]: it checks that a sum of powers is a gap.
 
 pub(crate) mod coefficient;
 pub(crate) mod constant;
@@ -29,7 +29,7 @@ const MAXIMUM_TERMS: usize = 256;
 
 /// The gap between the undeformed surfaces, a sum of terms `coefficient * r^exponent`.
 pub(crate) struct Gap {
-    /// In ascending order of their exponents; there is one at least.
+    /// In ascending order of their exponents; there is at least one.
     pub(crate) terms: Vec<Term>,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct Term {
     pub(crate) exponent: Rational,
     /// Not zero.
     pub(crate) coefficient: Coefficient,
-    /// Where the first contribution to it was written, or the one that made its sign.
+    /// Where the first contribution to it was written, or the one that determined its sign.
     pub(crate) extent: Extent,
 }
 
@@ -71,16 +71,16 @@ impl Gap {
         Some(Gap { terms })
     }
 
-    /// Reports the faults of what could be read of a gap. A constant is none: what could not be read may cancel it, as
-    /// in `1 - cos(r)`.
+    /// Reports the faults in the part of a gap that could be read. A constant is no fault: the part that could not be
+    /// read may cancel it, as in `1 - cos(r)`.
     pub(crate) fn check_rest(polynomial: Polynomial, diagnostics: &mut Diagnostics) {
         let powers = polynomial.into_terms().filter(|(exponent, _)| !exponent.is_zero());
         let faults = powers.filter_map(|(exponent, monomial)| term(exponent, monomial).err());
         faults.for_each(|(extent, message)| diagnostics.report(extent, message));
     }
 
-    /// The terms, unless one cannot be part of a gap. Every fault is reported. A constant does not end it if other terms
-    /// are there: whatever takes it away leaves them as they are.
+    /// The terms, unless one cannot be part of a gap. Every fault is reported. A constant does not stop it if there are
+    /// other terms: whatever removes the constant leaves them as they are.
     pub(crate) fn terms(
         polynomial: Polynomial,
         standing: Option<&Standing>,

@@ -1,6 +1,7 @@
 //! Sums of powers of r with exact coefficients and any rational exponents, and their arithmetic.
 //!
-//! Between the syntax and the gap: nothing is required of the exponents yet, so `(r^3 + r^5)/r` passes through.
+//! They stand between the syntax and the gap: nothing is required of the exponents yet, so `(r^3 + r^5)/r` passes
+//! through.
 
 use num_bigint::Sign;
 use num_traits::{ToPrimitive, Zero};
@@ -12,10 +13,10 @@ use crate::number::{self, Rational, integer};
 
 /// Bounds the work of multiplying out, far above what a profile needs.
 const MAXIMUM_PRODUCTS: usize = 1 << 14;
-/// The same where coefficients depend on fields: sums in them are not multiplied out, so they grow several times over
-/// with each square. Up to here they take about as long as as many terms.
+/// The same for coefficients that depend on fields: sums in them are not multiplied out, so they grow several times
+/// over with each square. Coefficients up to this size take about as long as this number of terms.
 const MAXIMUM_SIZE: usize = 1 << 10;
-/// A sum that begins with r^(1/4) or a higher power has no power that a gap may have beyond it.
+/// Beyond this power, a sum that begins with r^(1/4) or a higher power has no power that a gap may have.
 const HIGHEST_POWER_OF_A_SUM: u32 = 4096;
 
 /// Terms by exponent; no coefficient is zero.
@@ -27,7 +28,7 @@ pub(crate) struct Polynomial {
 #[derive(Clone)]
 pub(crate) struct Monomial {
     pub(crate) coefficient: Coefficient,
-    /// Where the first contribution to it was written, or the one that made its sign.
+    /// Where the first contribution to it was written, or the one that determined its sign.
     pub(crate) extent: Extent,
 }
 
@@ -75,7 +76,7 @@ impl Polynomial {
         }
     }
 
-    /// A single term is where the whole expression that makes it is written.
+    /// Gives a single term the place of the whole expression that makes it.
     pub(crate) fn located(mut self, extent: Extent) -> Self {
         if self.terms.len() == 1 {
             self.terms.map(|monomial| monomial.extent = extent);
@@ -101,7 +102,7 @@ impl Polynomial {
         if self.terms.len().saturating_mul(other.terms.len()) > MAXIMUM_PRODUCTS {
             return Err("this multiplies out to too many terms; write a gap of at most 256 terms");
         }
-        // Each coefficient stands in as many products as the other sum has terms.
+        // Each coefficient occurs in as many products as the other sum has terms.
         if self.terms.len() * other.size() + other.terms.len() * self.size() > MAXIMUM_SIZE {
             return Err(
                 "this multiplies out to too long an expression in the fields, which every evaluation would have to \
@@ -109,7 +110,7 @@ impl Polynomial {
             );
         }
         let mut product = Polynomial::default();
-        // What is multiplied out is between two sums.
+        // A product of two sums spans both of them.
         let is_single = other.terms.len() == 1;
         for (exponent, monomial) in self.terms() {
             for (other_exponent, other_monomial) in other.terms() {
@@ -158,8 +159,8 @@ impl Polynomial {
         }
     }
 
-    /// The common denominator of the coefficients, if all of them are numbers: multiplied as integers these have no
-    /// common factors to look for, which takes most of the time of multiplying out.
+    /// The common denominator of the coefficients, if all of them are numbers. Integers need no search for common
+    /// factors, which otherwise takes most of the time of multiplying out.
     fn common_denominator(&self) -> Option<Rational> {
         let numbers = self.terms().iter().map(|(_, monomial)| monomial.coefficient.as_constant());
         let numbers: Vec<_> = numbers.collect::<Option<_>>()?;
@@ -172,7 +173,7 @@ impl Polynomial {
         scaled
     }
 
-    /// By squaring, from the leading bit of the exponent down, which 0 has not.
+    /// By squaring, from the leading bit of the exponent down; 0 has none.
     fn repeated(&self, exponent: u32) -> Result<Polynomial, &'static str> {
         let mut result = self.clone();
         let Some(leading) = exponent.checked_ilog2() else {
@@ -187,7 +188,7 @@ impl Polynomial {
         Ok(result)
     }
 
-    /// How many fields are written in its coefficients, each as often as it is.
+    /// The number of fields in its coefficients, each counted as often as it is written.
     fn size(&self) -> usize {
         self.terms().iter().map(|(_, monomial)| monomial.coefficient.size()).sum()
     }

@@ -14,7 +14,7 @@ pub(crate) enum Range {
 }
 
 impl Range {
-    /// The range up to the value of `max_radius`, or why there is none.
+    /// The range up to the value of `max_radius`, or why that is no range.
     pub(crate) fn of(value: Coefficient) -> Result<Self, &'static str> {
         let Some(radius) = value.as_constant() else {
             return match value.certain_sign() {

@@ -8,20 +8,20 @@ use crate::gap::surface::Surface;
 use crate::number::{Rational, integer, nearest};
 use crate::reading::literal;
 
-/// Nothing for a paraboloid, and where a field decides.
+/// Nothing for a paraboloid, or if a field decides.
 pub(crate) fn rim(surface: &Surface) -> Option<End> {
     let (radius, shape) = (surface.radius.as_constant()?, surface.shape.as_constant()?);
     first_zero(&[(integer(0), &radius * &radius), (integer(2), -shape.abs())]).ok()?
 }
 
-/// |κ| (ρ/R)² at a radius ρ, below 1 inside of the rim; nothing where a field decides.
+/// |κ| (ρ/R)² at a radius ρ, which is below 1 inside the rim; nothing if a field decides.
 pub(super) fn share_of_rim(surface: &Surface, radius: &Coefficient) -> Option<Rational> {
     let square = radius.power(&integer(2)).ok()?;
     let inverse_square = surface.radius.power(&integer(-2)).ok()?;
     surface.shape.multiply(&square).multiply(&inverse_square).as_constant().map(|share| share.abs())
 }
 
-/// A decimal, or the largest of seven digits that lies within all rims if it does not.
+/// The decimal if it lies within all rims, otherwise the largest one of seven digits that does.
 pub(crate) fn inside(decimal: &str, surfaces: &[Surface]) -> String {
     surfaces.iter().filter_map(rim).fold(decimal.to_owned(), |inside, mut rim| {
         let radius = literal::number(&inside).ok().as_ref().and_then(nearest).and_then(Rational::from_float);

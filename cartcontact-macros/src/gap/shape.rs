@@ -1,6 +1,6 @@
-//! What an expression is worth: a sum of powers of r and of surfaces, and its arithmetic.
+//! The value of an expression: a sum of powers of r and of surfaces, and its arithmetic.
 //!
-//! A surface stays whole until the order of its series is known, so only what is linear in it has a value: sums,
+//! A surface stays whole until the order of its series is known, so only expressions linear in it have a value: sums,
 //! differences and multiples that do not depend on r.
 
 use num_traits::{One, Zero};
@@ -14,7 +14,7 @@ use crate::number::Rational;
 #[derive(Clone, Default)]
 pub(crate) struct Shape {
     pub(crate) powers: Polynomial,
-    /// None is like another, no weight is zero.
+    /// No two are alike, and no weight is zero.
     pub(crate) surfaces: Vec<Surface>,
 }
 
@@ -36,7 +36,7 @@ impl Shape {
         self.powers.as_coefficient().filter(|_| self.surfaces.is_empty())
     }
 
-    /// A single term is where the whole expression that makes it is written.
+    /// Gives a single term the place of the whole expression that makes it.
     pub(crate) fn located(self, extent: Extent) -> Self {
         let Shape { powers, mut surfaces } = self;
         if let ([only], []) = (surfaces.as_mut_slice(), powers.terms()) {

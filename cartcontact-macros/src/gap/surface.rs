@@ -48,12 +48,12 @@ impl Surface {
         Surface { weight: one, radius, shape, extent }
     }
 
-    /// Whether both differ in their weight only.
+    /// Whether both differ only in their weight.
     pub(crate) fn is_like(&self, other: &Surface) -> bool {
         self.radius == other.radius && self.shape == other.shape
     }
 
-    /// weight · c_j for j = 1, 2, ..., up to `count` of them; the rule that is broken if a power is too large.
+    /// weight · c_j for j = 1, 2, ..., up to `count` of them, or the rule that is broken if a power is too large.
     pub(crate) fn series(&self, count: u32) -> Result<Vec<Coefficient>, &'static str> {
         let inverse = self.radius.power(&-Rational::one())?;
         let step = self.shape.multiply(&inverse.power(&integer(2))?);

@@ -1,21 +1,22 @@
-//! What a series cut off at r^N neglects, bounded relative to the gap.
+//! What a series cut off at r^N neglects, with a bound relative to the gap.
 //!
-//! Let Φ be the gap with its surfaces exact, Φ_N the gap with their series up to r^N, and E = Φ − Φ_N. |E| ≤ ε Φ is
+//! Let Φ be the gap with its surfaces exact, Φ_N the gap with their series up to r^N, and E = Φ − Φ_N. The condition
+//! |E| ≤ ε Φ is
 //!
 //! ```text
 //! (1 − ε) E ≤ ε Φ_N  and  −(1 + ε) E ≤ ε Φ_N
 //! ```
 //!
-//! so that E alone needs bounds. Its series is summed up to r^(2J), with e_j = Σ w c_j over the surfaces with their
-//! weights w; what is behind that ([`crate::gap::series`]) is Σ w c_(J+1) F r^(2J+2), and with m and M on either side of
+//! so that only E needs bounds. Its series is summed up to r^(2J), with e_j = Σ w c_j over the surfaces with their
+//! weights w. The rest ([`crate::gap::series`]) is Σ w c_(J+1) F r^(2J+2). With a lower bound m and an upper bound M of
 //! Σ w c_(J+1) F in the range, linear in r²,
 //!
 //! ```text
 //! m r^(2J+2) ≤ E(r) − Σ e_j r^(2j) ≤ M r^(2J+2),    N < 2j ≤ 2J
 //! ```
 //!
-//! leaves sums of powers with rational coefficients, and whether they have a zero in the range is decided exactly. Only
-//! to keep them short, coefficients are rounded: up in the bounds of ±E, down in Φ_N.
+//! leaves sums of powers with rational coefficients, and whether they have a zero in the range is decided exactly.
+//! Coefficients are rounded only to keep them short: up in the bounds of ±E, down in Φ_N.
 
 use core::cmp::Ordering;
 
@@ -29,22 +30,22 @@ use crate::number::{Rational, floor, integer};
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;
-/// J − N/2, the terms behind the order that are summed: enough for m and M to be close unless the range ends near a rim,
+/// J − N/2, the terms after the order that are summed: enough for m and M to be close unless the range ends near a rim,
 /// and so few that fractional exponents, which multiply the degree of a proof, leave room for some orders.
 const TERMS_AHEAD: u32 = 7;
 /// Binary digits kept of a coefficient: the surfaces of a joint share far fewer.
 const DIGITS: u64 = 256;
 /// Binary digits kept of the powers of ρ for estimates.
 const FEW_DIGITS: u64 = 64;
-/// How many radii a bound is estimated at before it is proved.
+/// The number of radii at which a bound is estimated before it is proved.
 const SAMPLES: u32 = 16;
-/// By how much an estimate may be too large: sums of `f64` lose more only next to a zero of the gap.
+/// An estimate may be too large by this share: sums of `f64` lose more only next to a zero of the gap.
 const UNCERTAIN: f64 = 1e-6;
 
 const UNPROVABLE: &str = "what the surfaces neglect cannot be compared with a tolerance beside these exponents; round \
                           them, as in `r^2.5`, or write a number for the order and no tolerance";
 
-/// The terms of a series that an order asks for.
+/// The number of terms of a series that an order asks for.
 fn count(order: u32) -> usize {
     (order / 2 + TERMS_AHEAD + 1) as usize
 }
@@ -65,11 +66,11 @@ pub(crate) struct Neglected {
     radius: Rational,
 }
 
-/// e_j, between two numbers of few digits.
+/// e_j between two numbers of few digits.
 struct Sum {
     below: Rational,
     above: Rational,
-    /// The coefficient of r^(2j) that the gap has itself, and its sum with e_j: what cancels leaves nothing.
+    /// The coefficient of r^(2j) in the powers of the gap, and its sum with e_j: what cancels leaves nothing.
     own: Rational,
     with_own: Rational,
     /// ρ^(2j), for estimates.
@@ -85,21 +86,21 @@ struct AtEnd {
     with_own: f64,
 }
 
-/// A bound of what follows the terms of the series that are summed, relative to the power of r that follows them.
+/// A bound of what follows the summed terms of the series, relative to the power of r that follows them.
 struct Rest {
     at_centre: Rational,
-    /// What is added to it on the way to the end of the range, in proportion to r².
+    /// The increase up to the end of the range, in proportion to r².
     rise: Rational,
 }
 
-/// A bound of E, or of −E, and what it is to be multiplied with if it is compared with ε Φ_N.
+/// A bound of E, or of −E, and the factor that it has when it is compared with ε Φ_N.
 struct Side {
     powers: Powers,
     factor: Rational,
 }
 
 impl Neglected {
-    /// What orders up to the highest neglect; nothing if a coefficient is no number, or if the range reaches a rim.
+    /// What orders up to the highest neglect; nothing if a coefficient is not a number, or if the range reaches a rim.
     pub(crate) fn new(shape: &Shape, radius: &Rational, highest_order: u32) -> Option<Self> {
         let mut others = Powers::default();
         for (exponent, monomial) in shape.powers.terms() {
@@ -143,7 +144,7 @@ impl Neglected {
         if self.sides(order, &Rational::zero()).is_empty() {
             return Ok(Some(Rational::zero()));
         }
-        // What underflows is bounded by the least number that it could be.
+        // A value that underflows is bounded by the least number that it could be.
         let mut estimate = self.estimate(order).max(f64::MIN_POSITIVE);
         let mut margin = 0.005;
         while estimate < 1.0 {
@@ -159,8 +160,8 @@ impl Neglected {
         Ok(None)
     }
 
-    /// The smallest order within a tolerance, if there is one. One that is not may follow one that is, where the e_j
-    /// have different signs, so that all are tried from the lowest on.
+    /// The smallest order within a tolerance, if there is one. If the e_j have different signs, an order within it may
+    /// be followed by one that is not, so all are tried from the lowest on.
     pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, &'static str> {
         let wanted = tolerance.to_f64().unwrap_or(0.0).max(f64::MIN_POSITIVE) * (1.0 + UNCERTAIN);
         for order in (2..=self.highest_order).step_by(2) {
@@ -171,7 +172,7 @@ impl Neglected {
         Ok(None)
     }
 
-    /// Φ_N, or less.
+    /// Φ_N, or a lower bound of it.
     fn kept(&self, order: u32) -> Powers {
         let mut kept = self.others.clone();
         for (j, sum) in (1..).zip(&self.sums) {
@@ -181,8 +182,8 @@ impl Neglected {
         kept
     }
 
-    /// The bounds of E and −E, but for one that is nowhere positive: it is below the share of Φ_N where that is positive,
-    /// which the other implies.
+    /// The bounds of E and −E, except one that is nowhere positive: it is below the share of Φ_N where that is
+    /// positive, which the other bound implies.
     fn sides(&self, order: u32, tolerance: &Rational) -> Vec<Side> {
         let (mut over, mut under) = (Powers::default(), Powers::default());
         let (first, last) = (order / 2, order / 2 + TERMS_AHEAD);
@@ -202,7 +203,7 @@ impl Neglected {
         sides.map(|(powers, factor)| Side { powers, factor }).collect()
     }
 
-    /// m and M, where the first term that is not summed has this index.
+    /// m and M, if the first term that is not summed has this index.
     fn rest(&self, index: usize) -> [Rest; 2] {
         let (mut least, mut most) = (Vec::new(), Vec::new());
         for series in &self.surfaces {
@@ -226,7 +227,7 @@ impl Neglected {
         ]
     }
 
-    /// The smallest ε at some radii, in `f64`: not a bound, but near the smallest. Infinite where there is none.
+    /// The smallest ε at some radii, in `f64`: not a bound, but near the smallest ε. Infinite if there is none.
     fn estimate(&self, order: u32) -> f64 {
         let (first, last) = ((order / 2) as usize, (order / 2 + TERMS_AHEAD) as usize);
         let scale = self.sums.get(last).map_or_else(Rational::zero, |next| next.scale.clone());
@@ -257,8 +258,8 @@ impl Neglected {
     }
 }
 
-/// The exponent, and the term at the end of the range: exact until it is rounded, as powers of lengths in metres would
-/// leave the range of an `f64`.
+/// The exponent, and the term at the end of the range. The term is exact until it is rounded, as powers of lengths in
+/// metres would leave the range of an `f64`.
 fn at_end(radius: &Rational, exponent: &Rational, value: &Rational) -> (f64, f64) {
     let whole = exponent.floor();
     let term = value * radius.pow(whole.to_i32().unwrap_or(0));
@@ -268,7 +269,7 @@ fn at_end(radius: &Rational, exponent: &Rational, value: &Rational) -> (f64, f64
 }
 
 impl Sum {
-    /// That for j = index + 1, where the gap has the coefficient `own`.
+    /// The sum for j = index + 1, where the powers of the gap have the coefficient `own`.
     fn of(surfaces: &[Series], own: Option<Rational>, index: usize, scale: &Rational) -> Self {
         let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
         let (below, above) = (floor(&sum, DIGITS), -floor(&-&sum, DIGITS));
@@ -285,7 +286,7 @@ impl Sum {
     }
 }
 
-/// Without the greatest common divisors that take most of the time of such a sum.
+/// Without reducing by greatest common divisors, which take most of the time of such a sum.
 fn unreduced_sum(terms: impl Iterator<Item = Rational>) -> Rational {
     terms.fold(Rational::zero(), |sum, term| {
         let numerator = sum.numer() * term.denom() + term.numer() * sum.denom();
@@ -293,7 +294,7 @@ fn unreduced_sum(terms: impl Iterator<Item = Rational>) -> Rational {
     })
 }
 
-/// The number rounded to three digits, as the exact value of the `f64` that they are read as.
+/// The number rounded to three digits, as the exact value of the `f64` that these digits are read as.
 pub(crate) fn three_digits(value: f64) -> Option<Rational> {
     format!("{value:.2e}").parse::<f64>().ok().and_then(Rational::from_float)
 }

@@ -36,7 +36,7 @@ pub(crate) fn common_factor(left: &BigInt, right: &BigInt) -> BigInt {
 struct Steps([[i64; 2]; 2]);
 
 impl Steps {
-    /// Those that the leading 62 bits of two numbers decide, of which the first is not the smaller: as long as the
+    /// The steps that the leading 62 bits of two numbers decide, of which the first is not the smaller: as long as the
     /// quotient is the same for the least and the greatest numbers with these bits (D. H. Lehmer, Amer. Math. Monthly
     /// 45 (1938) 227-233; Knuth, section 4.5.2, algorithm L).
     fn of(left: &BigInt, right: &BigInt) -> Option<Self> {

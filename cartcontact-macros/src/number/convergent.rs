@@ -5,10 +5,11 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::Rational;
 
-/// The last convergent of a positive number with at most 32 binary digits above and below; none of a larger number.
+/// The last convergent of a positive number with at most 32 binary digits in numerator and denominator; none for a
+/// larger number.
 ///
-/// The next one, h/k, has more: of the number 1/x, the reciprocal of the last convergent is off by less than 1/(h′ h) with
-/// its own h′, and so by less than 2⁻³² over h′.
+/// The next convergent, h/k, has more digits. The reciprocal of the last convergent, with the numerator h′, is
+/// therefore off from 1/x by less than 1/(h′ h), and so by less than 2⁻³² over h′.
 pub(crate) fn convergent(value: &Rational) -> Option<(u32, u32)> {
     let (mut numerator, mut denominator) = (value.numer().clone(), value.denom().clone());
     let (mut before, mut last) = ((0, 1), (1, 0));

@@ -1,4 +1,4 @@
-//! Positive numbers of 128 binary digits: for constants with more digits than f64 has.
+//! Positive numbers of 128 binary digits, for constants with more digits than an f64 has.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -14,14 +14,14 @@ pub(crate) struct Float {
 
 /// Unity in fixed point.
 const ONE: i128 = 1 << 126;
-/// Half of the last of 48 digits of a number of 80.
+/// Half of the last of 48 digits, in a number of 80 digits.
 const HALF_UNIT: i128 = 1 << 31;
 
 impl Float {
-    /// A positive number, within 2⁻¹²⁷ of it.
+    /// A positive number, with an error within 2⁻¹²⁷ of it.
     pub(crate) fn of(value: &Rational) -> Option<Self> {
         let (numerator, denominator) = (value.numer(), value.denom());
-        // Of 129 or 130 digits.
+        // The quotient has 129 or 130 digits.
         let shift = 129 + denominator.bits() as i64 - numerator.bits() as i64;
         let quotient = match shift {
             0.. => (numerator << shift) / denominator,
@@ -34,7 +34,7 @@ impl Float {
     /// 2 to a power, with the digits of f64.
     fn power_of_two(power: f64) -> Self {
         let octave = power.floor();
-        // From 2^52 up, so that nothing is behind the point.
+        // From 2^52 up, so that nothing is after the point.
         let mantissa = ((power - octave).exp2() * 2f64.powi(52)) as u128;
         Self { mantissa, exponent: octave as i64 - 52 }.normal()
     }
@@ -44,13 +44,13 @@ impl Float {
         Self { mantissa: self.mantissa << shift, exponent: self.exponent - i64::from(shift) }
     }
 
-    /// The product, within 2⁻¹²⁵ of it.
+    /// The product, with an error within 2⁻¹²⁵ of it.
     pub(crate) fn times(self, other: Self) -> Self {
         let mantissa = upper_half(self.mantissa, other.mantissa);
         Self { mantissa, exponent: self.exponent + other.exponent + 128 }.normal()
     }
 
-    /// A power of at least 1.
+    /// A power with an exponent of at least 1.
     fn power(self, exponent: u32) -> Self {
         let bits = exponent.checked_ilog2().unwrap_or(0);
         (0..bits).rev().fold(self, |power, bit| {
@@ -65,8 +65,8 @@ impl Float {
 
     /// value^(1/p) within 2⁻⁷⁴, for values from 2⁻²⁰⁴⁸ to 2²⁰⁴⁸ and p ≥ 4 up to 2³².
     ///
-    /// That of a power near p, whose digits are few enough for [`root`](Self::root), multiplied by an exponential: of p with
-    /// more digits it is at most 2⁻²³ away from 1, and off by a few 2⁻⁵³ of that.
+    /// The root for a fraction near p, whose digits are few enough for [`root`](Self::root), times an exponential. For
+    /// p with more digits the exponential is at most 2⁻²³ away from 1, and off by a few 2⁻⁵³ of that.
     pub(crate) fn real_root(value: &Rational, p: &Rational) -> Option<Self> {
         let (k, q) = convergent(p)?;
         let logarithm = Self::of(value)?.log2() * core::f64::consts::LN_2;
@@ -76,9 +76,9 @@ impl Float {
 
     /// value^(`q`/`k`) within 2⁻¹¹⁰, if it lies between 2⁻⁵¹² and 2⁵¹².
     ///
-    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. Of an error e it leaves k e²/2, and
-    /// begins with one below 2⁻⁴³, so that k e is below 2⁻¹¹. What v and x^k lose in rounding, q and 2 k last digits, is
-    /// divided by k.
+    /// With v = value^(−q), a step of Newton's method takes x to x − x (v x^k − 1)/k. It turns an error e into k e²/2;
+    /// the first e is below 2⁻⁴³, so that k e is below 2⁻¹¹. The rounding errors of v and x^k, q and 2 k last digits,
+    /// are divided by k.
     fn root(value: &Rational, (q, k): (u32, u32)) -> Option<Self> {
         let inverse = Self::of(&value.recip())?.power(q);
         let mut root = Self::power_of_two(-inverse.log2() / f64::from(k));
@@ -100,17 +100,17 @@ impl Float {
         self.mantissa.checked_shr(shift).unwrap_or(0) as i128
     }
 
-    /// Without a small share of itself, in fixed point.
+    /// The number minus a small share of itself, in fixed point.
     fn less(self, share: i128) -> Self {
         let part = upper_half(self.mantissa, share.unsigned_abs() << 2);
-        // Room for a sum.
+        // Leaves room for a sum.
         let (whole, part) = (self.mantissa >> 1, part >> 1);
         let mantissa = if share > 0 { whole - part } else { whole + part };
         Self { mantissa, exponent: self.exponent + 1 }.normal()
     }
 
-    /// The number as a sum of three of single precision, in descending order, of which the first two make one of 48
-    /// digits, so that f64 adds them without rounding; none if not all of them are in range.
+    /// The number as a sum of three in single precision, in descending order. The first two make one of 48 digits, so
+    /// that f64 adds them without rounding. None if not all of them are in range.
     pub(crate) fn in_parts(self) -> Option<[f32; 3]> {
         let all = (self.mantissa >> 48) as i128;
         let whole = (all + HALF_UNIT) & !(2 * HALF_UNIT - 1);
@@ -122,7 +122,7 @@ impl Float {
     }
 }
 
-/// The product over 2¹²⁸.
+/// The product divided by 2¹²⁸.
 fn upper_half(x: u128, y: u128) -> u128 {
     let halves = |x: u128| (x >> 64, x & u128::from(u64::MAX));
     let ((x1, x0), (y1, y0)) = (halves(x), halves(y));
@@ -139,7 +139,7 @@ mod tests {
     use crate::number::integer;
     use crate::tests::exact;
 
-    /// value^q and root^k in exact arithmetic, for the three parts of the root.
+    /// Compares value^q with root^k in exact arithmetic, for the three parts of the root.
     #[test]
     fn roots_have_the_digits_of_three_parts() {
         for (q, k) in [(1, 6), (2, 9), (4, 25), (10, 63), (3, 13), (100, 637)] {
@@ -175,7 +175,7 @@ mod tests {
         }
     }
 
-    /// Of powers that differ by 10⁻¹² and 10⁻¹⁶, the first of which is nearer to 6 than to any other short fraction.
+    /// For powers that differ by 10⁻¹² and 10⁻¹⁶; the first is nearer to 6 than to any other short fraction.
     #[test]
     fn roots_have_their_digits_however_many_the_power_has() {
         for (power, digits) in [("6.000000000001", 12), ("7.1415926535897932", 16)] {
@@ -185,7 +185,7 @@ mod tests {
                 let next = Float::real_root(&value, &(&p + fraction(1, 10_u64.pow(digits)))).unwrap();
                 let found = (root.mantissa.wrapping_sub(next.mantissa) as i128) as f64 / root.mantissa as f64;
                 let expected = value_log(&value) / p.to_f64().unwrap().powi(2) * 0.1_f64.powi(digits as i32);
-                // Of the second order is a share of the first, and 2⁻⁷⁴ is off.
+                // The second order is a share of the first, and 2⁻⁷⁴ is the error.
                 let bound = 1e-9 * expected.abs() + 2f64.powi(-73);
                 assert!((found - expected).abs() < bound, "{value}^(1/{power}): {found:e}, not {expected:e}");
             }

@@ -1,7 +1,7 @@
 //! Exact numbers: what a literal means, and how a result is written back.
 //!
-//! Every number of a profile is a rational from its first digit to the moment it becomes an `f64` literal in the
-//! generated code, so it is rounded once. Sizes are bounded wherever a short text could stand for a huge number.
+//! Every number of a profile is rational from its first digit until it becomes an `f64` literal in the generated code,
+//! so it is rounded once. Sizes are bounded wherever a short text could stand for a huge number.
 
 pub(crate) mod common_factor;
 mod convergent;
@@ -17,7 +17,7 @@ use proc_macro2::{Literal, TokenStream};
 
 pub(crate) use rational::Rational;
 
-/// The largest power of ten that a literal may be written with: beyond every `f64`, and short to write out.
+/// The largest power of ten that a literal may be written with: beyond every `f64`, and still short when written out.
 const MAXIMUM_DECIMAL_EXPONENT: i64 = 400;
 const MAXIMUM_DIGITS: usize = 1000;
 /// The most bits that a power of a number may take; an `f64` has no use for more than 2100.
@@ -27,7 +27,7 @@ pub(crate) fn integer(value: impl Into<BigInt>) -> Rational {
     Rational::from_integer(value.into())
 }
 
-/// The quotient of two integers, of which the second is not zero.
+/// The quotient of two integers; the second is not zero.
 pub(crate) fn fraction(numerator: impl Into<BigInt>, denominator: impl Into<BigInt>) -> Rational {
     Rational::new(numerator.into(), denominator.into())
 }
@@ -59,14 +59,14 @@ pub(crate) fn rounded(value: &Rational) -> f64 {
     value.to_f64().unwrap_or(0.0).clamp(f64::MIN, f64::MAX)
 }
 
-/// The nearest finite `f64`, and the one nearest to what that lacks.
+/// The nearest finite `f64`, and the one nearest to the remainder.
 pub(crate) fn nearest_and_rest(value: &Rational) -> (f64, f64) {
     let nearest = rounded(value);
     let rest = value - Rational::from_float(nearest).unwrap_or_else(Rational::zero);
     (nearest, rounded(&rest))
 }
 
-/// Whether the number is a power of two, but for its sign.
+/// Whether the number is a power of two, apart from its sign.
 pub(crate) fn is_power_of_two(value: &Rational) -> bool {
     [value.numer(), value.denom()].iter().all(|part| part.magnitude().count_ones() == 1)
 }
@@ -77,8 +77,8 @@ pub(crate) fn literal(value: &Rational) -> Literal {
     format!("{nearest:?}f64").parse().unwrap_or_else(|_| Literal::f64_suffixed(nearest))
 }
 
-/// Numbers, tuples and arrays of them as code, which is what `Debug` writes, in shortest literals: one text is quicker
-/// for the compiler to read than its tokens one by one.
+/// Numbers, tuples and arrays of them as code, in the shortest literals, as `Debug` writes them: the compiler reads one
+/// text faster than its tokens one by one.
 pub(crate) fn code(numbers: impl Debug) -> TokenStream {
     format!("{numbers:?}").parse().unwrap_or_default()
 }
@@ -90,7 +90,7 @@ pub(crate) fn shifted(number: &BigInt, steps: i64) -> BigInt {
 
 const TOO_LONG: &str = "a number may have at most 1000 digits; round it";
 
-/// `digits` with `decimals` of them behind the point, times a power of ten.
+/// `digits` with `decimals` of them after the point, times a power of ten.
 pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Result<Rational, &'static str> {
     if digits.len() > MAXIMUM_DIGITS {
         return Err(TOO_LONG);
@@ -105,8 +105,8 @@ pub(crate) fn from_decimal(digits: &str, decimals: usize, exponent: i64) -> Resu
     Ok(integer(digits) * integer(10).pow(shift))
 }
 
-/// `base` to an integer power; `None` if the result is too large to be of use. The base of a negative power must
-/// not be zero.
+/// `base` to an integer power; `None` if the result is too large to be useful. The base of a negative power must not be
+/// zero.
 pub(crate) fn power(base: &Rational, exponent: &BigInt) -> Option<Rational> {
     if base.is_zero() || base.abs().is_one() {
         return Some(match exponent.is_even() {
@@ -132,7 +132,7 @@ pub(crate) fn root(base: &Rational, index: &BigInt) -> Option<Rational> {
     exact.then_some(root)
 }
 
-/// The largest number of `digits` binary digits, or one more, that is not above a value; a fraction need not be
+/// The largest number of `digits` or `digits` + 1 binary digits that is not above a value; the fraction need not be
 /// reduced.
 pub(crate) fn floor(value: &Rational, digits: u64) -> Rational {
     let (numerator, denominator) = (value.numer(), value.denom());
@@ -142,7 +142,7 @@ pub(crate) fn floor(value: &Rational, digits: u64) -> Rational {
     Rational::new(quotient << excess, BigInt::one() << shift)
 }
 
-/// For people: a short fraction if it is no decimal, otherwise the nearest `f64`.
+/// For readers: a short fraction if it is not a decimal, otherwise the nearest `f64`.
 pub(crate) fn decimal(value: &Rational) -> String {
     let shortest = value.to_f64().unwrap_or(0.0);
     let (numerator, denominator) = (value.numer(), value.denom());
@@ -155,13 +155,13 @@ pub(crate) fn decimal(value: &Rational) -> String {
     }
 }
 
-/// The same behind an operator that binds tighter than a fraction line.
+/// The same after an operator that binds tighter than a fraction line.
 pub(crate) fn operand(value: &Rational) -> String {
     let text = decimal(value);
     if text.contains('/') { format!("({text})") } else { text }
 }
 
-/// Whether the digits that stand for the `f64` are the number itself.
+/// Whether the shortest digits of the `f64` are the number itself.
 fn is_written(value: &Rational, shortest: f64) -> bool {
     let written = format!("{shortest:e}");
     let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
@@ -188,7 +188,8 @@ mod tests {
         assert_eq!(literal(&integer(10).pow(-300)).to_string(), "1e-300f64");
     }
 
-    /// Halfway between two neighbours to even, and to the nearest on either side, down to the subnormal numbers.
+    /// Halfway between two neighbours to the even one, otherwise to the nearest on either side, down to the subnormal
+    /// numbers.
     #[test]
     fn rounding_is_to_the_nearest() {
         let tiny = integer(10).pow(-400);

@@ -1,6 +1,6 @@
 //! Exact fractions.
 //!
-//! Nearly all of a macro's time goes into greatest common divisors, as nothing is optimised in it: so they are taken of
+//! Nothing in a macro is optimised, and nearly all of its time goes into greatest common divisors: so they are taken of
 //! as few and as short numbers as possible (D. E. Knuth, The Art of Computer Programming 2, section 4.5.1), and by
 //! Euclid's algorithm, which soon reaches machine numbers where a fraction meets a short one.
 
@@ -15,7 +15,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::number::common_factor::common_factor;
 
-/// A fraction in lowest terms with a positive denominator; only what comes from [`new_raw`](Self::new_raw) may not be.
+/// A fraction in lowest terms with a positive denominator; only [`new_raw`](Self::new_raw) may return one that is not
+/// in lowest terms.
 #[derive(Clone, PartialEq, Eq)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Rational {
@@ -24,7 +25,7 @@ pub(crate) struct Rational {
 }
 
 impl Rational {
-    /// The quotient of two numbers, of which the second is not zero.
+    /// The quotient of two numbers; the second is not zero.
     pub(crate) fn new(numerator: BigInt, denominator: BigInt) -> Self {
         let common = common_factor(&numerator, &denominator);
         let common = if denominator.is_negative() { -common } else { common };
@@ -96,7 +97,7 @@ impl Rational {
         }
     }
 
-    /// To an integer power; only a number that is not zero has negative ones.
+    /// To an integer power, which must not be negative for zero.
     pub(crate) fn pow(&self, exponent: i32) -> Self {
         let base = if exponent < 0 { self.recip() } else { self.clone() };
         let size = exponent.unsigned_abs();
@@ -114,31 +115,31 @@ impl Rational {
 const IMPLIED_BIT: u64 = 1 << 52;
 
 impl ToPrimitive for Rational {
-    /// Of the integer part.
+    /// The integer part.
     fn to_i64(&self) -> Option<i64> {
         (&self.numerator / &self.denominator).to_i64()
     }
 
-    /// Of the integer part.
+    /// The integer part.
     fn to_u64(&self) -> Option<u64> {
         (&self.numerator / &self.denominator).to_u64()
     }
 
-    /// The nearest, of two the even one.
+    /// The nearest `f64`; of two, the even one.
     fn to_f64(&self) -> Option<f64> {
         let size = self.numerator.magnitude();
-        // A quotient of 64 bits, or 65; one more stands for all that follow.
+        // A quotient of 64 or 65 bits, and one more bit that stands for all that follow.
         let scale = size.bits() as i64 - self.denominator.bits() as i64 - 64;
         let up = |value: &BigUint, steps: i64| value << steps.max(0).unsigned_abs();
         let (quotient, rest) = up(size, -scale).div_rem(&up(self.denominator.magnitude(), scale));
         let digits = quotient.to_u128()? << 1 | u128::from(!rest.is_zero());
-        // The last digit of an `f64` of this size stands for 2^-1074 at least.
+        // The last digit of an `f64` of this size is worth at least 2^-1074.
         let bits = i64::from(u128::BITS - digits.leading_zeros());
         let cut = (bits - 53).max(-1074 - (scale - 1)).clamp(0, 127) as u32;
         let (kept, tail, half) = (digits >> cut, digits & ((1 << cut) - 1), (1 << cut) >> 1);
         let rounded = if tail > half || (tail == half && kept % 2 == 1) { kept + 1 } else { kept };
         let exponent = (scale - 1 + i64::from(cut)).clamp(-2200, 2200) as i32;
-        // In two steps, as the whole power may be no `f64`.
+        // In two steps, as the whole power may not be an `f64`.
         let value = rounded as f64 * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
         Some(if self.is_negative() { -value } else { value })
     }
@@ -230,7 +231,7 @@ impl Neg for &Rational {
     }
 }
 
-/// An operator on numbers and references to them.
+/// An operator for numbers and references to them.
 macro_rules! operator {
     ($operator:ident, $method:ident, |$left:ident, $right:ident| $value:expr) => {
         impl $operator<&Rational> for &Rational {
@@ -297,7 +298,7 @@ impl Sum for Rational {
     }
 }
 
-/// The quotient of a division that leaves nothing.
+/// The quotient of a division without remainder.
 fn quotient(number: BigInt, divisor: &BigInt) -> BigInt {
     if divisor.is_one() { number } else { number / divisor }
 }

@@ -18,7 +18,7 @@ use crate::reading::{is_punct, ungrouped};
 
 #[derive(Default)]
 pub(crate) struct Attribute {
-    /// Where there are two bodies, their sum.
+    /// The sum of the bodies, if there are two.
     pub(crate) gap: Option<Expression>,
     pub(crate) is_of_bodies: bool,
     pub(crate) max_radius: Option<Expression>,
@@ -26,13 +26,13 @@ pub(crate) struct Attribute {
     pub(crate) tolerance: Option<Expression>,
     pub(crate) positive: Option<Positive>,
     pub(crate) crate_path: Option<TokenStream>,
-    /// Whether an option could not be read: what is missing then is no further fault.
+    /// Whether an option could not be read: that it is missing is then no further fault.
     pub(crate) lacks_option: bool,
-    /// The tokens of what may be meant as the gap.
+    /// The tokens that may be meant as the gap.
     pub(crate) written_gap: TokenStream,
 }
 
-/// Reads the gap and the options behind it, which stand between commas.
+/// Reads the gap and the options after it, which are separated by commas.
 pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attribute {
     let mut attribute = Attribute::default();
     let mut bodies: Vec<(&Ident, Expression)> = Vec::new();
@@ -74,7 +74,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
 }
 
 impl Attribute {
-    /// Whether the distance r stands in the gap by its name.
+    /// Whether the gap names the distance r.
     pub(crate) fn names_r(&self) -> bool {
         mentions(&["r"], self.written_gap.clone())
     }
@@ -109,7 +109,7 @@ impl Attribute {
         }
     }
 
-    /// Notes that what stands before an option without a comma could not be read, if it is not another option.
+    /// Marks the gap as unreadable if it may stand before an option whose comma is missing.
     fn miss_gap(
         &mut self,
         entry: &Entry,
@@ -125,7 +125,7 @@ impl Attribute {
         }
     }
 
-    /// Reports a name that the gap has been given.
+    /// Reports the name that the gap has been given.
     fn name_gap(&mut self, name: &Ident, entry: &Entry, diagnostics: &mut Diagnostics) {
         self.fail_at(entry);
         diagnostics.report(name.span(), written_first(&format!("{name} =")));
@@ -144,11 +144,11 @@ impl Attribute {
         let path_or_example = written.unwrap_or_else(|| "::cartcontact".to_owned());
         let message = format!("`crate` takes a path without quotes; write `crate = {path_or_example}`");
         diagnostics.report(Extent::of(value, equals), message);
-        // Nothing else is wrong if the crate is there.
+        // With the path that is meant, nothing else is wrong.
         self.crate_path = path;
     }
 
-    /// What to say about an entry that is no option, unless it is the gap; what it takes from gap and options is noted.
+    /// What to say about an entry that is not an option, unless it is the gap. What can no longer be read is marked.
     fn mistake(&mut self, entry: &Entry, before: Option<Whole<'_>>, has_bodies: bool) -> Option<String> {
         if let Some(message) = entry.without_equals() {
             self.miss_option(entry);
@@ -164,7 +164,7 @@ impl Attribute {
         self.no_room_for(entry, has_bodies)
     }
 
-    /// What to say about the digits behind a comma that is meant as a decimal point. The number that they belong to
+    /// What to say about the digits after a comma that is meant as a decimal point. The number that they belong to
     /// cannot be read.
     fn decimals(&mut self, entry: &Entry, before: Option<Whole<'_>>) -> Option<String> {
         let Whole { digits: whole, option } = before?;
@@ -175,7 +175,7 @@ impl Attribute {
                 self.fail_at(entry);
                 None
             }
-            // The gap may stand behind its options.
+            // The gap may follow its options.
             Some(_) if self.gap.is_none() && entry.tokens.len() > 1 => return None,
             Some(name) => self.slot(name).and_then(Option::as_mut),
         };
@@ -205,7 +205,7 @@ impl Attribute {
         Some(written_first(&name))
     }
 
-    /// Notes that the gap is there, but cannot be read.
+    /// Marks the gap as present but unreadable.
     fn fail_at(&mut self, entry: &Entry) {
         self.gap.get_or_insert(Expression { kind: Kind::Faulty, extent: entry.extent() });
     }
@@ -216,13 +216,14 @@ impl Attribute {
         }
     }
 
-    /// Notes that an option could not be read, which may be a body.
+    /// Marks an option, which may be a body, as unreadable.
     fn miss_option(&mut self, entry: &Entry) {
         self.lacks_option = true;
         self.fail_if_body(entry);
     }
 
-    /// What to say about an entry that could only be a second gap. Beside two bodies, more than a name may be one.
+    /// What to say about an entry that could only be a second gap. Without a gap so far, only a single name beside two
+    /// bodies counts as one.
     fn no_room_for(&mut self, entry: &Entry, has_bodies: bool) -> Option<String> {
         let is_name = matches!(entry.tokens.as_slice(), [TokenTree::Ident(_)]);
         if self.gap.is_none() && !(has_bodies && is_name) {
@@ -248,11 +249,11 @@ impl Attribute {
     }
 }
 
-/// The path that a string consists of, as it is written and as tokens.
+/// The path that a string consists of, as written and as tokens.
 fn path_in_quotes(literal: &Literal) -> Option<(String, TokenStream)> {
     let text = literal.to_string();
     let text = literal::quoted(&text)?;
-    // The compiler would report what is not even made of tokens.
+    // The compiler would report text that does not even consist of tokens.
     let is_of_names = text.chars().all(|letter| letter.is_alphanumeric() || "_:".contains(letter));
     let tokens: TokenStream = is_of_names.then(|| text.parse().ok())??;
     let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();

@@ -1,4 +1,4 @@
-//! The two bodies of a gap, `upper = ...` and `lower = ...`, and what is meant as these.
+//! The two bodies of a gap, `upper = ...` and `lower = ...`, and entries that are meant as bodies.
 
 use proc_macro2::{Ident, Span};
 
@@ -6,11 +6,11 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::entry::{Assignment, Entry};
 use crate::reading::syntax::{Expression, Kind, Summand};
 
-/// The name of a body, and the one of `upper` and `lower` that is meant by it.
+/// A name that stands for a body, and which of `upper` and `lower` it is meant as.
 type OtherName<'a> = (&'a Ident, &'static str);
 
-/// The names that two bodies have been given in place of `upper` and `lower`, each with the one that is meant:
-/// `femur = sphere(20), tibia = sphere(30)`. Empty if that is not what is written.
+/// The names that two bodies have been given in place of `upper` and `lower`, each with the one that is meant: `femur =
+/// sphere(20), tibia = sphere(30)`. Empty if something else is written.
 pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName<'_>> {
     let options = entries.iter().filter_map(Entry::assignment);
     let written: Vec<&Ident> = options.map(|option| option.name).collect();
@@ -31,7 +31,7 @@ pub(super) fn of_other_names(entries: &[Entry]) -> Vec<OtherName<'_>> {
     named.into_iter().zip(free).collect()
 }
 
-/// The body that an option stands for, whose name may be another.
+/// The body that an option stands for, possibly by another name.
 pub(super) fn read(
     option: &Assignment<'_>,
     of_other_names: &[OtherName<'_>],
@@ -43,12 +43,12 @@ pub(super) fn read(
     option.expression(diagnostics)
 }
 
-/// Whether this is the name of a body, or meant as that.
+/// Whether this is the name of a body, or is meant as one.
 pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName<'_>]) -> bool {
     name == "upper" || name == "lower" || other_name(name, of_other_names).is_some()
 }
 
-/// What to say about a name that is meant as that of a body.
+/// What to say about a name that is meant as the name of a body.
 fn other_name(name: &Ident, of_other_names: &[OtherName<'_>]) -> Option<String> {
     let (_, meant) = of_other_names.iter().find(|(other, _)| *other == name)?;
     Some(format!(
@@ -65,7 +65,7 @@ pub(super) fn whole(
     let summand = |expression| Summand { subtracted: false, expression };
     match (gap, bodies.as_slice()) {
         (gap @ Some(_), []) => gap,
-        // What could not be read may be a body.
+        // The unreadable entry may be a body.
         (Some(gap @ Expression { kind: Kind::Faulty, .. }), _) => {
             let extent = gap.extent;
             let read = bodies.into_iter().map(|(_, expression)| expression);

@@ -1,5 +1,4 @@
-//! What stands like a call, a name with arguments in parentheses: `sphere(R)` and `conic(R, k)`, or what is none of
-//! them.
+//! What looks like a call, a name with arguments in parentheses: `sphere(R)`, `conic(R, k)`, or neither of them.
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
@@ -10,7 +9,7 @@ use crate::reading::similar::closest;
 use crate::reading::syntax::{Expression, Kind, Surface};
 
 impl Parser<'_> {
-    /// `sphere(R)` or `conic(R, k)`, its name having been read.
+    /// `sphere(R)` or `conic(R, k)`, after its name has been read.
     pub(super) fn surface(&mut self, name: &Ident, group: &Group) -> Expression {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
         let has_other_marks = tokens.iter().any(|token| is_punct(token, '=') || is_punct(token, ';'));
@@ -34,7 +33,7 @@ impl Parser<'_> {
         self.unless_method(Expression { kind, extent })
     }
 
-    /// Whatever else has arguments, with a name that may stand behind a path, which begins at `start`.
+    /// Anything else with arguments, whose name may end a path, which begins at `start`.
     pub(super) fn function(&mut self, start: Span, name: &Ident, group: &Group) -> Expression {
         let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
         match self.power_function(name, &arguments(&tokens)) {
@@ -61,7 +60,7 @@ impl Parser<'_> {
     }
 }
 
-/// What stands between the commas.
+/// The tokens between the commas.
 pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let mut arguments: Vec<&[TokenTree]> = tokens.split(|token| is_punct(token, ',')).collect();
     arguments.pop_if(|last| last.is_empty());

@@ -1,7 +1,7 @@
-//! The tokens of what is annotated -> its parts.
+//! The tokens of the annotated item -> its parts.
 //!
-//! The compiler has read them before it expands an attribute, so they only have to be told apart: a parser of Rust would
-//! be an eighth of what a program compiles that uses this crate.
+//! The compiler has parsed them before it expands an attribute, so they only have to be told apart: a parser of Rust
+//! would be an eighth of what a program that uses this crate compiles.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
@@ -13,7 +13,7 @@ pub(super) struct Declaration {
     pub(super) keyword: Ident,
     pub(super) ident: Ident,
     pub(super) generics: Generics,
-    /// In braces or in parentheses.
+    /// The group in braces or in parentheses.
     pub(super) content: Option<Group>,
 }
 

@@ -1,4 +1,4 @@
-//! Operands side by side behind `/`, as in `r^2/2R`: physicists divide by both, programmers by the first.
+//! Operands side by side after `/`, as in `r^2/2R`: physicists divide by both, programmers by the first.
 
 use proc_macro2::{Delimiter, TokenTree};
 
@@ -10,8 +10,8 @@ use crate::reading::unit::is_unit;
 use crate::reading::{is_punct, literal, ungrouped};
 
 impl Parser<'_> {
-    /// Reads over a divisor that lacks an operator, if one follows, and reports it: which of its operands divide is
-    /// for the author to say, as either reading is another geometry.
+    /// Skips a divisor that lacks an operator, if one follows, and reports it: which of its operands divide is for the
+    /// author to say, as each reading is another geometry.
     pub(super) fn unclear_divisor(&mut self) -> Option<Expression> {
         let (divisor, rest) = self.rest.split_at(length(self.rest));
         let (factors, fault) = factors(divisor)?;
@@ -27,7 +27,7 @@ impl Parser<'_> {
     }
 }
 
-/// How many tokens stand before the next operator of a sum or a product; signs and `**` are none.
+/// The number of tokens before the next operator of a sum or a product; signs and `**` are no such operators.
 fn length(tokens: &[TokenTree]) -> usize {
     let mut index = 0;
     let mut follows_operand = false;
@@ -53,8 +53,8 @@ fn length(tokens: &[TokenTree]) -> usize {
     index
 }
 
-/// The factors that are meant, as they are to be written, and what is wrong with how they are. Nothing if there is
-/// something else among them, which has messages of its own.
+/// The factors that are meant, as they should be written, and what is wrong with how they are written. Nothing if there
+/// is something else among them, which has messages of its own.
 fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
     let mut factors: Vec<String> = Vec::new();
     let mut fault = None;
@@ -77,7 +77,7 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
                 }
                 None => drop(literal::number(&text).ok()?),
             },
-            // Of `**`, which is a power.
+            // One of `**`, which is a power.
             star if is_punct(star, '*') => {
                 operands = vec![if before.is_some_and(|before| is_punct(before, '*')) { "" } else { "^" }];
             }
@@ -106,7 +106,7 @@ fn is_one_factor(before: &TokenTree, token: &TokenTree) -> bool {
     }
 }
 
-/// What a macro has put into invisible parentheses stands in visible ones.
+/// Parentheses that a macro has made invisible are shown.
 fn text(token: &TokenTree) -> String {
     match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::None => {

@@ -1,4 +1,4 @@
-//! What stands between two commas of `#[gap_profile(...)]`, and what is meant by it where it is not as it should be.
+//! What stands between two commas of `#[gap_profile(...)]`, and what is meant by it if it is not written correctly.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
@@ -15,7 +15,7 @@ pub(super) fn similar(name: &Ident) -> Option<String> {
     closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect())
 }
 
-/// All of them, for a message.
+/// All options, for a message.
 pub(super) fn all_options() -> String {
     let names = OPTIONS.map(|option| format!("`{option}`"));
     let [before @ .., last] = &names;
@@ -25,7 +25,7 @@ pub(super) fn all_options() -> String {
 /// Digits before a comma that may be meant as a decimal point.
 pub(super) struct Whole<'a> {
     pub(super) digits: String,
-    /// Whose value they are; nothing for the gap.
+    /// The option whose value they are; nothing for the gap.
     pub(super) option: Option<&'a Ident>,
 }
 
@@ -69,13 +69,13 @@ impl Entry {
         }
     }
 
-    /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`,
-    /// `max-radius = 6`. In an expression none of these has a meaning.
+    /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`, `max-radius =
+    /// 6`. None of these has a meaning in an expression.
     pub(super) fn without_equals(&self) -> Option<String> {
         let equals = self.tokens.iter().position(|token| is_punct(token, '='));
         let name = match (self.tokens.as_slice(), equals) {
             ([TokenTree::Ident(name)], None) => name.to_string(),
-            // Of a path, this is the first name.
+            // This is the first name of a path.
             ([TokenTree::Ident(_), colon, next, ..], None) if is_punct(colon, ':') && is_punct(next, ':') => {
                 return None;
             }
@@ -102,7 +102,7 @@ impl Entry {
         Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
     }
 
-    /// What to say about an option right behind a gap or another option, `r^2 max_radius = 6`, `order = 4 positive`.
+    /// What to say about an option right after a gap or another option: `r^2 max_radius = 6`, `order = 4 positive`.
     pub(super) fn without_comma(&self) -> Option<String> {
         let assigned = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
             [TokenTree::Ident(name), equals] if is_punct(equals, '=') => {
@@ -130,7 +130,7 @@ impl Entry {
         name.is_some_and(|name| name == "upper" || name == "lower")
     }
 
-    /// The name of what is likely to be one of the two bodies, but is not called so.
+    /// The name of an entry that is likely to be one of the two bodies, but is not called so.
     pub(super) fn body_of_other_name(&self) -> Option<&Ident> {
         let Assignment { name, equals, value } = self.assignment()?;
         let is_no_option = equals.is_some() && similar(name).is_none() && name != "gap";
@@ -138,12 +138,12 @@ impl Entry {
         (is_no_option && is_body).then_some(name)
     }
 
-    /// Whether this is meant as the gap, or as a part of it.
+    /// Whether this may be meant as the gap, or as a part of it.
     pub(super) fn may_be_gap(&self) -> bool {
         self.is_body() || self.assignment().is_none_or(|option| similar(option.name).is_none())
     }
 
-    /// The digits in front of the comma behind this entry, unless they are an exponent.
+    /// The digits before the comma that follows this entry, unless they are an exponent.
     pub(super) fn last_digits(&self) -> Option<Whole<'_>> {
         let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
         if before.last().is_some_and(|token| is_punct(token, '^')) {
@@ -174,7 +174,7 @@ pub(super) fn is_of_r(tokens: &[TokenTree]) -> bool {
     mentions(&["r", "sphere", "conic"], tokens.iter().cloned())
 }
 
-/// Whether one of some names is mentioned, be it right behind a number.
+/// Whether one of some names is mentioned, perhaps right after a number.
 pub(super) fn mentions(names: &[&str], tokens: impl IntoIterator<Item = TokenTree>) -> bool {
     tokens.into_iter().any(|token| match token {
         TokenTree::Ident(name) => names.iter().any(|known| name == known),

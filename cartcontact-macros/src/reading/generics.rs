@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 
 use crate::reading::{between_commas, is_punct, length_before, ungrouped};
 
-/// What stands between `<` and `>`, and behind `where`.
+/// What stands between `<` and `>`, and after `where`.
 #[derive(Clone)]
 pub(crate) struct Generics {
     parameters: Vec<Parameter>,
@@ -31,7 +31,7 @@ enum Kind {
 impl Parameter {
     fn of(tokens: &[TokenTree]) -> Option<Self> {
         let declaration = &tokens[..length_before(tokens, |token| is_punct(token, '='))];
-        // A lifetime that a macro has put there stands in an invisible group.
+        // A lifetime that comes from a macro stands in an invisible group.
         let mut opened = Vec::new();
         for token in declaration {
             opened.extend(ungrouped(token.clone().into()));
@@ -49,8 +49,8 @@ impl Parameter {
         Some(Parameter { kind, name, declaration: quote!(#(#declaration)*) })
     }
 
-    /// As an argument. Constants stand in braces, as a name alone would mean the type of that name if there is one in
-    /// scope.
+    /// The parameter as an argument. Constants stand in braces, as a name alone would mean the type of that name if
+    /// there is one in scope.
     fn argument(&self) -> TokenStream {
         let name = &self.name;
         if self.kind == Kind::Constant { quote!({ #name }) } else { name.clone() }
@@ -70,7 +70,7 @@ impl Generics {
         (generics, rest.get(1..).unwrap_or_default())
     }
 
-    /// Adds what stands behind `where`.
+    /// Adds what follows `where`.
     pub(super) fn add_predicates(&mut self, tokens: &[TokenTree]) {
         self.predicates.extend(between_commas(tokens).iter().map(|predicate| quote!(#(#predicate)*)));
     }
@@ -81,7 +81,7 @@ impl Generics {
         types.any(|parameter| name == &parameter.name.to_string())
     }
 
-    /// The same with a type parameter that has a bound; added to them if it is none of them.
+    /// The same with a bound on a type parameter, which is added if it is not among the parameters.
     pub(crate) fn with_bound(&self, name: &Ident, bound: &TokenStream) -> Self {
         let mut generics = self.clone();
         if !self.has_type(name) {
@@ -93,12 +93,12 @@ impl Generics {
         generics
     }
 
-    /// `<'a, T: Copy>` or nothing, as it stands behind `impl`.
+    /// `<'a, T: Copy>` or nothing, as it follows `impl`.
     pub(crate) fn declared(&self) -> TokenStream {
         in_angles(self.parameters.iter().map(|parameter| parameter.declaration.clone()).collect())
     }
 
-    /// `<'a, T>` or nothing, as it stands behind the type.
+    /// `<'a, T>` or nothing, as it follows the type.
     pub(crate) fn arguments(&self) -> TokenStream {
         in_angles(self.parameters.iter().map(Parameter::argument).collect())
     }

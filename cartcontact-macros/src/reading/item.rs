@@ -17,11 +17,11 @@ pub(crate) struct Item {
     pub(crate) generics: Generics,
     /// Its own `#[allow(...)]`.
     pub(crate) allowed: TokenStream,
-    /// The fields that can be symbols, in their order.
+    /// The fields that can be symbols, in order of declaration.
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
     pub(super) others: Vec<(Ident, Extent)>,
-    /// Otherwise a name in a profile cannot be judged.
+    /// If it is not a struct, names in a profile cannot be judged.
     pub(crate) is_struct: bool,
 }
 
@@ -29,7 +29,7 @@ pub(crate) struct Item {
 pub(crate) struct Field {
     pub(crate) ident: Ident,
     pub(crate) kind: FieldKind,
-    /// Whether it is declared to be greater than 0.
+    /// Whether it is declared greater than 0.
     pub(crate) is_positive: bool,
     /// Whether the gap or its range depends on it.
     pub(crate) used: bool,
@@ -46,7 +46,7 @@ pub(crate) enum FieldKind {
 /// What a name in an expression stands for, other than `r`.
 pub(crate) enum Meaning<'a> {
     Symbol(&'a Field),
-    /// With the place of its type.
+    /// The field has a type that cannot stand in a gap, which is written here.
     WrongType(Extent),
     Unknown,
 }
@@ -71,7 +71,7 @@ fn is_gap_profile(pair: &[TokenTree]) -> bool {
     hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
 }
 
-/// The attributes in front of an item that allow something, or expect what generated code need not do again.
+/// The attributes before an item that allow something, or expect something that generated code need not repeat.
 fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
     let mut allowed = TokenStream::new();
     while let [hash, TokenTree::Group(attribute), rest @ ..] = tokens
@@ -89,7 +89,7 @@ fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
     allowed
 }
 
-/// Reads the annotated item. Where a profile cannot be attached, the fault is reported; whatever still has a name and
+/// Reads the annotated item. If a profile cannot be attached, the fault is reported; an item that still has a name and
 /// generics is returned nonetheless, for its stub.
 pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option<Item> {
     let tokens = ungrouped(input);
@@ -111,7 +111,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         diagnostics.report(keyword.span(), "a gap profile belongs on a struct, not a union; use a struct");
     } else if let Some(fields) = content.filter(|content| content.delimiter() == Delimiter::Brace) {
         let fields: Vec<TokenTree> = fields.stream().into_iter().collect();
-        // The compiler reports a semicolon between two, and goes on.
+        // The compiler reports a semicolon between two fields, and goes on.
         let parts = fields.split(|token| is_punct(token, ';'));
         for field in parts.flat_map(between_commas) {
             item.declare(field, diagnostics);
@@ -121,7 +121,7 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
 }
 
 impl Item {
-    /// Takes note of the field `name: type`, which attributes and a visibility may stand before.
+    /// Adds the field `name: type`, which may follow attributes and a visibility.
     fn declare(&mut self, field: &[TokenTree], diagnostics: &mut Diagnostics) {
         let colon = length_before(field, |token| is_punct(token, ':'));
         let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else { return };
@@ -152,8 +152,8 @@ impl Item {
         self.fields.iter().map(|field| field.ident.to_string()).collect()
     }
 
-    /// Notes which fields a faulty gap names, or may mean: it would depend on them. A symbol that is like none of them
-    /// may mean any.
+    /// Marks the fields that a faulty gap names, or may mean: it would depend on them. A symbol that resembles none of
+    /// them may mean any.
     pub(crate) fn mark_named(&mut self, written_gap: TokenStream) {
         let mut names = Vec::new();
         collect_names(written_gap, &mut names);
@@ -166,7 +166,8 @@ impl Item {
         }
     }
 
-    /// Notes which fields a geometry depends on. They share one scalar type, so they may name one parameter at most.
+    /// Marks the fields that a geometry depends on. They share one scalar type, so they may name at most one type
+    /// parameter.
     pub(crate) fn mark_used(&mut self, used: impl Fn(&Ident) -> bool, diagnostics: &mut Diagnostics) {
         let mut parameter: Option<Ident> = None;
         for field in self.fields.iter_mut().filter(|field| used(&field.ident)) {
@@ -185,7 +186,7 @@ impl Item {
     }
 }
 
-/// Whether a name that is like no field is known for something else: r, a number, a unit or a word of Rust.
+/// Whether a name that resembles no field is known as something else: r, a number, a unit or a word of Rust.
 fn has_other_meaning(name: &Ident) -> bool {
     let written = unraw(name);
     let is_word =

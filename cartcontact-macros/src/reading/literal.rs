@@ -33,7 +33,7 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
     Ok(if negative { -value } else { value })
 }
 
-/// What to say about a number with something right behind it.
+/// What to say about a number with something right after it.
 fn wrong_suffix(text: &str, suffix: &str) -> String {
     let written = without_suffix(text, suffix);
     if lacks_digits(suffix) {
@@ -60,7 +60,7 @@ pub(super) fn quoted(text: &str) -> Option<&str> {
     text.strip_prefix('"')?.strip_suffix('"')
 }
 
-/// What a literal such as `2R` is meant as, if it is: a number and a name.
+/// The number and the name that a literal such as `2R` may be meant as.
 pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
     let suffix = Parts::of(text).suffix;
     let is_word = suffix.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
@@ -70,7 +70,7 @@ pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
         .then(|| (without_suffix(text, suffix), suffix))
 }
 
-/// What a name right behind a number multiplies it by: that of `1.5x10` is the ten of a power of ten.
+/// The factor that a name right after a number stands for: that of `1.5x10` is the 10 of a power of ten.
 pub(super) fn factor(name: &str) -> &str {
     if is_times_ten(name) { "10" } else { name }
 }
@@ -79,20 +79,20 @@ pub(super) fn is_times_ten(name: &str) -> bool {
     name.eq_ignore_ascii_case("x10")
 }
 
-/// What digits on both sides of a comma may be meant as: it is a decimal point, or one between thousands.
+/// What digits on both sides of a comma may be meant as: the comma is a decimal point, or separates thousands.
 pub(super) fn across_comma(before: &str, behind: &str) -> Vec<String> {
     let thousands = are_thousands(before.trim_start_matches('-'), split_digits(behind).0)
         .then(|| format!("{before}{behind}"));
     thousands.into_iter().chain([format!("{before}.{behind}")]).collect()
 }
 
-/// A whole number with a point between thousands, as before a decimal comma in `1.000,5`.
+/// A whole number with a point after its thousands, as before a decimal comma in `1.000,5`.
 pub(super) fn without_points(text: &str) -> Option<String> {
     let (before, behind) = text.split_once('.')?;
     are_thousands(before, behind).then(|| format!("{before}{behind}"))
 }
 
-/// Whether the thousands of a number may end between some digits.
+/// Whether some digits may be separated where the thousands end.
 fn are_thousands(before: &str, behind: &str) -> bool {
     (1..=3).contains(&before.len()) && !before.starts_with('0') && behind.len() == 3
 }
@@ -101,7 +101,7 @@ pub(super) fn reads_as_one(text: &str) -> String {
     format!("`{text}` reads as one literal")
 }
 
-/// Of a number in decimal.
+/// The parts of a number in decimal.
 struct Parts<'a> {
     whole: &'a str,
     fraction: &'a str,
@@ -135,7 +135,7 @@ fn split_digits(text: &str) -> (&str, &str) {
     text.split_at_checked(end).unwrap_or((text, ""))
 }
 
-/// The power of ten at the start of `text`, and what follows it. One that overflows is as wrong as any large one.
+/// The power of ten at the start of `text`, and what follows it. A power that overflows is as wrong as any large one.
 fn split_exponent(text: &str) -> (i64, &str) {
     let Some(after) = text.strip_prefix(['e', 'E']) else { return (0, text) };
     let (negative, unsigned) = match after.strip_prefix('-') {
@@ -151,7 +151,7 @@ fn split_exponent(text: &str) -> (i64, &str) {
     (if negative { -size } else { size }, rest)
 }
 
-/// Whether a suffix begins an exponent that has no digits, which the compiler reports as well.
+/// Whether a suffix begins an exponent without digits, which the compiler reports as well.
 fn lacks_digits(suffix: &str) -> bool {
     suffix.trim_end_matches(['+', '-']).eq_ignore_ascii_case("e")
 }

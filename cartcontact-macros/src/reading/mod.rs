@@ -1,4 +1,4 @@
-//! Tokens -> what is written in them, with its places; nothing is evaluated.
+//! Tokens -> what they say, with its places; nothing is evaluated.
 
 pub(crate) mod attribute;
 mod bodies;
@@ -25,7 +25,7 @@ fn is_punct(token: &TokenTree, character: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
-/// The tokens, without the invisible group that they may stand in if a macro has put them there.
+/// The tokens, without the invisible group that a macro may have put them into.
 fn ungrouped(tokens: TokenStream) -> Vec<TokenTree> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     match tokens.as_slice() {
@@ -34,7 +34,7 @@ fn ungrouped(tokens: TokenStream) -> Vec<TokenTree> {
     }
 }
 
-/// How many tokens stand before the first outside of angle brackets that ends them; all if none does.
+/// The number of tokens before the first token outside of angle brackets that ends them; all if none does.
 fn length_before(tokens: &[TokenTree], ends: impl Fn(&TokenTree) -> bool) -> usize {
     let (mut depth, mut follows_dash) = (0, false);
     for (index, token) in tokens.iter().enumerate() {
@@ -48,7 +48,7 @@ fn length_before(tokens: &[TokenTree], ends: impl Fn(&TokenTree) -> bool) -> usi
     tokens.len()
 }
 
-/// What stands between commas outside of angle brackets.
+/// The tokens between commas outside of angle brackets.
 fn between_commas(mut tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let mut parts = Vec::new();
     while !tokens.is_empty() {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenTree};
 
 use crate::reading::is_punct;
 
-/// What cannot be a name, unless it begins with `r#`; and `_`.
+/// Words that cannot be a name, unless it begins with `r#`; and `_`.
 const KEYWORDS: [&str; 48] = [
     "_", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn",
     "else", "enum", "extern", "false", "final", "fn", "for", "if", "impl", "in", "let", "loop", "macro",
@@ -12,7 +12,7 @@ const KEYWORDS: [&str; 48] = [
     "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// The same, but for their place in a path.
+/// The same, except that they may stand in a path.
 const KEYWORDS_OF_PATHS: [&str; 4] = ["crate", "self", "Self", "super"];
 
 pub(crate) fn is_keyword(name: &Ident) -> bool {

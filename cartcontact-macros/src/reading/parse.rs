@@ -1,8 +1,8 @@
 //! Tokens -> [`Expression`], by recursive descent along the grammar in [`crate::reading::syntax`].
 //!
 //! A fault costs one operand: it is reported, the rest of the operand is skipped, and reading goes on at the next
-//! operator, so one compilation reports the faults of all factors and terms. Every call consumes a token or ends its loop, and
-//! recursion is as deep as the parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
+//! operator, so one compilation reports the faults of all factors and terms. Every call consumes a token or ends its
+//! loop, and the recursion is as deep as parentheses, signs and exponents are nested, which [`MAXIMUM_DEPTH`] limits.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenTree};
 
@@ -23,7 +23,7 @@ pub(crate) fn expression(tokens: &[TokenTree], place: Span, diagnostics: &mut Di
 
 pub(super) struct Parser<'a> {
     pub(super) rest: &'a [TokenTree],
-    /// What was read last: the place of "something is missing here".
+    /// The token that was read last: the place of "something is missing here".
     pub(super) previous: Extent,
     depth: usize,
     pub(super) diagnostics: &'a mut Diagnostics,
@@ -172,7 +172,7 @@ impl<'a> Parser<'a> {
         self.unless_method(Expression { kind: Kind::Name(name.clone()), extent: self.previous })
     }
 
-    /// What stands in parentheses behind a name.
+    /// The arguments in parentheses after a name.
     fn arguments(&self) -> Option<&'a Group> {
         match self.rest.first()? {
             TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => Some(group),
@@ -202,7 +202,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// All of `tokens`, which stand behind `place` in parentheses.
+    /// Reads all of `tokens`, which stand in parentheses behind `place`.
     pub(super) fn inside(&mut self, tokens: &[TokenTree], place: Span) -> Expression {
         self.deeper(|outer| {
             let (previous, depth) = (place.into(), outer.depth);
@@ -236,7 +236,7 @@ impl<'a> Parser<'a> {
         self.take_punct('+').or_else(|| self.take_punct('-'))
     }
 
-    /// Whether the next factor divides. Two operands side by side, and what others write for an operator or behind a
+    /// Whether the next factor divides. Two operands side by side, and what others write for an operator or after a
     /// number, are reported and read as intended.
     fn next_product_operator(&mut self) -> Option<bool> {
         if self.take_punct('*').is_some() {
@@ -253,7 +253,7 @@ impl<'a> Parser<'a> {
             return self.next_product_operator();
         }
         match next {
-            // Which parentheses are read is said where they are.
+            // The group itself reports which parentheses are read.
             TokenTree::Group(group) if matches!(group.delimiter(), Delimiter::Brace | Delimiter::Bracket) => {
             }
             TokenTree::Ident(word) if is_case(word) => {
@@ -306,7 +306,7 @@ impl<'a> Parser<'a> {
         self.skip_before("+-");
     }
 
-    /// Reads over what stands before the next of some operators.
+    /// Skips the tokens before the next of some operators.
     fn skip_before(&mut self, operators: &str) {
         let is_operator = |token: &TokenTree| operators.chars().any(|operator| is_punct(token, operator));
         while self.rest.first().is_some_and(|next| !is_operator(next)) {
@@ -322,7 +322,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// The arguments in other brackets, or without any, where they are no longer than one token.
+/// The arguments in other brackets, or without brackets if they are a single token.
 fn without_parentheses(token: &TokenTree, behind: &[TokenTree]) -> Vec<TokenTree> {
     let goes_on = |next: &TokenTree| match next {
         TokenTree::Punct(operator) => "*/^".contains(operator.as_char()),

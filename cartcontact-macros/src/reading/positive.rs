@@ -1,6 +1,6 @@
 //! The option `positive`: fields whose values are greater than 0.
 //!
-//! What is declared decides signs when the program is compiled; the generated code holds every value to it.
+//! The declaration decides signs when the program is compiled, and the generated code refuses values that violate it.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
@@ -10,15 +10,15 @@ use crate::reading::name::{is_same, unraw};
 use crate::reading::similar::closest;
 use crate::reading::{is_punct, ungrouped};
 
-/// The option as it was written, at `place`.
+/// The option as written, at `place`.
 pub(crate) struct Positive {
     pub(crate) place: Span,
-    /// What stands behind `=`; nothing where `positive` stands alone, for all fields.
+    /// What follows `=`; nothing if `positive` stands alone, for all fields.
     pub(crate) names: Option<TokenStream>,
 }
 
 impl Positive {
-    /// Marks the fields that are declared. Every fault is reported.
+    /// Marks the declared fields. Every fault is reported.
     pub(crate) fn declare(&self, item: &mut Item, diagnostics: &mut Diagnostics) {
         let Some(names) = &self.names else {
             item.fields.iter_mut().for_each(|field| field.is_positive = true);
@@ -60,7 +60,7 @@ impl Positive {
     }
 }
 
-/// `c`, or `(c, d)`; where neither is written, the place of what is.
+/// `c`, or `(c, d)`; otherwise the place of what is written instead.
 fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     match tokens.as_slice() {
@@ -94,7 +94,7 @@ fn syntax(item: &Item) -> String {
     format!("`positive` names fields, or stands alone for all of them; write `positive = {example}`")
 }
 
-/// Why a name is none that can be declared.
+/// Why a name cannot be declared.
 fn no_number(name: &Ident, item: &Item) -> String {
     if name == "r" {
         return "`r` is the distance from the axis and positive anyway; name fields only".to_owned();

@@ -1,4 +1,4 @@
-//! Names that were probably meant by others.
+//! Names that were probably meant as others.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
@@ -17,13 +17,13 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
         .then_some("leave out a range without an end, and write a flat body as `lower = 0`")
 }
 
-/// What `r2` is meant as, unless it is a field; `r1` is rather the first of two radii.
+/// What `r2` is meant as, unless it is a field; `r1` is more likely the first of two radii.
 pub(super) fn power_of_r(name: &str) -> Option<String> {
     let exponent = name.strip_prefix('r').filter(|exponent| !["", "0", "1"].contains(exponent))?;
     exponent.chars().all(|digit| digit.is_ascii_digit()).then(|| format!("r^{exponent}"))
 }
 
-/// The known name that differs from this one by a third of its letters at most, and by the fewest.
+/// The known name that differs from this one by the fewest letters, and by at most a third of its own.
 pub(crate) fn closest(name: &str, known: Vec<String>) -> Option<String> {
     let name = name.to_lowercase();
     let with_distance = known.into_iter().map(|known| (distance(&name, &known.to_lowercase()), known));
@@ -46,8 +46,8 @@ fn distance(left: &str, right: &str) -> usize {
     row.last().copied().unwrap_or(0)
 }
 
-/// The names in some tokens, without that of the distance r, and whether nothing tells that they are no symbols: those
-/// of functions, options and parts of paths are none.
+/// The names in some tokens, except that of the distance r, and whether they may be symbols: names of functions and
+/// options and parts of paths may not.
 pub(super) fn collect_names(tokens: TokenStream, names: &mut Vec<(Ident, bool)>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     for (index, token) in tokens.iter().enumerate() {

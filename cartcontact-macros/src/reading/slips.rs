@@ -1,4 +1,4 @@
-//! What people write, out of habit from other languages, in place of the grammar: reported, with what to write.
+//! What people write in place of the grammar, out of habit from other languages: it is reported, with what to write.
 
 use num_traits::One;
 use proc_macro2::{Delimiter, Ident, Literal, Spacing, TokenTree};
@@ -11,7 +11,7 @@ use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 
 impl Parser<'_> {
-    /// Reads `**`, which other languages have for powers.
+    /// Reads `**`, which other languages use for powers.
     pub(super) fn reads_double_star(&mut self) -> bool {
         let [TokenTree::Punct(first), TokenTree::Punct(second), rest @ ..] = self.rest else { return false };
         if first.as_char() != '*' || first.spacing() != Spacing::Joint || second.as_char() != '*' {
@@ -24,13 +24,13 @@ impl Parser<'_> {
         true
     }
 
-    /// Whether a second number stands behind the first, without an operator; `1/mm` is a unit.
+    /// Whether a second number follows the first, without an operator; `1/mm` is a unit.
     pub(super) fn is_number_next(&self) -> bool {
         let is_number = |token: &TokenTree| number(&token.to_string()).is_ok();
         matches!(self.rest, [next @ TokenTree::Literal(_), ..] if is_number(next)) && !self.is_unit_next()
     }
 
-    /// What is wrong with `1 000`, whose first digits have been read.
+    /// What is wrong with `1 000`, after its first digits have been read.
     pub(super) fn spaced_number(&mut self, first: &Literal) -> Expression {
         let start = self.previous;
         let mut digits = first.to_string();
@@ -52,12 +52,12 @@ impl Parser<'_> {
         self.fault(Extent::between(start, self.previous), message)
     }
 
-    /// Whether a sign for hundredths ends what is read; another `%` may be the remainder of a division.
+    /// Whether a percent sign ends what is read; another `%` may be the remainder of a division.
     pub(super) fn is_percent_next(&self) -> bool {
         matches!(self.rest, [sign] if is_punct(sign, '%'))
     }
 
-    /// What is wrong with `0.1%`, whose number has been read.
+    /// What is wrong with `0.1%`, after its number has been read.
     pub(super) fn percent(&mut self, number: &Rational) -> Expression {
         let start = self.previous;
         self.take_token();
@@ -66,7 +66,7 @@ impl Parser<'_> {
         self.fault(Extent::between(start, self.previous), message)
     }
 
-    /// Reads over the exponent of `1.5d-4`, as Fortran has it, whose `1.5d` has been read.
+    /// Skips the exponent of `1.5d-4`, as in Fortran, after `1.5d` has been read.
     pub(super) fn exponent_behind_d(&mut self, mantissa: &Literal) -> Option<String> {
         let text = mantissa.to_string();
         let (number, name) = with_name(&text).filter(|(_, name)| name.eq_ignore_ascii_case("d"))?;
@@ -85,7 +85,7 @@ impl Parser<'_> {
         matches!(self.rest, [TokenTree::Ident(name), ..] if is_times_ten(&name.to_string()))
     }
 
-    /// What is wrong with `1.5 x10^-4`, whose first number has been read.
+    /// What is wrong with `1.5 x10^-4`, after its first number has been read.
     pub(super) fn times_ten(&mut self, first: &Literal) -> Expression {
         let start = self.previous;
         self.take_token();
@@ -93,7 +93,7 @@ impl Parser<'_> {
         self.fault(Extent::between(start, self.previous), message)
     }
 
-    /// Reads over an `x` between two operands.
+    /// Skips an `x` between two operands.
     pub(super) fn reads_times(&mut self) -> bool {
         let [TokenTree::Ident(word), operand, ..] = self.rest else { return false };
         if !is_times(word) || matches!(operand, TokenTree::Punct(_)) {
@@ -104,7 +104,7 @@ impl Parser<'_> {
         true
     }
 
-    /// Reads over `as f64`, and over the power behind it.
+    /// Skips `as f64`, and the power after it.
     pub(super) fn reads_conversion(&mut self) -> bool {
         let [TokenTree::Ident(word), ..] = self.rest else { return false };
         if word != "as" {
@@ -146,7 +146,7 @@ impl Parser<'_> {
         Some((Extent::between(exponent.extent, divisor.span().into()), message))
     }
 
-    /// Reads over the `[0]` of `a[0]`, whose name has been read; `c [mm]` has a unit.
+    /// Skips the `[0]` of `a[0]`, after its name has been read; `c [mm]` has a unit.
     pub(super) fn reads_index(&mut self, name: &Ident) -> Option<String> {
         let [TokenTree::Group(brackets), ..] = self.rest else { return None };
         if brackets.delimiter() != Delimiter::Bracket || name == "r" || self.is_unit_next() {
@@ -162,7 +162,7 @@ impl Parser<'_> {
         ))
     }
 
-    /// The last name of a path such as `f64::INFINITY`, whose first has been read.
+    /// The last name of a path such as `f64::INFINITY`, after its first has been read.
     pub(super) fn end_of_path(&mut self) -> Option<Ident> {
         let mut last = None;
         while let [TokenTree::Punct(first), TokenTree::Punct(second), TokenTree::Ident(name), rest @ ..] =
@@ -189,7 +189,7 @@ impl Parser<'_> {
         Expression { kind: Kind::Faulty, extent: word.span().into() }
     }
 
-    /// `r.powi(2)` and `self.radius` are what Rust expressions would look like.
+    /// The receiver, unless a method or a field follows it, as in the Rust expressions `r.powi(2)` and `self.radius`.
     pub(super) fn unless_method(&mut self, receiver: Expression) -> Expression {
         if let (Kind::Name(_), [TokenTree::Punct(dot), TokenTree::Literal(number), ..]) =
             (&receiver.kind, self.rest)

@@ -1,4 +1,4 @@
-//! What is meant by `sphere(10,5)`, `sphere(R = 10)` and others that are not written as surfaces are.
+//! What is meant by `sphere(10,5)`, `sphere(R = 10)` and other calls that are not written as surfaces should be.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
@@ -7,7 +7,7 @@ use crate::reading::parse::Parser;
 use crate::reading::{is_punct, literal};
 
 impl Parser<'_> {
-    /// What to say about a surface with `tokens` behind its name that are not as they should be; nothing if it is none.
+    /// What to say about a surface with wrong `tokens` after its name; nothing if the name is not that of a surface.
     pub(super) fn wrong_arguments(&self, surface: &Ident, tokens: &[TokenTree]) -> Option<String> {
         let given = values(tokens);
         let are_named_so = given.iter().enumerate().all(|(index, value)| value.may_stand_at(index));
@@ -42,11 +42,11 @@ struct Value<'a> {
     /// Whether it is a whole number, with a sign or without.
     is_whole: bool,
     is_signed: bool,
-    /// Whether what separates it from the one before it may be meant as a decimal point.
+    /// Whether a separator before it may be meant as a decimal point.
     follows_comma: bool,
 }
 
-/// The arguments, a radius by name first. A semicolon separates them where a comma is a decimal point.
+/// The arguments, a named radius first. Where a comma is a decimal point, a semicolon separates them.
 fn values(tokens: &[TokenTree]) -> Vec<Value<'_>> {
     let parts = tokens.split(|token| is_punct(token, ';')).map(arguments);
     let arguments = parts.flat_map(|part| part.into_iter().enumerate());
@@ -85,7 +85,7 @@ impl<'a> Value<'a> {
         self.name.is_some_and(|name| ["r", "R", "radius"].iter().any(|known| name == known))
     }
 
-    /// A diameter or an eccentricity is another number than what stands in its place.
+    /// A diameter or an eccentricity is not the number that belongs in its place.
     fn may_stand_at(&self, index: usize) -> bool {
         match self.name {
             None => true,
@@ -95,7 +95,8 @@ impl<'a> Value<'a> {
     }
 }
 
-/// What to do about a conic with nothing but this. A sign may be that of a conic constant without its comma.
+/// What to do about a conic with only one argument. A sign in it may be that of a conic constant whose comma is
+/// missing.
 fn with_constant(only: &Value<'_>, is_readable: bool) -> String {
     match only.tokens {
         [radius @ TokenTree::Literal(_), sign, size @ TokenTree::Literal(_)]
@@ -120,19 +121,20 @@ fn is_decimal([whole, decimals]: [&Value<'_>; 2]) -> bool {
     whole.is_whole && decimals.is_whole && !decimals.is_signed && decimals.follows_comma
 }
 
-/// Whether two values may be meant as a radius and a conic constant, which begins with a zero only if it is none.
+/// Whether two values may be meant as a radius and a conic constant rather than as one decimal: no whole constant but 0
+/// begins with a zero.
 fn may_be_apart([radius, constant]: [&Value<'_>; 2]) -> bool {
     let is_zero = |value: &Value<'_>| value.text.chars().all(|digit| digit == '0');
     let are_numbers = !is_zero(radius) && (constant.text == "0" || !constant.text.starts_with('0'));
     are_numbers || !is_decimal([radius, constant])
 }
 
-/// All ways to read some values as so many as are `wanted`.
+/// All ways to read some values as this many.
 fn readings(values: &[Value<'_>], wanted: usize) -> Vec<Vec<String>> {
     let [first, rest @ ..] = values else {
         return if wanted == 0 { vec![Vec::new()] } else { Vec::new() };
     };
-    // More are not worth the many ways.
+    // Reading more values is not worth the many ways.
     if wanted == 0 || values.len() > 2 * wanted {
         return Vec::new();
     }
@@ -155,7 +157,7 @@ fn written(surface: &str, arguments: &[Vec<String>]) -> Vec<String> {
     arguments.iter().map(|arguments| format!("`{surface}({})`", arguments.join(", "))).collect()
 }
 
-/// The surface as it may be meant, or an example.
+/// The possible readings of the surface, or an example.
 fn one_of(meant: &[String], are_readable: bool, example: &str) -> String {
     match meant {
         [_, ..] if are_readable => format!("write {}", meant.join(" or ")),

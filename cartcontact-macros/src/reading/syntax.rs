@@ -9,9 +9,9 @@
 //! surface = "sphere" "(" sum ")" | "conic" "(" sum "," sum ")"
 //! ```
 //!
-//! So `^` binds tighter than a minus in front of it and is right-associative: `-r^2` is `-(r^2)`, `2^3^2` is `2^9`,
-//! and `r^-2` needs no parentheses. A sum and a product hold their parts side by side: however long one is, the tree
-//! stays as flat as its parentheses.
+//! So `^` binds tighter than a minus in front of it and is right-associative: `-r^2` is `-(r^2)`, `2^3^2` is `2^9`, and
+//! `r^-2` needs no parentheses. A sum and a product hold their parts side by side: however long they are, the tree is
+//! only as deep as the parentheses.
 
 use proc_macro2::Ident;
 
@@ -31,7 +31,7 @@ pub(crate) enum Kind {
     Product(Vec<Factor>),
     Power(Box<Expression>, Box<Expression>),
     Surface(Box<Surface>),
-    /// Something that has been reported already.
+    /// An operand that has already been reported.
     Faulty,
 }
 

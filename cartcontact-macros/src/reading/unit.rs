@@ -1,4 +1,4 @@
-//! What people write behind a number as its unit: `mm`, `mm^-1`, `1/mm`, `(1/mm)`, `[mm]`.
+//! What people write after a number as its unit: `mm`, `mm^-1`, `1/mm`, `(1/mm)`, `[mm]`.
 
 use proc_macro2::TokenTree;
 
@@ -6,12 +6,13 @@ use crate::diagnostics::Extent;
 use crate::reading::is_punct;
 use crate::reading::parse::Parser;
 
-/// Of lengths.
+/// Units of length.
 const UNITS: [&str; 8] = ["mm", "cm", "m", "um", "µm", "nm", "in", "inch"];
 
 const NO_UNITS: &str = "numbers have no units: all lengths are in one unit, such as mm";
 
-/// That there are no units, and how to be rid of this one. One that the other lengths may not have is not just left out.
+/// The message that there are no units, and how to get rid of this one. A unit other than mm, which the other lengths
+/// may not have, must not just be left out.
 pub(crate) fn no_units(unit: &str, remedy: &str) -> String {
     let conversion = if unit == "mm" { "" } else { "convert the number to that of the others, and " };
     format!("{NO_UNITS}; {conversion}{remedy}")
@@ -26,7 +27,7 @@ impl Parser<'_> {
         length(self.rest).is_some()
     }
 
-    /// Reads over a unit, if there is one, and reports it.
+    /// Skips a unit, if there is one, and reports it.
     pub(super) fn reads_unit(&mut self) -> bool {
         let Some(length) = length(self.rest) else { return false };
         let number = self.previous;
@@ -44,7 +45,7 @@ impl Parser<'_> {
     }
 }
 
-/// How many of the next tokens are a unit; nothing if there is none.
+/// The number of next tokens that form a unit; nothing if there is none.
 fn length(tokens: &[TokenTree]) -> Option<usize> {
     match tokens {
         [TokenTree::Ident(name), rest @ ..] if is_unit(&name.to_string()) => Some(1 + exponent(rest)),
@@ -59,7 +60,7 @@ fn length(tokens: &[TokenTree]) -> Option<usize> {
     }
 }
 
-/// How many tokens `^2` and `^-2` are, or `**2` and `**-2`.
+/// The number of tokens of `^2` and `^-2`, or `**2` and `**-2`.
 fn exponent(tokens: &[TokenTree]) -> usize {
     match tokens {
         [first, second, rest @ ..] if is_punct(first, '*') && is_punct(second, '*') => 2 + number(rest),
@@ -68,7 +69,7 @@ fn exponent(tokens: &[TokenTree]) -> usize {
     }
 }
 
-/// How many tokens `2`, `(-2)` and `-2` are.
+/// The number of tokens of `2`, `(-2)` and `-2`.
 fn number(tokens: &[TokenTree]) -> usize {
     match tokens {
         [TokenTree::Literal(_) | TokenTree::Group(_), ..] => 1,

@@ -11,11 +11,11 @@ use crate::reading::unit;
 /// Where a name stands, which decides what can be meant by it.
 #[derive(Clone, Copy)]
 pub(crate) enum Place {
-    /// Beside r, a name such as `R` is no slip for it.
+    /// If the gap names r, a name such as `R` is no slip for it.
     Gap { names_r: bool },
     /// In an expression without r, such as a radius.
     Coefficient,
-    /// Where there is a number and nothing else, as in an exponent.
+    /// Where only a number may stand, as in an exponent.
     Number,
 }
 
@@ -51,7 +51,7 @@ impl Item {
                 let field = format!("`struct {} {{ {name}: f64 }}`", self.ident);
                 format!("{NO_CONSTANTS}: write the number, or declare a field, as in {field}")
             }
-            // One letter is rather that of a formula.
+            // A single letter is more likely one of a formula.
             None if is_like_constant(&written) && written.chars().count() > 1 => {
                 format!("{NO_CONSTANTS}: write the number, or a field of `{}`", self.ident)
             }
@@ -63,7 +63,7 @@ impl Item {
     }
 }
 
-/// Whether constants have such names, and fields have not.
+/// Whether constants are named like this, and fields are not.
 fn is_like_constant(name: &str) -> bool {
     name.contains(char::is_uppercase) && !name.contains(char::is_lowercase)
 }

@@ -1,4 +1,4 @@
-//! [`Geometry`] -> [`Start`]: what leads to the contact radius before the general solution has to.
+//! [`Geometry`] -> [`Start`]: what leads to the contact radius before the general solution has to be used.
 
 pub(crate) mod own_units;
 pub(crate) mod roots;
@@ -13,16 +13,17 @@ use roots::Roots;
 use seeds::Seeds;
 
 pub(crate) enum Start {
-    /// A step from the radius to six digits, in a table.
+    /// A step from the radius to six digits, which is in a table.
     Seeds(Seeds),
-    /// A series from the radius in the middle of a row, where the gap is one term.
+    /// A series from the radius in the middle of a row, for a gap of one term.
     Roots(Roots),
-    /// Steps from the radius that one term has alone, where no table holds all coefficients, or none is near enough.
+    /// Steps from the radius that one term alone would have, where no table covers all coefficients, or none is near
+    /// enough.
     LeadingTerm,
 }
 
 impl Start {
-    /// None where only the general solution leads to the radius.
+    /// None if only the general solution leads to the radius.
     pub(crate) fn of(geometry: &Geometry, forms: &ClosedForms) -> Option<Self> {
         let table = match forms.load_integral.summands.as_slice() {
             // A step with whole powers is the quickest.
@@ -35,7 +36,7 @@ impl Start {
     }
 }
 
-/// Steps from a leading term have no use for a coefficient that is negative.
+/// Steps from a leading term cannot use a negative coefficient.
 pub(crate) fn may_have_leading_term(gap: &Gap) -> bool {
     let is_negative = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotPositive);
     gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)

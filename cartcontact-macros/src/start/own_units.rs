@@ -1,4 +1,4 @@
-//! [`Gap`] -> the terms of J in units of its own: where fields set no more than those, one table holds all radii.
+//! [`Gap`] -> the terms of J in units of its own: if fields set only these units, one table holds all radii.
 //!
 //! Let ℓ be the radius at which the first two terms of J = Σ j a^p have the same size. With x = a/ℓ and J in units of
 //! j₁ ℓ^p₁,
@@ -7,11 +7,11 @@
 //! J = x^p₁ ± x^p₂ + Σ κ x^p,    κ = (j/j₁) |j₂/j₁|^(−(p − p₁)/(p₂ − p₁))
 //! ```
 //!
-//! Two terms have no κ at all. Of more, it is a number for gaps such as that of a ball, whatever its radius is, and of one
-//! that is multiplied by a field.
+//! Two terms have no κ at all. With more terms, κ is a number for gaps such as that of a ball, whatever its radius is,
+//! and for a gap that is multiplied by a field.
 //!
-//! **Signs.** A table is for one sign of each term. Where that of the second of two is not certain, it is the one that goes
-//! with positive fields: `c * r^2 - d * r^4` has a table for an oblate gap. Other values have none.
+//! **Signs.** A table is for one sign of each term. If the sign of the second of two terms is not certain, the table
+//! takes the one for positive fields: `c * r^2 - d * r^4` has a table for an oblate gap. Other values have no table.
 
 use num_traits::ToPrimitive;
 
@@ -20,7 +20,7 @@ use crate::gap::Gap;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::number::integer;
 
-/// 1, ±1 and every κ; none if one of them depends on fields, or perhaps has another sign.
+/// 1, ±1 and every κ; none if one of them depends on fields, or may have another sign.
 pub(crate) fn factors(gap: &Gap, load_integral: &PowerSum) -> Option<Vec<f64>> {
     let [first, second, others @ ..] = load_integral.summands.as_slice() else { return None };
     if others.is_empty() {

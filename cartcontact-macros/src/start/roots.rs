@@ -1,4 +1,4 @@
-//! [`Geometry`] -> [`Roots`]: where the gap is one term, the contact radius in the middle of every row of a table.
+//! [`Geometry`] -> [`Roots`]: for a gap of one term, the contact radius in the middle of every row of a table.
 //!
 //! J = j a^p = y has the root a = (y/j)^(1/p); with the root A of the middle u of a row,
 //!
@@ -8,10 +8,11 @@
 //!
 //! and (1 − s²) d/ds ((1 + s)/(1 − s))^α = 2α ((1 + s)/(1 − s))^α gives (k + 1) c₍ₖ₊₁₎ = 2α cₖ + (k − 1) c₍ₖ₋₁₎.
 //!
-//! A constant term has its window of y. Where C is a symbol, where no length belongs to C r^n, as n ≤ 1, and where a window would
-//! hold few radii, the table is one of y/C from 1 to 2^k, p = k/q: there the radius has become 2^q times as long. Where k is
-//! above 64, it is one from 1 to 2⁶⁴, with a second one of the roots of all powers of that. What J has beside a symbol C, the
-//! weight w of j = w C, is in the roots, so that the solver need not multiply by it.
+//! A constant term has its window of y. If C is a symbol, or no length belongs to C r^n, as n ≤ 1, or a window would
+//! hold few radii, the table is one of y/C from 1 to 2^k, p = k/q: over this range the radius becomes 2^q times as
+//! long. If k is above 64, the table goes from 1 to 2⁶⁴, and a second one has the roots of all powers of 2⁶⁴. The
+//! weight w that J has beside a symbol C, j = w C, is contained in the roots, so that the solver need not multiply by
+//! it.
 
 use core::ops::Range;
 
@@ -29,20 +30,20 @@ pub(crate) struct Roots {
     pub(crate) reach: Reach,
 }
 
-/// Which load integrals a table leads to the radii of.
+/// The load integrals whose radii a table leads to.
 pub(crate) enum Reach {
-    /// Those in it.
+    /// Those in the table.
     Window,
-    /// All over any coefficient, as the table is one of whole periods of this power.
+    /// All, for any coefficient, as the table consists of whole periods of this power.
     Periods(Power),
-    /// The same, with what spans of 64 octaves multiply radii by.
+    /// The same, with the factors by which spans of 64 octaves multiply radii.
     Spans(Spans),
 }
 
-/// 2^(64 h/p) at h modulo 64: its fraction in three parts in the places 0, 3 and 1, its exponent in place 2.
+/// 2^(64 h/p) at index h modulo 64: its fraction in three parts in places 0, 3 and 1, its exponent in place 2.
 pub(crate) struct Spans(Vec<[f32; 4]>);
 
-/// So many spans hold the quotients of all normal numbers.
+/// This many spans hold the quotients of all normal numbers.
 const SPANS: i32 = 64;
 
 /// k/q.
@@ -51,13 +52,13 @@ pub(crate) struct Power {
     pub(crate) q: u32,
 }
 
-/// Four times the lowest power with a window, in which slopes of the gap then differ by a factor of 2⁷ and more.
+/// Four times the lowest power with a window; slopes of the gap in it then differ by a factor of 2⁷ or more.
 const LOWEST_POWER: i64 = 23;
 
 /// The highest power with a window: it holds four octaves of radii.
 const HIGHEST_POWER: i32 = 16;
 
-/// Whether the table of a single term has its coefficient in it.
+/// Whether the table of a single term includes its coefficient.
 pub(crate) fn has_window(only: &Summand) -> bool {
     let is_short = only.exponent >= fraction(LOWEST_POWER, 4) && only.exponent <= integer(HIGHEST_POWER);
     only.constant().is_some() && is_short
@@ -97,7 +98,7 @@ impl Spans {
         Some(Self(rows))
     }
 
-    /// The bytes of the rows where the solver looks for them.
+    /// The bytes of the rows in the places where the solver looks for them.
     pub(crate) fn in_places(&self) -> Vec<u8> {
         self.0.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect()
     }
@@ -127,7 +128,7 @@ fn table(p: &Rational, octaves: Range<i32>, j: &Rational) -> Option<Table> {
     Table::of(first * ROWS_PER_OCTAVE, &rows)
 }
 
-/// c₁ and those that follow, for α = 1/p.
+/// c₁ and the following coefficients, for α = 1/p.
 fn series(alpha: f64) -> [f64; 12] {
     let (mut before, mut c) = (1.0, 2.0 * alpha);
     [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|k| {
@@ -164,7 +165,7 @@ mod tests {
         };
         assert_eq!(rows[0], [1.0, 0.0, 0.0, 0.0]);
         for span in -32..32 {
-            // Logarithms up to 450, rounded in sums and products.
+            // The logarithms go up to 450 and are rounded in sums and products.
             let error = root(span) - f64::from(span) * root(1);
             assert!(error.abs() < 1e-12, "{span}: {error:e}");
         }

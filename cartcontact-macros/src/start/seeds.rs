@@ -1,20 +1,20 @@
 //! [`Geometry`] -> [`Seeds`]: the contact radius to six digits as a table of cubics.
 //!
-//! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4,
-//! a(y) is so smooth within a quarter of an octave of y that a cubic meets it to 5 · 10⁻⁷. Rows of single precision
+//! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4, a(y)
+//! is so smooth within a quarter of an octave of y that a cubic approximates it to 5 · 10⁻⁷. Rows of single precision
 //! hold such a cubic in the fraction u of y = u · 2^e, 1 ≤ u < 2.
 //!
 //! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
-//! radii: no equation is solved but for the ends of the rows.
+//! radii: only the ends of the rows require the solution of an equation.
 //!
-//! **Roots.** Where powers are multiples of a common fraction such as 1/2 or 1/10, a is the root of the radius of which they
-//! all are whole.
+//! **Roots.** If the powers are multiples of a common fraction such as 1/2 or 1/10, a stands for the root of the radius
+//! in which all powers are whole.
 //!
-//! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′; that of a root beyond the
-//! square root has one more order, with p²/12 for C, p = a J′/J, and leaves |C − p²/12| e³. Every row is evaluated as the
-//! solver will, in single precision, between its points and at an end, and with what it loses where single precision is all
-//! there is; the longest run of rows that stay below ε/8 is kept, of symbols the first one, and none if it is shorter than
-//! eight octaves.
+//! **The check.** One step leaves |C| e³ of a relative error e, where C = (a J″/2J′)² − a² J‴/6J′. The step for a root
+//! beyond the square root has one more order, with p²/12 in C, p = a J′/J, and leaves |C − p²/12| e³. Every row is
+//! evaluated as in the solver, in single precision, between its points and at an end, and with the loss where single
+//! precision is all there is. The longest run of rows that stay below ε/8 is kept, for symbols the first run, and none
+//! if it is shorter than eight octaves.
 
 use core::ops::Range;
 
@@ -27,29 +27,29 @@ use crate::start::table::{
     LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top,
 };
 
-/// How much of a window may lie above the load integral at which two terms are equal.
+/// The octaves of a window that may lie above the load integral at which two terms are equal.
 const MOST_OCTAVES_ABOVE_EQUALITY: f64 = 34.0;
-/// The octaves of y on either side of that in which single precision holds what a step computes: coefficients may be as far
-/// from 1 as `EqualTerms` allows. Double precision holds all of a window.
+/// The octaves of y on either side of that load integral in which single precision holds what a step computes:
+/// coefficients may be as far from 1 as `EqualTerms` allows. Double precision holds a whole window.
 const LARGEST_SINGLE_OF_SYMBOLS: f64 = 44.0;
 /// A shorter table is not worth its code.
 const FEWEST_ROWS: usize = 32;
 /// ε/8.
 const ALLOWED_ERROR: f64 = f64::EPSILON / 8.0;
 const ALLOWED_ERROR_OF_SINGLE: f64 = f32::EPSILON as f64 / 8.0;
-/// What a number loses that is rounded to half the digits of single precision, of which one is implied.
+/// The loss of a number that is rounded to half the digits of single precision, of which one is implied.
 const CUT_OFF: f64 = 1.0 / 4096.0;
-/// Beyond the measured error, for what lies between the points of the check.
+/// A factor on the measured error, for what lies between the points of the check.
 const MARGIN: f64 = 1.25;
 
-/// A table, and the J that it is of.
+/// A table, and the J that it belongs to.
 pub(crate) struct Seeds {
     pub(crate) table: Table,
-    /// The coefficients of J, in units of its own where they are symbols.
+    /// The coefficients of J, in units of its own if they are symbols.
     pub(crate) factors: Vec<f64>,
 }
 
-/// The table of a geometry, if its rows are near enough to the radius, or to the root that J has whole powers of.
+/// The table of a geometry, if its rows are near enough to the radius, or to the root in which J has whole powers.
 pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
     let load_integral = &seeded.scaled.load_integral;
@@ -76,8 +76,8 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
     Some(Seeds { table: table.filter(|table| table.rows.len() >= FEWEST_ROWS)?, factors })
 }
 
-/// The rows as far as they come without a gap. Behind one, J may have turned back, and no radius be admissible: with
-/// constants, the range ends there.
+/// The rows up to the first gap. After a gap, J may have turned back, and no radius may be admissible: with constants,
+/// the range ends there.
 fn before_first_gap(rows: &[Option<Row>]) -> &[Option<Row>] {
     let first = rows.iter().position(Option::is_some).unwrap_or(0);
     let count = rows[first..].iter().position(Option::is_none);
@@ -87,13 +87,13 @@ fn before_first_gap(rows: &[Option<Row>]) -> &[Option<Row>] {
 /// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
 struct LoadIntegral {
     terms: Vec<(f64, f64)>,
-    /// Of the radius a is the root with this index.
+    /// a is the root of the radius with this index.
     root: f64,
-    /// What of a is cut off in single precision.
+    /// The share of a that is cut off in single precision.
     cut_off: f64,
     /// The largest |log₂ y| that single precision may meet.
     largest_single: f64,
-    /// The largest |log₂| of the coefficients of J, J′ and J″, of which a unit is taken out once and twice.
+    /// The largest |log₂| of the coefficients of J, J′ and J″, from which a unit is taken out once and twice.
     largest_coefficient: f64,
     /// log₂ |j| of the highest power: the unit of J′.
     unit: f64,
@@ -124,11 +124,11 @@ impl LoadIntegral {
         Self { terms, root, cut_off, largest_single, largest_coefficient, unit, lowest, highest }
     }
 
-    /// How much of its window lies above the load integral at which the first two terms are equal.
+    /// The octaves of its window above the load integral at which the first two terms are equal.
     ///
-    /// The second is mostly the correction. Where its power is little more, it is one already many octaves of the radius
-    /// before, and the window goes far down; where it is much more, both sides have radii that are 2.5 octaves away, or nearly.
-    /// Where the second is negative, J turns back before.
+    /// The second term is mostly the correction. If its power is little higher, it is a correction already many octaves
+    /// of the radius before, and the window goes far down; if its power is much higher, both sides have radii that are
+    /// 2.5 octaves away, or nearly. If the second term is negative, J turns back before.
     fn octaves_above_equality(&self) -> Option<i32> {
         let [(_, first), (sign, second), ..] = self.terms[..] else { return None };
         if sign < 0.0 {
@@ -138,14 +138,14 @@ impl LoadIntegral {
         Some((second / self.root * octaves_of_radius).min(MOST_OCTAVES_ABOVE_EQUALITY) as i32)
     }
 
-    /// The rows with these indices, where they pass the check.
+    /// The rows with these indices that pass the check.
     fn rows(&self, indices: Range<i32>) -> Vec<Option<Row>> {
         let mut low = self.radius(lower_end(indices.start));
         let rows = indices.map(move |index| {
             let high = low.and_then(|low| self.radius_near(low, lower_end(index + 1)));
             let ends = core::mem::replace(&mut low, high).zip(high)?;
             let ([c0, c1, c2, c3], is_held) = self.row(index, ends)?;
-            // In the order that the solver has them in.
+            // In the order in which the solver has them.
             Some(([c0, c2, c1, c3], is_held))
         });
         rows.collect()
@@ -163,7 +163,7 @@ impl LoadIntegral {
         sums
     }
 
-    /// The radius of `y`, from that of the positive term which is largest there.
+    /// The radius of `y`, from that of the positive term that is largest there.
     fn radius(&self, y: f64) -> Option<f64> {
         let alone = self.terms.iter().filter(|(j, _)| *j > 0.0).map(|&(j, p)| (y / j).powf(1.0 / p));
         self.radius_near(alone.reduce(f64::min)?, y)
@@ -171,14 +171,14 @@ impl LoadIntegral {
 
     /// The radius of `y` by Newton's method on logarithms, in which J is nearly linear.
     ///
-    /// Without an admissible radius it finds none, or one that no row passes the check with.
+    /// Without an admissible radius it finds none, or one with which no row passes the check.
     fn radius_near(&self, start: f64, y: f64) -> Option<f64> {
         let mut a = start;
         for _ in 0..50 {
             let Derivatives { value, first, .. } = self.at(a);
             let step = (value / y).ln() * value / first;
             a *= (-step).exp();
-            // Of the second order: what this step leaves is below the rounding.
+            // The method is of second order: what this step leaves is below the rounding.
             if step.abs() < 1e-9 {
                 return Some(a);
             }
@@ -186,15 +186,15 @@ impl LoadIntegral {
         None
     }
 
-    /// The largest logarithm of what a step from `a` computes: coefficients, powers, J and its derivatives divided by the
-    /// lowest power and by the unit, and products of these.
+    /// The largest logarithm of what a step from `a` computes: coefficients, powers, J and its derivatives divided by
+    /// the lowest power and by the unit, and products of these.
     fn largest_logarithm(&self, a: f64, at: &Derivatives) -> f64 {
         let [y, a, first, second] = [at.value, a, at.first, at.second].map(|size| size.abs().log2());
         let power = self.lowest * a;
         let log_slope = first - self.unit;
         let slope = log_slope - power;
         let step = a - self.unit + slope;
-        // A small one does no harm.
+        // A small value does no harm.
         let curvature = (second - 2.0 * self.unit - power).max(0.0);
         let powers = [self.largest_coefficient, self.highest * a, y, y - power];
         let products = [slope, log_slope, log_slope + slope, step, step + y, curvature, curvature + y];
@@ -230,7 +230,7 @@ fn largest_size(largest: f64, size: f64) -> f64 {
     largest.max(size.abs())
 }
 
-/// The cubic as the solver evaluates it at y, whose fraction it cuts off after 23 bits.
+/// The cubic as the solver evaluates it at y, whose fraction is cut off after 23 bits.
 fn value(row: [f32; 4], y: f64) -> f32 {
     let u = f32::from_bits((y.to_bits() >> 29) as u32 & 0x007f_ffff | 0x3f80_0000);
     (row[0] + row[1] * u) + (row[2] + row[3] * u) * (u * u)
@@ -269,7 +269,7 @@ mod tests {
         }
     }
 
-    /// At other points than the check's.
+    /// At points other than the check's.
     #[test]
     fn seeds_have_six_digits() {
         let two_terms =

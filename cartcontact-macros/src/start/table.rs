@@ -1,14 +1,14 @@
 //! [`Geometry`] -> [`Table`]: rows by octaves of the load integral, from which one step leads to the contact radius.
 //!
-//! Rows of four numbers in single precision stand for quarters of octaves; 256 of them, 4 KiB, span 64 octaves.
+//! Rows of four numbers in single precision stand for quarters of octaves; 256 rows, 4 KiB, span 64 octaves.
 //!
-//! **The window.** Where the gap is as wide as the radius, Φ(ℓ) = ℓ, a layer is no longer thin; where it is a thousandth
-//! of it, the surfaces hardly part. For a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to 2⁴ J(ℓ), with
-//! something to spare. Gaps that open more suddenly have room at both ends; of others the flattest contacts are outside.
-//! There, the radius is iterated.
+//! **The window.** Where the gap is as wide as the radius, Φ(ℓ) = ℓ, a layer is no longer thin; where it is a
+//! thousandth of the radius, the surfaces hardly part. For a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to
+//! 2⁴ J(ℓ), with something to spare. Gaps that open more suddenly have room at both ends; for other gaps the flattest
+//! contacts are outside. There, the radius is iterated.
 //!
-//! Symbols have one table in [units of their own](crate::start::own_units), if they do no more than set these. Its window
-//! lies mostly below y = 1, because higher terms are mostly corrections.
+//! Symbols have one table in [units of their own](crate::start::own_units), if they do no more than set these units.
+//! Its window lies mostly below y = 1, because higher terms are mostly corrections.
 
 use core::ops::Range as Indices;
 
@@ -22,12 +22,12 @@ use crate::geometry::Geometry;
 pub(crate) const ROWS_PER_OCTAVE: i32 = 4;
 pub(crate) const OCTAVES: i32 = 64;
 const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
-/// How much of the window lies above J(ℓ), at least.
+/// The octaves of the window above J(ℓ), at least.
 const OCTAVES_ABOVE: f64 = 4.0;
-/// A gap over its radius that is hardly one.
+/// The ratio of gap to radius below which there is hardly a gap.
 const FLATTEST: f64 = 1.0 / 1024.0;
-/// The largest |log₂| of all that a step computes, without factors of exponents, for which none of it leaves the format and
-/// products with what J is off by at the seed keep as many digits as that has.
+/// The largest |log₂| of all that a step computes, without factors of exponents, for which nothing leaves the format
+/// and products with the error of J at the seed keep as many digits as that error has.
 pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
 pub(crate) const LARGEST_SINGLE: f64 = 100.0;
 
@@ -35,7 +35,7 @@ pub(crate) const LARGEST_SINGLE: f64 = 100.0;
 pub(crate) struct Table {
     pub(crate) first: i32,
     pub(crate) rows: Vec<[f32; 4]>,
-    /// The first of those of which single precision holds all that the step computes, and how many they are.
+    /// The first row for which single precision holds all that the step computes, and the number of such rows.
     pub(crate) single: (i32, usize),
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Table {
 pub(crate) type Row = ([f32; 4], bool);
 
 impl Table {
-    /// The longest run of the rows that there are, the first of which has the index `first`.
+    /// The longest run of the rows that exist; the first of `rows` has the index `first`.
     pub(crate) fn of(first: i32, rows: &[Option<Row>]) -> Option<Self> {
         let run = longest_run(rows.len(), &|index| rows[index].is_some());
         let first = first + run.start as i32;
@@ -58,8 +58,8 @@ impl Table {
         [lower_end(self.first), lower_end(self.first + self.rows.len() as i32)]
     }
 
-    /// The bytes of the rows where the solver looks for them: that of index k is at k − 4 modulo 256, which a number has in
-    /// the last six bits of its biased exponent and the first two of its fraction.
+    /// The bytes of the rows in the places where the solver looks for them: the row of index k is at k − 4 modulo 256,
+    /// which a number has in the last six bits of its biased exponent and the first two of its fraction.
     pub(crate) fn in_places(&self) -> Vec<u8> {
         let mut places = [[0_f32; 4]; ROWS];
         for (&row, index) in self.rows.iter().zip(self.first..) {
@@ -88,7 +88,8 @@ pub(crate) fn top(geometry: &Geometry, load_integral: impl Fn(f64) -> f64) -> Op
     (top.abs() < LARGEST_DOUBLE).then_some(top as i32)
 }
 
-/// Where the gap over its radius is a number, or a little beyond: there one of its terms alone is.
+/// The radius at which the gap over its radius is `slope`, or a slightly larger one, at which one of its terms alone is
+/// enough.
 fn radius_of_slope(gap: &Gap, slope: f64) -> Option<f64> {
     let alone = gap.terms.iter().filter_map(|term| {
         let (c, n) = (term.coefficient.as_constant()?.to_f64()?, term.exponent.to_f64()?);
@@ -97,7 +98,7 @@ fn radius_of_slope(gap: &Gap, slope: f64) -> Option<f64> {
     alone.reduce(f64::min)
 }
 
-/// The longest run of indices below `count` that are in it; of several the last.
+/// The longest run of indices below `count` that satisfy `is_in`; the last one of several.
 fn longest_run(count: usize, is_in: &dyn Fn(usize) -> bool) -> Indices<usize> {
     let (mut longest, mut start) = (0..0, 0);
     for index in 0..count {

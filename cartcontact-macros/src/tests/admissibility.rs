@@ -1,4 +1,4 @@
-//! Geometries whose range is known because the roots of δ₀′ were planted.
+//! Geometries whose range is known because the roots of δ₀′ were chosen.
 
 use std::time::{Duration, Instant};
 
@@ -15,12 +15,12 @@ use crate::proof::{Proof, Wanted, prove};
 /// The coefficients of a factor of δ₀′, in ascending order.
 type Factor = Vec<Rational>;
 
-/// Vanishes at `at`, positive below.
+/// Zero at `at`, positive below.
 fn root(at: &str) -> Factor {
     vec![exact(at), -integer(1)]
 }
 
-/// (x - real)^2 + imaginary^2: no real root, but nearly one.
+/// (x - real)^2 + imaginary^2: no real root, but almost one.
 fn pair(real: &str, imaginary: &str) -> Factor {
     let (real, imaginary) = (exact(real), exact(imaginary));
     vec![&real * &real + &imaginary * &imaginary, &real * -integer(2), integer(1)]
@@ -236,7 +236,7 @@ fn squares_from_above() -> Gap {
     with_slope(&q, "1")
 }
 
-/// Alternating signs, magnitudes without order.
+/// Alternating signs, and magnitudes in no order.
 fn of_all_magnitudes() -> Gap {
     gap((0..=64_usize).map(|power| {
         let (first, rest, size) = (1 + power % 9, 1_234_567 * (power + 1), power * 7919 % 601);

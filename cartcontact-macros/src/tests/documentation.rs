@@ -4,7 +4,7 @@ use quote::quote;
 
 use crate::expand;
 
-/// The documentation of a gap of fields.
+/// The documentation of a gap that depends on fields.
 fn documented(attribute: &str) -> String {
     let item = quote!(
         struct Knee {

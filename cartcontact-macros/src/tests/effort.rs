@@ -1,6 +1,6 @@
-//! How long an expansion takes, without the compiler around it. For the macro as cargo builds it by default, not
-//! optimised and without information for debuggers, which would make it up to twice as slow, it is printed by
-//! `CARGO_PROFILE_TEST_OPT_LEVEL=0 CARGO_PROFILE_TEST_DEBUG=0 cargo test -p cartcontact-macros effort -- --nocapture`.
+//! How long an expansion takes, without the compiler around it. `CARGO_PROFILE_TEST_OPT_LEVEL=0
+//! CARGO_PROFILE_TEST_DEBUG=0 cargo test -p cartcontact-macros effort -- --nocapture` prints it for the macro as cargo
+//! builds it by default: not optimised, and without debug information, which would make it up to twice as slow.
 
 use std::time::{Duration, Instant};
 
@@ -8,7 +8,7 @@ use quote::quote;
 
 use crate::expand;
 
-/// Far above what is measured, so that only another order of growth fails.
+/// Far above the measured times, so that only another order of growth fails.
 const LIMIT: Duration = if cfg!(debug_assertions) { Duration::from_secs(20) } else { Duration::from_secs(2) };
 
 /// The powers of r with these exponents; every other pair of them has the sign `sign`.
@@ -49,7 +49,7 @@ fn effort_is_bounded() {
     }
 }
 
-/// Each is short to write, and long once it is multiplied out.
+/// Each gap is short to write, and long once it is multiplied out.
 #[test]
 fn what_would_take_long_is_refused() {
     for (name, attribute, rule) in [
@@ -64,7 +64,8 @@ fn what_would_take_long_is_refused() {
     }
 }
 
-/// The radius at which it fails is compared with decimals, whose powers are as long as the denominator of exponents is large.
+/// The radius at which the gap fails is compared with decimals, whose powers are as long as the denominator of
+/// exponents is large.
 #[test]
 fn what_fails_at_some_radius_is_refused_in_time() {
     for attribute in [
@@ -92,7 +93,7 @@ fn timed(name: &str, attribute: &str) -> String {
     );
     let mut fastest = Duration::MAX;
     let mut output = String::new();
-    // The first is slowed down by code that nobody has run before.
+    // The first run is slowed down by code that has not run before.
     for _ in 0..3 {
         let attribute = attribute.parse().unwrap();
         let start = Instant::now();

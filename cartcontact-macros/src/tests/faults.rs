@@ -1,4 +1,4 @@
-//! What is said about gaps that are no gaps, or not written as such.
+//! Messages about gaps that are no gaps, or are not written as such.
 
 use quote::quote;
 
@@ -263,7 +263,7 @@ fn each_fault_is_named() {
     }
 }
 
-/// A diameter, a curvature or an eccentricity is no number to copy.
+/// A diameter, a curvature or an eccentricity is not a number to copy.
 #[test]
 fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
     for arguments in
@@ -287,7 +287,7 @@ fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
     }
 }
 
-/// Either reading of what stands behind `/` is another geometry, so both are written out, and each means what it says.
+/// Each reading of what follows `/` is another geometry, so both are written out, and each means what it says.
 #[test]
 fn remedies_of_divisors_say_what_divides() {
     for (text, remedies) in [

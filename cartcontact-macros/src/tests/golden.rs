@@ -51,10 +51,10 @@ fn expansions_are_the_golden_ones() {
     }
 }
 
-/// The expansion without the bytes of the table of seeds, of which there are thousands.
+/// The expansion without the thousands of bytes of the table of seeds.
 fn without_table(expansion: String) -> String {
     let Some((before, bytes)) = expansion.split_once("*b\"") else { return expansion };
-    // A byte string in which no line ends.
+    // In a byte string no line ends.
     let (_, after) = bytes.split_once("\",\n").unwrap();
     format!("{before}*b\"...\",\n{after}")
 }

@@ -26,7 +26,7 @@ const ITEMS: [&str; 8] = [
     "",
 ];
 
-/// The beginnings of a text, up to each of its characters, that are tokens once their delimiters are closed.
+/// The prefixes of a text that are tokens once their delimiters are closed.
 fn beginnings(text: &str) -> impl Iterator<Item = TokenStream> {
     (0..=text.len()).filter_map(|end| closed(&text[..end]).parse().ok())
 }

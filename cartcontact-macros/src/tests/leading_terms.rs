@@ -1,4 +1,4 @@
-//! Where steps from the leading term lead to the radius.
+//! Geometries whose radius comes from steps from the leading term.
 
 use super::{on_ball, on_unit};
 use crate::closed_forms::ClosedForms;
@@ -9,7 +9,7 @@ fn has_leading_term(geometry: &Geometry) -> bool {
     matches!(Start::of(geometry, &ClosedForms::of(&geometry.gap)), Some(Start::LeadingTerm))
 }
 
-/// A power so high has no rows in which a step leads to the radius.
+/// Such a high power has no rows in which a step leads to the radius.
 #[test]
 fn constants_without_a_table_begin_at_their_leading_term() {
     let constant = on_unit("0.02 * r^2 + 1e-300 * r^400");

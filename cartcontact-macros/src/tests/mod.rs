@@ -23,7 +23,7 @@ use crate::number::Rational;
 use crate::proof::Proof;
 use crate::reading::{attribute, item, literal};
 
-/// What a literal stands for.
+/// The number that a literal stands for.
 pub(crate) fn exact(text: &str) -> Rational {
     literal::number(text).unwrap()
 }
@@ -129,7 +129,7 @@ fn documentation_is_in_the_language() {
     }
 }
 
-/// 0.9338592 and 0.1 are larger in single precision, 0.7 is not; of `r^2` every range is proved.
+/// 0.9338592 and 0.1 are larger in single precision, 0.7 is not; for `r^2` every range is proved.
 #[test]
 fn ends_of_proofs_are_rounded_down_where_a_format_may_round_them_up() {
     let item = quote!(
@@ -209,7 +209,7 @@ fn signs_of_positive_fields_are_known() {
 fn nesting_is_limited() {
     for (open, close) in [("(", ")"), ("-", ""), ("2^", "")] {
         let text = open.repeat(5000) + "r" + &close.repeat(5000);
-        // The tokens themselves nest as deeply; what reads them needs the room.
+        // The tokens themselves are nested as deeply, and reading them takes this much stack.
         let read =
             std::thread::Builder::new().stack_size(1 << 28).spawn(move || on_unit(&text).err().unwrap());
         assert!(read.unwrap().join().unwrap().iter().any(|message| message.contains("nested too deeply")));

@@ -31,7 +31,7 @@ fn fields_that_set_units_only_have_one_table() {
     for (text, expected) in [
         ("k*r^2 + m*r^4 + 0*R", &[1.0, 1.0][..]),
         ("k*r^2 - m*r^4 + 0*R", &[1.0, -1.0]),
-        // What is negative is taken for a sum whose terms both are positive.
+        // A gap that begins with a negative term is taken for one with two positive terms.
         ("m*r^4 - k*r^2 + 0*R", &[1.0, 1.0]),
         ("k*(r^2 - (m + R)*r^4)", &[1.0, -1.0]),
         ("k*(r^2 - (m - R)*r^4)", &[1.0, 1.0]),

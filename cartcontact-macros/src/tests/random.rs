@@ -1,6 +1,6 @@
 //! Random tokens: whatever is written, the macro answers with a solver or with messages.
 //!
-//! `GAP_PROFILE_INPUTS` sets how many are tried, `GAP_PROFILE_SEED` where they begin.
+//! `GAP_PROFILE_INPUTS` sets the number of inputs, `GAP_PROFILE_SEED` the seed.
 
 use std::env;
 
@@ -9,15 +9,15 @@ use quote::quote;
 
 use crate::expand;
 
-/// What an input is put together from; what is common in gaps comes several times.
+/// The words that an input is put together from; common ones are repeated.
 const WORDS: &str = "r r r r ^ ^ ^ + + - * * / ( ) ( ) 2 0.5 3 1e-300 1e300 7 64 radius radius name ** 2r , max_radius = \
                      crate . < 'a \"s\" [ ] 1024 sphere conic sphere(3) conic(radius,-0.5) ,order=4 ,order=auto \
                      ,tolerance=1e-3 ,max_radius=1 upper= lower=";
 
-/// So that surfaces come about more often than word by word.
+/// With these, surfaces occur more often than word by word.
 const BEGINNINGS: [&str; 6] = ["", "", "", "sphere(3) + ", "sphere(2) - sphere(", "lower = r^2, upper = "];
 
-/// A state to begin with; any but zero would do.
+/// The initial state; any number but zero would do.
 pub(super) const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
 pub(super) struct Random(pub(super) u64);

@@ -16,7 +16,7 @@ fn bound(text: &str) -> Rational {
     on_unit(text).unwrap().truncation.unwrap().error.unwrap()
 }
 
-/// The sag of `conic(radius, k)` at `r` between two powers of r, as a sum of its series.
+/// The part of the sag of `conic(radius, k)` at `r` between two powers of r, as a sum of its series.
 fn partial_sum(radius: &str, k: &str, r: &Rational, powers: core::ops::RangeInclusive<u32>) -> Rational {
     let [radius, k] = [radius, k].map(|text| Coefficient::constant(exact(text)));
     let terms = Surface::new(radius, Some(k), Span::call_site().into()).series(powers.end() / 2).unwrap();
@@ -107,7 +107,7 @@ fn the_bound_covers_the_whole_range() {
     assert!(self::bound("conic(7, -1), order = 2, max_radius = 100").is_zero());
 }
 
-/// What is left opens with a higher power, of which the bound is relative.
+/// The rest opens with a higher power, to which the bound is relative.
 #[test]
 fn surfaces_may_lose_their_lowest_powers() {
     for gap in [
@@ -152,7 +152,7 @@ fn the_smallest_order_is_found() {
     }
 }
 
-/// Where the terms have different signs, an order may be within a tolerance and the next one not.
+/// If the terms have different signs, an order may be within a tolerance and the next one not.
 #[test]
 fn no_order_below_the_smallest_is_within() {
     for (gap, smallest) in [
@@ -169,7 +169,7 @@ fn no_order_below_the_smallest_is_within() {
     }
 }
 
-/// They multiply the degree of what is proved.
+/// Fractional exponents multiply the degree of the polynomial in the proof.
 #[test]
 fn fractional_powers_may_stand_beside_surfaces() {
     let gap = "sphere(10) + 0.01*r^2.3, order = auto, tolerance = 1e-3, max_radius = 5";
@@ -192,7 +192,7 @@ fn fractional_powers_may_stand_beside_surfaces() {
     assert!(messages.len() == 1 && messages[0].contains("beside these exponents"), "{messages:?}");
 }
 
-/// Whatever the options for the surfaces, as none of them helps.
+/// Whatever the options for the surfaces are, as none of them helps.
 #[test]
 fn a_gap_that_falls_is_the_fault() {
     for (gap, rule) in [
@@ -256,13 +256,13 @@ fn a_range_that_reaches_a_rim_whatever_the_fields_are_is_refused() {
     }
 }
 
-/// What stands behind `option`, up to the next comma or backtick.
+/// What follows `option`, up to the next comma or backtick.
 fn value_of<'a>(option: &str, text: &'a str) -> Option<&'a str> {
     let value = text.split_once(option)?.1;
     value.split([',', '`']).next()
 }
 
-/// The attribute with what its message proposes; nothing if that is no number.
+/// The attribute with the option that its message proposes; nothing if the proposal is not a number.
 fn mended(text: &str, message: &str) -> Option<String> {
     for (words, option) in
         [("write at most `", "max_radius = "), ("max_radius = ", "max_radius = "), ("`order = ", "order = ")]

@@ -25,7 +25,7 @@ impl Display for Coefficient {
     }
 }
 
-/// Its absolute value as far as the sign of its number goes.
+/// The product without the sign of its number.
 impl Display for Product {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
         let (below, above): (Vec<_>, Vec<_>) =

@@ -1,7 +1,7 @@
-//! Exact coefficients: numbers, fields, and what can be made of them.
+//! Exact coefficients: numbers, fields, and what is computed from them.
 //!
-//! The normal form is a sum of products `number * atom^e * atom^e * ...` with distinct lists of powers, where an atom
-//! is a field or a whole coefficient that is not taken apart, such as `(1 + radius)` under a fraction line. Atoms are
+//! The normal form is a sum of products `number * atom^e * atom^e * ...` with distinct lists of powers. An atom is a
+//! field, or a whole coefficient that is not taken apart, such as `(1 + radius)` under a fraction line. Atoms are
 //! compared by structure, so that equal ones merge and cancel.
 //!
 //! Products and powers of sums are *not* multiplied out: `(b - a) * (b + a)` is computed as written, since
@@ -26,7 +26,7 @@ const MAXIMUM_POWER: u32 = 1024;
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Coefficient {
-    /// Sorted by their powers; no number is zero, no two lists of powers are equal.
+    /// Sorted by their powers; no number is zero, and no two lists of powers are equal.
     pub(crate) products: Vec<Product>,
 }
 
@@ -47,8 +47,8 @@ pub(crate) enum Atom {
         ident: Ident,
         is_positive: bool,
     },
-    /// Has several products, the first with a positive number and the last with the number 1 or -1, or is the base
-    /// of a power that is no integer.
+    /// Has several products, the first with a positive number and the last with the number 1 or -1, or is the base of a
+    /// power whose exponent is not an integer.
     Sum(Coefficient),
 }
 
@@ -74,7 +74,7 @@ impl Coefficient {
         self.products.is_empty()
     }
 
-    /// The number that this is, if it depends on no field.
+    /// The value, if it depends on no field.
     pub(crate) fn as_constant(&self) -> Option<Rational> {
         match self.products.as_slice() {
             [] => Some(Rational::zero()),
@@ -83,7 +83,7 @@ impl Coefficient {
         }
     }
 
-    /// What a field alone is multiplied by, if it is that.
+    /// The factor of a field, if the coefficient is a multiple of one field.
     pub(crate) fn as_multiple_of_field(&self) -> Option<&Rational> {
         match self.products.as_slice() {
             [only] if matches!(only.single_atom(), Some(Atom::Field { .. })) => Some(&only.number),
@@ -98,7 +98,7 @@ impl Coefficient {
         })
     }
 
-    /// How many fields are written in it, each as often as it is.
+    /// The number of fields in it, each counted as often as it is written.
     pub(crate) fn size(&self) -> usize {
         let atoms = self.products.iter().flat_map(|product| product.powers.iter());
         let sizes = atoms.map(|(atom, _)| match atom {
@@ -108,7 +108,7 @@ impl Coefficient {
         sizes.sum()
     }
 
-    /// Whether every number in it is near a finite `f64` other than 0.
+    /// Whether every number in it has a finite `f64` other than 0 next to it.
     pub(crate) fn is_representable(&self) -> bool {
         self.products.iter().all(|product| {
             let wholes = product.powers.iter().all(|(atom, _)| match atom {
@@ -149,7 +149,7 @@ impl Coefficient {
         }
     }
 
-    /// `self` to a power; the rule that is broken if there is none.
+    /// `self` to a power, or the rule that is broken if there is none.
     pub(crate) fn power(&self, exponent: &Rational) -> Result<Self, &'static str> {
         if exponent.is_zero() {
             return Ok(Coefficient::constant(Rational::one()));
@@ -165,7 +165,7 @@ impl Coefficient {
         }
         let powers = match product.single_atom().filter(|_| product.number.is_one()) {
             Some(atom) => Powers::of(atom, exponent.clone()),
-            // The root of a square is not the base where that is negative, so the powers stay apart.
+            // The root of a square differs from the base if that is negative, so the powers stay apart.
             None => Powers::of(Atom::Sum(self.clone()), exponent.clone()),
         };
         Product { powers, number: Rational::one() }.limited().map(Into::into)
@@ -194,7 +194,7 @@ impl Coefficient {
         }
     }
 
-    /// As one product, a sum becoming an atom; nothing for zero.
+    /// As one product, in which a sum becomes an atom; nothing for zero.
     fn into_product(mut self) -> Option<Product> {
         if self.products.len() <= 1 {
             return self.products.pop();
@@ -205,7 +205,7 @@ impl Coefficient {
         Some(Product { powers: Powers::of(atom, Rational::one()), number })
     }
 
-    /// The products to add up: a sum that carries nothing but a number is taken apart.
+    /// The products to add up: a sum that has no factor but a number is taken apart.
     fn opened(&self) -> impl Iterator<Item = Product> {
         match self.products.as_slice() {
             [only] => match only.single_atom() {
@@ -242,7 +242,7 @@ impl Product {
         }
     }
 
-    /// The atom, if there is one and it is raised to no power.
+    /// The atom, if there is only one and its exponent is 1.
     fn single_atom(&self) -> Option<Atom> {
         match &*self.powers {
             [(atom, exponent)] if exponent.is_one() => Some(atom.clone()),

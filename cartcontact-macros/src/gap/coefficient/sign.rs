@@ -1,7 +1,7 @@
-//! The sign that a coefficient has whatever the values of its fields, apart from those that are declared positive.
+//! The sign that a coefficient has whatever the values of its fields, given those that are declared positive.
 //!
-//! Even powers are not negative, and neither are powers that are no integers: of a negative base these are not a
-//! number at all, which is found when a value is there.
+//! Even powers are not negative, and neither are powers with exponents that are not integers: of a negative base these
+//! have no value, which is detected when the value is known.
 
 use num_integer::Integer;
 
@@ -20,12 +20,12 @@ impl Coefficient {
         self.sign(false)
     }
 
-    /// The sign that goes with positive fields, as those are which measure something; nothing if it depends on their values.
+    /// The sign for positive fields, as fields that measure something are; nothing if it depends on their values.
     pub(crate) fn usual_sign(&self) -> Option<Sign> {
         self.sign(true)
     }
 
-    /// The sign if all fields are positive, or those that are declared to be.
+    /// The sign if all fields are positive, or only those that are declared to be.
     fn sign(&self, all_positive: bool) -> Option<Sign> {
         let mut signs = self.products.iter().map(|product| product.sign(all_positive));
         let first = signs.next()??;
