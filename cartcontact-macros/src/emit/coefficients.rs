@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::expression::Writer;
+use super::operations::Operations;
 use super::power_sum::exponent;
 use super::{Names, bounded_generics, local};
 use crate::closed_forms::{Factor, PowerSum, Summand};
@@ -201,9 +202,16 @@ impl<'a> Coefficients<'a> {
         [self.function(), self.precise().function()]
     }
 
+    /// The operations that compute them, in double words.
+    pub(super) fn operations(&self) -> Operations {
+        let values = self.values();
+        let mut operations = Operations::of(&quote!([#(#values),*]));
+        operations.is_double = true;
+        operations
+    }
+
     fn function(&self) -> TokenStream {
-        let values: Vec<TokenStream> =
-            self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect();
+        let values = self.values();
         if values.is_empty() {
             return TokenStream::new();
         }
@@ -212,18 +220,26 @@ impl<'a> Coefficients<'a> {
         let generics = bounded_generics(self.item, self.names);
         let (parameters, bounds) = (generics.declared(), generics.bounds());
         let (coefficients, profile) = (self.name(), local("profile"));
-        let fields = self.fields(&quote!(#profile), &|field| {
-            self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
-        });
+        let may_cancel = self.symbolic().any(|(_, coefficient)| coefficient.may_cancel());
+        let body = if self.digits == Digits::OfAWord && may_cancel {
+            let (rounded, precise) = (self.names.generated("rounded"), self.precise().name());
+            quote!(#rounded(#precise(#profile)))
+        } else {
+            let fields = self.fields(&quote!(#profile), &|field| {
+                self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
+            });
+            quote!(#fields [#(#values),*])
+        };
         quote! {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
             #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
             #[inline]
-            fn #coefficients #parameters (#profile: &#ident #arguments) -> [#scalar; #count] #bounds {
-                #fields
-                [#(#values),*]
-            }
+            fn #coefficients #parameters (#profile: &#ident #arguments) -> [#scalar; #count] #bounds { #body }
         }
+    }
+
+    fn values(&self) -> Vec<TokenStream> {
+        self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect()
     }
 
     /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.

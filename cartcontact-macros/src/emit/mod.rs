@@ -112,8 +112,7 @@ pub(crate) fn solver(
     let quadrature_hints = quadrature_hints(geometry, &coefficients, &names);
     let [shared, precise_shared] = coefficients.functions();
     let header = implementation(item, &names);
-    let mut beside = Operations::of_function(&shared);
-    beside.is_double = true;
+    let beside = coefficients.operations();
     let lines = documentation::lines(item, geometry, &forms, start.as_ref(), (&operations, beside));
     let documented = documented(input, &lines);
     let scope = scope(

@@ -5,7 +5,7 @@
 
 use core::fmt::{Display, Formatter, Result};
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 
 /// The binary operators of a piece of code, and whether it also calls the run-time crate.
 #[derive(Default)]
@@ -39,16 +39,6 @@ impl Operations {
         let mut count = Operations::default();
         count.add(code.clone());
         count
-    }
-
-    /// The operations in the body of a function, whose signature has arrows and bounds that look like operators.
-    pub(super) fn of_function(function: &TokenStream) -> Self {
-        let tokens = function.clone().into_iter();
-        let body = tokens.filter_map(|token| match token {
-            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
-            _ => None,
-        });
-        body.last().map(|body| Operations::of(&body)).unwrap_or_default()
     }
 
     /// An operator follows an operand; a sign or a reference does not.

@@ -53,7 +53,7 @@ pub(crate) fn multiplied<T: Scalar, A: Ring<T>>(number: A, coefficient: impl Coe
 
 /// The coefficients rounded.
 #[inline(always)]
-pub(crate) fn rounded<T, C: Coefficient<T>, const N: usize>(coefficients: [C; N]) -> [T; N] {
+pub fn rounded<T, C: Coefficient<T>, const N: usize>(coefficients: [C; N]) -> [T; N] {
     coefficients.map(|coefficient| coefficient.parts().0)
 }
 

@@ -7,6 +7,7 @@
 //! Products and powers of sums are *not* multiplied out: `(b - a) * (b + a)` is computed as written, since
 //! `b*b - a*a` loses digits where `a` and `b` are close, as the radii of congruent joint surfaces are.
 
+mod cancellation;
 mod display;
 #[cfg(test)]
 pub(crate) mod samples;

@@ -1,0 +1,86 @@
+//! Whether a coefficient may lose digits that its fields have.
+//!
+//! In 1/a − 1/b the quotients are rounded, and the difference of two that are nearly equal consists of these roundings: the
+//! radii of congruent joint surfaces are such. The difference of two words, such as a − b, loses nothing.
+
+use super::{Atom, Coefficient, Product};
+use crate::number::{self, Rational};
+
+/// The digits of a word of single precision.
+const DIGITS_OF_SINGLE: u64 = 24;
+
+impl Coefficient {
+    /// Whether rounded numbers are added in it that may have different signs.
+    pub(crate) fn may_cancel(&self) -> bool {
+        let are_rounded = self.products.len() > 2 || !self.products.iter().all(Product::is_word);
+        let is_sum = self.products.len() > 1 && self.certain_sign().is_none();
+        is_sum && are_rounded || self.sums().any(Coefficient::may_cancel)
+    }
+
+    /// The sums that it is made of.
+    fn sums(&self) -> impl Iterator<Item = &Coefficient> {
+        self.products.iter().flat_map(|product| product.powers.iter()).filter_map(|(atom, _)| match atom {
+            Atom::Field { .. } => None,
+            Atom::Sum(inner) => Some(inner),
+        })
+    }
+}
+
+impl Product {
+    /// Whether it is a word without being rounded.
+    fn is_word(&self) -> bool {
+        match self.single_atom() {
+            Some(Atom::Field { .. }) => number::is_power_of_two(&self.number),
+            Some(Atom::Sum(_)) => false,
+            None => self.powers.is_empty() && is_short(&self.number),
+        }
+    }
+}
+
+/// Whether a number has no more digits than any word.
+fn is_short(value: &Rational) -> bool {
+    value.denom().magnitude().count_ones() == 1 && value.numer().bits() <= DIGITS_OF_SINGLE
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use num_traits::One;
+    use quote::format_ident;
+
+    use super::*;
+    use crate::number::{fraction, integer};
+
+    fn field(name: &str) -> Coefficient {
+        Coefficient::field(format_ident!("{name}"))
+    }
+
+    fn inverse(of: &Coefficient) -> Coefficient {
+        of.power(&fraction(-1, 1)).unwrap()
+    }
+
+    #[test]
+    fn rounded_differences_cancel() {
+        let (a, b) = (field("a"), field("b"));
+        let curvatures = inverse(&a).add(&inverse(&b).negated());
+        assert!(curvatures.may_cancel());
+        assert!(curvatures.scaled(&fraction(1, 2)).multiply(&a).may_cancel());
+        assert!(a.add(&b).add(&field("c").negated()).may_cancel());
+        assert!(a.add(&Coefficient::constant(fraction(-1, 10))).may_cancel());
+        assert!(a.multiply(&b).add(&Coefficient::constant(Rational::one())).may_cancel());
+    }
+
+    #[test]
+    fn words_and_positive_sums_do_not() {
+        let (a, b) = (field("a"), field("b"));
+        for exact in
+            [a.add(&b.negated()), a.add(&Coefficient::constant(integer(1))), inverse(&a.multiply(&b))]
+        {
+            assert!(!exact.may_cancel());
+            assert!(!exact.scaled(&fraction(1, 3)).power(&integer(2)).unwrap().may_cancel());
+        }
+        let lengths = ["a", "b"].map(|name| inverse(&Coefficient::positive_field(format_ident!("{name}"))));
+        assert!(!lengths[0].add(&lengths[1]).may_cancel());
+        assert!(lengths[0].add(&lengths[1].negated()).may_cancel());
+    }
+}
