@@ -4,7 +4,7 @@ Under a load that begins with nothing there is no first contact, and Eq. (28) le
 
     P(r, t) = (2/π) ∫ Y′ (a² − r²)/a⁴ e^(−χ (t−τ)) dτ,    Y = F + χ ∫F,    (π m/4) J(a) = Y,
 
-from the time on at which the edge was at r.
+from the time at which the edge was at r.
 
 Needs mpmath: python3 tests/reference/loads_from_nothing.py
 """
@@ -29,9 +29,9 @@ def radius_squared(hereditary):
 
 
 def pressure(t, force, rate, impulse, borders, r=0, power=1):
-    """P(r, t) of F, F′ and ∫F, with borders where they change quickly, the first when the edge is at r.
+    """P(r, t) from F, F′ and ∫F, with borders where they change quickly; at the first one the edge is at r.
 
-    Integrated over the root of the time of this power, where the integrand is smooth.
+    The integral is over the root of the time with this power, in which the integrand is smooth.
     """
 
     def integrand(u):
@@ -56,13 +56,13 @@ def half_a_cosine(t, duration=1):
         lambda s: 50 * pi / d * sin(pi * s / d) if s < d else mpf(0),
         lambda s: 50 * (s - d / pi * sin(pi * s / d)) if s < d else 50 * d + 100 * (s - d),
     )
-    # Where an e-folding is short, the last of them count.
+    # Where an e-folding is short, only the last ones count.
     borders = [max(mpf(0), t - folds / CHI) for folds in (80, 40, 20, 10, 5, 2, 1)] + [mpf(0), min(t, d), t]
     return pressure(t, *rise, sorted(set(borders)))
 
 
 def root():
-    """90 (t − 100)^0.1 at 101 s, in the time since the knot: Y′ is infinite there."""
+    """90 (t − 100)^0.1 at 101 s, in the time since the knot, where Y′ is infinite."""
     force, impulse = lambda s: 90 * s ** mpf("0.1"), lambda s: 90 / mpf("1.1") * s ** mpf("1.1")
     return pressure(mpf(1), force, lambda s: 9 * s ** mpf("-0.9"), impulse, [0, 1], power=30)
 

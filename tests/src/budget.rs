@@ -1,21 +1,21 @@
 //! The one table of allowed errors.
 //!
 //! Errors are in units in the last place (ulp) of the exact result: one ulp is ε times the power of two at or below it,
-//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε: what is within
-//! an entry is within as many ε, but not the other way round. A test that compares relative errors in units of ε with an
+//! with ε = 2⁻⁵² for `f64` and 2⁻²³ for `f32`. An error of u ulp is a relative error between u ε/2 and u ε: a result
+//! within u ulp is within u ε, but not the other way round. A test that compares relative errors in units of ε with an
 //! entry, as the stress campaign does, lets up to twice the entry in ulp pass.
 //!
-//! Where terms of both signs cancel, a test multiplies an entry by the condition number of what it computes,
-//! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)), and by nothing else that is not named here:
-//! - by what the entry itself says, and where two results are compared by 2, as either may be off by what is allowed;
-//! - for radii of gaps with terms of both signs by [`RADIUS_OF_DIFFERENCES`];
-//! - for the functions of a radius by the number of terms over [`TERMS`], where there are more;
-//! - for pressures by the greatest condition number of the radii on the way, all of which they remember.
+//! Where terms of both signs cancel, a test multiplies an entry by the condition number of the quantity,
+//! Σ|terms|/|sum| (for a radius Σ|terms of J|/(a J′)). The only other factors are:
+//! - the one that the entry itself names, and 2 where two results are compared, as either may be off by the entry;
+//! - for radii of gaps with terms of both signs, [`RADIUS_OF_DIFFERENCES`];
+//! - for the functions of a radius, the number of terms over [`TERMS`], where there are more;
+//! - for pressures, the greatest condition number of the radii of the history, all of which they remember.
 //!
 //! Where a load is an exponential function of time, [`FOLD`] is added.
 //!
-//! What is `seen` is the worst error in all tests that draw the same numbers in every run. Every test fails above 1.25 times
-//! that; the test in which it was seen also fails below 0.75 times that, so that the table tells what is so.
+//! `seen` is the worst error in all tests that draw the same numbers in every run. Every test fails above 1.25 times
+//! `seen`; the test in which it was seen also fails below 0.75 times `seen`, so that the table stays up to date.
 
 /// What is allowed for one quantity.
 #[derive(Clone, Copy, Debug)]
@@ -24,11 +24,11 @@ pub struct Allowance {
     pub quantity: &'static str,
     /// In ulp of `f64`.
     pub double: f64,
-    /// In ulp of `f32`; NaN, which no error is within, if it is used in `f64` only.
+    /// In ulp of `f32`; NaN, which no error is within, if the entry is used in `f64` only.
     pub single: f64,
-    /// The worst that was seen, in ulp of `f64` and of `f32`; none where only laws of random scenes compare it.
+    /// The worst error seen, in ulp of `f64` and of `f32`; none where only laws of random scenes compare the quantity.
     pub seen: [Option<f64>; 2],
-    /// Why it is what it is.
+    /// Why that much is allowed.
     pub reason: &'static str,
 }
 
@@ -50,8 +50,8 @@ const fn allow_as_seen(
     Allowance { quantity, double, single, seen, reason }
 }
 
-/// What is seen is the worst in tests. A constant is off by ε/2 at the most, which is a unit of a result just below a power
-/// of two, and the result is rounded by half a unit: 1.5.
+/// The bound is 1.5: a constant is off by ε/2 at the most, which is one unit of a result just below a power of two, and
+/// the result is rounded by half a unit. `seen` is the worst in tests.
 const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
 
 /// Φ(r).
@@ -62,20 +62,21 @@ pub const APPROACH: Allowance = allow("approach", [2.0, 2.0], [1.25, 1.25], ROUN
 pub const APPROACH_SLOPE: Allowance = allow("approach slope", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// J(a).
 pub const LOAD_INTEGRAL: Allowance = allow("load integral", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
-/// J(a) − J(a − depth), relative to the same difference for the sizes of the terms, to be multiplied by 1 + a J′/(4 J).
+/// J(a) − J(a − depth), relative to the same difference for the absolute terms, to be multiplied by 1 + a J′/(4 J).
 ///
 /// The worst of 90 000 random ones was 1.73 ε.
 pub const LOAD_INTEGRAL_DROP: Allowance = allow_as_seen(
     "drop of the load integral",
     [2.0, f64::NAN],
     [None, None],
-    "the rounding of a − depth, here and in the quadrature of the test, half an ε, is multiplied by the degree of J",
+    "the degree of J multiplies the rounding of a − depth by half an ε, here and in the quadrature of the test",
 );
 /// L(x).
 pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
 /// G(a, r), up to 1 − r/a = 1e-12.
 pub const PRESSURE_KERNEL: Allowance = allow("pressure kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
-/// Any of the six before, of a gap whose coefficients depend on fields: the exact value is that for the values of the fields.
+/// Any of the six functions above, of a gap whose coefficients depend on fields; the exact result is the one for the
+/// given values of the fields.
 pub const FUNCTION_OF_FIELDS: Allowance = allow(
     "function of a geometry with fields",
     [0.6, 0.6],
@@ -89,56 +90,55 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
     "pressure kernel by quadrature",
     [16.0, f64::NAN],
     [None, None],
-    "the quadrature of the test rounds r + h, by which δ₀′ is off by half its degree, at most 63, and adds 40 nodes",
+    "the quadrature of the test adds 40 nodes and rounds r + h, which puts δ₀′ off by half its degree of at most 63",
 );
 /// The inverse of J, in any form.
 ///
-/// Generated for whole powers, a few radii are above 1 ulp: up to 15 in a million if the gap begins with r, by 1.16 at
-/// the most of five million random ones each for eleven geometries; otherwise fewer than one in `f64` and up to 5 in
-/// `f32`, by 1.03. With halves among the exponents, up to 8 and 15, by 1.16. Of one term none is; by the `powf` of
-/// `libm`, 1 in ten thousand of r^0.25, by 1.1.
+/// A few radii are off by more than 1 ulp. Of those generated for whole powers, up to 15 in a million if the gap begins
+/// with r, by 1.16 at the most, in five million random ones each for eleven geometries; otherwise fewer than one in a
+/// million in `f64` and up to 5 in `f32`, by 1.03. With halves among the exponents, up to 8 and 15 in a million, by
+/// 1.16. Of one term, none; with the `powf` of `libm`, 1 in ten thousand of r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
     [1.0, 1.0],
     [0.75, 0.8],
     "the error of J in plain arithmetic, divided by the degree of J",
 );
-/// The inverse of J that is known at run time only, or has powers that are not all multiples of 1/2, with positive
-/// terms.
+/// The inverse of J for positive terms, if the gap is known at run time only or not all powers are multiples of 1/2.
 pub const RADIUS_OF_SUMS: Allowance = allow(
     "radius of a sum",
     [1.0, 1.0],
     [0.8, 0.8],
-    "its own rounding, and those of a divisor and of a power of an exponent with all its digits, divided by the degree",
+    "its own rounding, and the degree divides those of a divisor and of a power whose exponent has all its digits",
 );
-/// a(t), so that it is within 2 ε.
+/// a(t), which is thus within 2 ε.
 ///
-/// In `f64`, of 45 000 random scenes with powers from 1 on none is off by more than 1, and of 9000 of r^0.25 one in a
-/// thousand, by 1.1 at the most; in `f32` 3 radii in ten thousand are.
+/// In `f64`, none of 45 000 random scenes with powers from 1 on is off by more than 1, and of 9000 with r^0.25 one in a
+/// thousand is, by 1.1 at the most; in `f32` 3 radii in ten thousand are.
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [2.0, 2.0],
     [1.1, 1.43],
-    "as the radius, and ∫F, its share of J and J are rounded before the inversion, by up to 2 ε of J, which its degree, above \
-     4, divides: up to 1 ulp",
+    "as the radius, and before the inversion the rounding of ∫F, of its share of J and of J is up to 2 ε of J, which \
+     the degree, above 4, divides: up to 1 ulp",
 );
 /// δ₀(t), to be multiplied by 1 + a δ₀′/δ₀.
 pub const CONTACT_APPROACH: Allowance = allow(
     "approach in time",
     [1.0, 1.0],
     [0.35, 0.6],
-    "the rounding of the hereditary load moves the radius, and that the approach",
+    "the rounding of the hereditary load moves the radius, and the radius moves the approach",
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst was seen in steep pressures next to the edge. On the axis, where the factor is 3, [`PEAK_PRESSURE`] is up to 2.5
-/// times it.
+/// The worst was seen in steep pressures next to the edge. On the axis, where the factor is 3, [`PEAK_PRESSURE`] is up to
+/// 2.5 times as much.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
     [1.4, 1.0],
-    "dozens of nodes, whose ages are rounded before they go into exponentials; the factor is how far the rounding of \
-     a moves the edge",
+    "dozens of nodes, whose ages are rounded before they enter exponentials; the factor is how far the rounding of a \
+     moves the edge",
 );
 /// P(0, t).
 ///
@@ -147,8 +147,8 @@ pub const PEAK_PRESSURE: Allowance = allow(
     "peak pressure",
     [8.0, 8.0],
     [6.76, 7.36],
-    "as the pressure, but scaled to the load that it carries: of what all nodes have in common only the kernel of the initial \
-     pressure and the radius are left",
+    "as the pressure, but scaled to the load that it carries: of the errors that all nodes share, only those of the \
+     radius and of the kernel of the initial pressure are left",
 );
 /// P(r, t) from a field against P(r, t) from a snapshot, to be multiplied by 1 + 2a/(a − r).
 pub const FIELD: Allowance =
@@ -165,20 +165,20 @@ pub const BALANCE_OF_OTHER_LOADS: Allowance = allow_as_seen(
     "force balance of other loads",
     [45.0, f64::NAN],
     [Some(10.0), None],
-    "as the balance, and the force of each of dozens of steps is rounded",
+    "as the balance, and the forces of dozens of steps are rounded",
 );
 
-/// By this the radius of a gap with terms of both signs is multiplied, besides its condition number.
+/// The factor for the radius of a gap with terms of both signs, besides its condition number.
 ///
-/// Its load integral is a difference, in the quick sums of the last step as well, and what that is off by counts in full,
-/// while the degree of a sum of positive terms divides it by 4 at least.
+/// The load integral is a difference, also in the quick sums of the last step, and its error counts in full, whereas
+/// the degree of a sum of positive terms divides the error by at least 4.
 pub const RADIUS_OF_DIFFERENCES: f64 = 2.0;
 
-/// The terms of the gaps for which the functions of a radius are in the table: every further one is rounded once more.
+/// The number of terms up to which the table holds for the functions of a radius; every further term is rounded too.
 pub const TERMS: f64 = 6.0;
 
-/// For every e-folding of a load that is an exponential function of time, in ε: it multiplies the rounding of its exponent,
-/// in the load and in what the test expects.
+/// What to add, in ε, for every e-folding of a load that is an exponential function of time: the rounding of the
+/// exponent counts once per e-folding, in the load and in the expected value.
 pub const FOLD: f64 = 2.0;
 
 /// All of them.

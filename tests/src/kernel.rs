@@ -1,4 +1,4 @@
-//! The six functions of a geometry, each in every form in which it is known.
+//! The six functions of a geometry, each in all its forms.
 
 use cartcontact::GapProfile;
 
@@ -10,7 +10,7 @@ use crate::reference::KernelRow;
 /// A function of a contact radius and a distance from the axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
-    /// What is allowed for it.
+    /// The error that is allowed for it.
     pub allowance: Allowance,
     /// In double precision.
     pub double: fn(&dyn GapProfile<f64>, f64, f64) -> f64,
@@ -18,7 +18,7 @@ pub struct Kernel {
     pub single: fn(&dyn GapProfile<f32>, f32, f32) -> f32,
     /// By the oracle.
     pub oracle: fn(&Profile, &Real, &Real) -> Real,
-    /// Of the reference values.
+    /// In a row of the reference values.
     pub reference: fn(&KernelRow) -> Exact,
 }
 
@@ -44,7 +44,7 @@ pub const ALL: [Kernel; 6] = [
     PRESSURE,
 ];
 
-/// The only one that depends on the distance from the axis.
+/// The pressure kernel, the only one that depends on the distance from the axis.
 pub const PRESSURE: Kernel = Kernel {
     allowance: budget::PRESSURE_KERNEL,
     double: |profile, a, r| profile.pressure_kernel(a, r),
@@ -53,7 +53,7 @@ pub const PRESSURE: Kernel = Kernel {
     reference: |row| row.pressure_kernel,
 };
 
-/// The errors of all of them in double precision, in this order.
+/// The errors of all of them in double precision, in the order of [`ALL`].
 #[must_use]
 pub fn errors() -> [Errors; 6] {
     ALL.map(|kernel| Errors::of(kernel.allowance))

@@ -15,7 +15,7 @@ pub mod reference;
 pub mod stress;
 pub mod two_fields;
 
-/// Its examples are tests. Here, because the package of the library has the file in another place.
+/// Runs the examples of the README as tests; they are here because the package of the library holds the file elsewhere.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;

@@ -14,7 +14,7 @@ pub type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
 ///
 /// # Panics
 ///
-/// If they are not those of a load.
+/// If no load has these knots.
 #[must_use]
 pub fn through(knots: &[(f64, f64)]) -> Knots {
     PiecewiseLinear::new(knots.to_vec()).unwrap_or_else(|error| unreachable!("{knots:?}: {error}"))
@@ -44,14 +44,14 @@ pub fn histories(chi: f64) -> Vec<(&'static str, Knots)> {
     ]
 }
 
-/// A user-defined load, with the two required methods only: it rises exponentially to its final value.
+/// A user-defined load with only the two required methods that rises exponentially to its final value.
 #[derive(Clone, Copy, Debug)]
 pub struct Rise {
     /// The first force.
     pub start: f64,
-    /// What is added in the end.
+    /// The last force minus the first.
     pub rise: f64,
-    /// How fast.
+    /// The rate of the exponential.
     pub rate: f64,
 }
 
@@ -70,7 +70,7 @@ impl Load<f64> for Rise {
 pub struct Fall<T> {
     /// The first force.
     pub force: T,
-    /// How fast.
+    /// The rate of the exponential.
     pub rate: T,
 }
 
@@ -107,7 +107,7 @@ impl Load<f64> for Swing {
 }
 
 impl Swing {
-    /// The times in a range at which F′/χ + F is least, and half-way between them.
+    /// The times in a range at which F′/χ + F is least, and those half-way between them.
     #[must_use]
     pub fn slowest_growths(&self, chi: f64, within: Range<f64>) -> Vec<f64> {
         // F′/χ + F swings with the phase ω t + φ, tan φ = ω/χ, and is least three quarters of a turn later.
@@ -121,17 +121,17 @@ impl Swing {
     }
 }
 
-/// A load that tells its knots and whether it is straight between them, and leaves all else to the provided methods.
+/// A load that reports its knots and whether it is straight between them, and leaves the rest to the provided methods.
 #[derive(Clone, Copy, Debug)]
 pub struct Announced<L> {
     /// The load.
     pub load: L,
-    /// What it says of itself.
+    /// Whether it says that it is straight between its knots.
     pub is_linear: bool,
 }
 
 impl<L> Announced<L> {
-    /// One that does not say that it is straight.
+    /// A load that does not say that it is straight.
     pub fn curved(load: L) -> Self {
         Self { load, is_linear: false }
     }
@@ -167,12 +167,12 @@ pub struct Counted<L> {
 }
 
 impl<L> Counted<L> {
-    /// Not yet searched.
+    /// A load that has not been searched yet.
     pub fn new(load: L) -> Self {
         Self { load, searches: Cell::new(0) }
     }
 
-    /// How often it was, since it was last asked.
+    /// How often it was searched since the last call.
     pub fn searches(&self) -> usize {
         self.searches.take()
     }

@@ -3,7 +3,7 @@
 use crate::budget::Allowance;
 use crate::oracle::{Real, double, rounded};
 
-/// A real number to twice the precision: the nearest `f64` and what it lacks.
+/// A real number to twice the precision: the nearest `f64` and the rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact {
     /// The nearest `f64`.
@@ -30,7 +30,7 @@ impl core::fmt::Display for Exact {
     }
 }
 
-/// The distance of `found` from `expected` in units in the last place of a format with that `epsilon`; infinite for
+/// The distance of `found` from `expected` in units in the last place of a format with this `epsilon`; infinite for
 /// NaN.
 ///
 /// One unit is `epsilon` times the power of two at or below |`expected`|: an error of one unit is a relative error
@@ -69,7 +69,7 @@ impl Errors {
         Self::with(quantity, f64::EPSILON, double, seen[0])
     }
 
-    /// Errors of results in single precision, in units in its own last place.
+    /// Errors of results in single precision, in units in the last place of `f32`.
     #[must_use]
     pub fn of_single(Allowance { quantity, single, seen, .. }: Allowance) -> Self {
         Self::with(quantity, f64::from(f32::EPSILON), single, seen[1])
@@ -83,7 +83,7 @@ impl Errors {
     ///
     /// # Panics
     ///
-    /// If that is no number above 0, which no error would exceed.
+    /// If `condition` is no finite number above 0: no error would exceed the allowance.
     pub fn add(
         &mut self,
         found: f64,
@@ -100,8 +100,8 @@ impl Errors {
         }
     }
 
-    /// Compares the worst error with the table: with what is allowed, and with what it says was seen, from which
-    /// another mathematical library may make it differ by a quarter.
+    /// Compares the worst error with the table: with the allowed error, and with the one seen, from which it may differ
+    /// by a quarter with another mathematical library.
     ///
     /// # Panics
     ///
@@ -115,11 +115,11 @@ impl Errors {
         assert!(*error <= 1.25 * seen, "{quantity}: {error:.2} ulp, {seen} ulp were the worst; {place}");
     }
 
-    /// [`check`](Self::check) where the worst error of all was seen.
+    /// [`check`](Self::check), in the test in which the worst error of all was seen.
     ///
     /// # Panics
     ///
-    /// If it is no longer as large, too.
+    /// Also if the error is no longer as large.
     pub fn check_worst(&self) {
         self.check();
         let (quantity, seen, error) = (self.quantity, self.seen(), self.worst.0);

@@ -25,7 +25,7 @@ pub fn stiffness(
 ///
 /// # Panics
 ///
-/// If there is no stiffness with which it is.
+/// If no stiffness gives that radius.
 pub fn contact<P: GapProfile<f64>, L: Load<f64>>(
     profile: P,
     load: L,

@@ -50,7 +50,7 @@ pub struct Hertzian52;
 #[derive(Clone, Copy, Debug)]
 pub struct RealPowers;
 
-/// Exponents that have all their digits neither in single nor in double precision; none of the reference geometries.
+/// Exponents that neither single nor double precision holds exactly; not one of the reference geometries.
 #[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
 #[derive(Clone, Copy, Debug)]
 pub struct Decimals;
@@ -102,7 +102,7 @@ impl Case {
         polynomial.unwrap_or_else(|error| unreachable!("{}: {error}", self.name))
     }
 
-    /// The geometry of the sizes of its terms.
+    /// The geometry of the absolute terms.
     #[must_use]
     pub fn of_sizes(&self) -> Sum {
         condition::of_sizes(self.terms)

@@ -1,4 +1,4 @@
-//! Integrals over a range whose integrand changes quickly near its ends.
+//! Integrals whose integrand changes quickly near the ends of the range.
 
 use core::num::NonZeroUsize;
 
@@ -12,7 +12,7 @@ pub struct Graded {
 }
 
 impl Graded {
-    /// Rules of `nodes` nodes on `panels` panels before each end, every one half as long as the one before.
+    /// A rule of `nodes` nodes on `panels` panels towards each end, each half as long as the one before.
     #[must_use]
     pub fn new(nodes: usize, panels: i32) -> Self {
         let nodes = NonZeroUsize::new(nodes).unwrap_or(NonZeroUsize::MIN);
@@ -22,7 +22,7 @@ impl Graded {
     /// The integral over `from` to `to`, refined towards both of them.
     pub fn integrate(&self, from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
         let half = (to - from) / 2.0;
-        // Measured from the end they shrink to, so that nothing is lost there.
+        // Nodes are measured from the end to which they shrink, so that no digits are lost there.
         let below = |distance: f64| integrand(to - distance);
         let above = |distance: f64| integrand(from + distance);
         let border = |index: i32| half * 0.5_f64.powi(index);

@@ -1,4 +1,4 @@
-//! What the tests ask of radii: the exact one, and that many at once are those of one after the other.
+//! What tests of radii share: the exact radius, and a comparison of many radii at once with radii one by one.
 
 use core::fmt::Debug;
 
@@ -13,11 +13,11 @@ pub fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
     Exact::from(&Profile::of(terms).radius(&double(load_integral)))
 }
 
-/// Holds the radii of a slice to those of its load integrals one by one, to the last bit.
+/// Asserts that the radii of a slice are those of its load integrals one by one, to the last bit.
 ///
 /// # Panics
 ///
-/// If one differs, or the slice is refused.
+/// If a radius differs, or the slice is refused.
 pub fn assert_same_one_by_one(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
     let mut radii = vec![f64::NAN; load_integrals.len()];
     assert_eq!(profile.radii(load_integrals, &mut radii), Ok(()), "{place:?}");

@@ -7,7 +7,7 @@ use proptest::test_runner::RngSeed;
 /// A geometry known at run time only.
 pub type Sum = Polynomial<f64, Vec<(f64, f64)>>;
 
-/// As many cases as asked for, the same in every run, so that no files of failures are needed.
+/// `count` cases, the same in every run, so that no files of failures are needed.
 ///
 /// `PROPTEST_RNG_SEED=2 cargo test -p tests` draws others, and `PROPTEST_CASES=10000` more of them.
 #[must_use]
@@ -20,7 +20,7 @@ pub fn cases(count: u32) -> ProptestConfig {
     }
 }
 
-/// A number between two powers of ten, all magnitudes alike.
+/// A number between two powers of ten, with a uniform logarithm.
 pub fn magnitude(exponents: core::ops::Range<f64>) -> impl Strategy<Value = f64> {
     exponents.prop_map(|exponent| 10_f64.powf(exponent))
 }
@@ -30,7 +30,7 @@ pub fn exponent() -> impl Strategy<Value = f64> {
     prop_oneof![(1_u32..=12).prop_map(f64::from), Just(1.5), Just(2.5), Just(3.25), 0.1..8.0, Just(64.0)]
 }
 
-/// Sums of up to five positive terms, each of a size of 1e-3 to 1e3 at some radius near 1.
+/// Sums of up to five positive terms, each between 1e-3 and 1e3 at the radius 1.
 pub fn positive_sums() -> impl Strategy<Value = Sum> {
     proptest::collection::vec((magnitude(-3.0..3.0), exponent()), 1..=5).prop_map(sum)
 }
@@ -68,18 +68,18 @@ impl Stream {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number of [low, high).
+    /// A number in [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let share = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         low + (high - low) * share
     }
 
-    /// A number between two powers of ten, all magnitudes alike.
+    /// A number between two powers of ten, with a uniform logarithm.
     pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.between(low, high))
     }
 
-    /// One of the whole numbers below `count`.
+    /// A whole number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         self.between(0.0, count as f64) as usize
     }

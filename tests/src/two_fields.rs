@@ -2,7 +2,7 @@
 
 use cartcontact::GapProfile;
 
-/// The terms (C, n) of a geometry as they are in the arithmetic of its scalar, and the geometry.
+/// The terms (C, n) of a geometry, computed in the arithmetic of its scalar, and the geometry.
 pub type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
 
 /// A geometry of two fields.
@@ -14,7 +14,7 @@ pub struct OfTwoFields {
     pub single: fn(f32, f32) -> Found<f32>,
 }
 
-/// The geometry of two fields that an expression gives for the scalar of the fields.
+/// The geometry of two fields that an expression builds, for either scalar.
 #[macro_export]
 macro_rules! of_two_fields {
     (|$first:ident, $second:ident| $profile:expr) => {

@@ -1,11 +1,12 @@
 //! What `cartcontact` costs when a program is compiled: `cargo run --release -p tests --bin compile_cost`.
 //!
-//! First what an annotation adds to `cargo check`: its expansion, which the test `effort` of the macro crate measures
-//! alone, and the check of what was generated. The crate ends in an error, so that it is checked every time.
+//! The first part is what an annotation adds to `cargo check`: its expansion, which the test `effort` of the macro
+//! crate measures alone, and the check of the generated code. The crate ends in an error, so that it is checked every
+//! time.
 //!
-//! Then a clean build of a crate that uses `cartcontact`, against one that uses `serde` with its derive macro. Both
-//! builds have the same profile and an empty target directory, and take turns; the least of several counts. Processor
-//! time of all children is more reliable than the clock where other programs run, and is known on Linux only.
+//! The second part is a clean build of a crate that uses `cartcontact`, against one that uses `serde` with its derive
+//! macro. Both builds have the same profile and an empty target directory, and take turns; the least of several counts.
+//! Processor time of all children is more reliable than the clock where other programs run, and is known on Linux only.
 
 use std::error::Error;
 use std::fs;
@@ -13,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-/// Annotated structs in a crate: so many that one takes longer than the clock's error.
+/// Annotated structs in a crate: enough for their time to exceed the error of the clock.
 const STRUCTS: u32 = 20;
 const EXPANSIONS: usize = 5;
 /// The error at the end of that crate.
@@ -37,7 +38,7 @@ impl Cost {
         Self { elapsed: self.elapsed.min(other.elapsed), processor }
     }
 
-    /// What decides: processor time if there is one.
+    /// The time that decides: processor time if it is known.
     fn seconds(self) -> f64 {
         self.processor.unwrap_or(self.elapsed).as_secs_f64()
     }
@@ -50,7 +51,7 @@ fn main() -> Result<(), Failure> {
     result
 }
 
-/// Every other pair of terms has the sign `sign`.
+/// A sum of powers; those with an exponent of 0 or 1 modulo 4 have the sign `sign`.
 fn sum(exponents: impl Iterator<Item = u32>, sign: char) -> String {
     let terms = exponents.map(|n| format!("{} 1.234567e-{n} * r^{n}", if n % 4 > 1 { '+' } else { sign }));
     terms.collect::<Vec<String>>().join(" ")
@@ -81,7 +82,7 @@ fn expansions(folder: &Path) -> Result<(), Failure> {
         let source = structs.collect::<String>() + &format!("compile_error!({END:?});");
         let mut cost = Cost::MOST;
         for _ in 0..=EXPANSIONS {
-            // Cargo takes files for new by their time, and a run that failed is repeated anyway.
+            // Cargo decides by the time of a file whether it is new, and repeats a failed run anyway.
             fs::write(user.folder.join("src/lib.rs"), &source)?;
             let (own, outcome) = user.cargo(&["check"])?;
             stops_at_the_end(name, &outcome)?;
@@ -96,7 +97,7 @@ fn expansions(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether the error at the end of the crate is the only one: what an annotation that is refused takes is no measurement.
+/// Fails unless the error at the end of the crate is the only one: the time of a refused annotation is no measurement.
 fn stops_at_the_end(name: &str, outcome: &Output) -> Result<(), Failure> {
     let text = String::from_utf8_lossy(&outcome.stderr);
     let errors = text.lines().filter(|line| line.starts_with("error") && !line.contains("could not compile"));
@@ -127,7 +128,7 @@ fn builds(folder: &Path) -> Result<(), Failure> {
             if target.exists() {
                 fs::remove_dir_all(target)?;
             }
-            // As cargo builds what comes from a registry, which a path would have it build incrementally.
+            // Cargo builds path dependencies incrementally, but those from a registry not.
             let (own, outcome) = user.cargo(&["build", "--config", "build.incremental=false"])?;
             if !outcome.status.success() {
                 return Err(format!("the crate that uses {name} does not build").into());
@@ -153,13 +154,13 @@ fn cartcontact() -> String {
     format!("cartcontact = {{ path = {path:?}, default-features = false, features = [\"libm\"] }}")
 }
 
-/// A crate of a user.
+/// A user's crate.
 struct User {
     folder: PathBuf,
 }
 
 impl User {
-    /// Writes its manifest and fetches what it depends on, which is not measured.
+    /// Writes its manifest and fetches its dependencies, which is not measured.
     fn new(folder: &Path, name: &str, dependency: &str) -> Result<Self, Failure> {
         let folder = folder.join(name);
         fs::create_dir_all(folder.join("src"))?;
@@ -173,7 +174,7 @@ impl User {
         if fetched.success() { Ok(user) } else { Err("cargo fetch failed".into()) }
     }
 
-    /// Runs cargo, and tells what it said.
+    /// Runs cargo and returns the cost and the output.
     fn cargo(&self, arguments: &[&str]) -> Result<(Cost, Output), Failure> {
         let mut cargo = Command::new(env!("CARGO"));
         cargo.args(arguments).arg("--offline").current_dir(&self.folder);
@@ -186,8 +187,8 @@ impl User {
     }
 }
 
-/// The processor time of the processes that this one has waited for: fields 16 and 17 of `/proc/self/stat`, in
-/// hundredths of a second (proc(5)), behind the name in parentheses, which is field 2.
+/// The processor time of the processes that this process has waited for: fields 16 and 17 of `/proc/self/stat`, in
+/// hundredths of a second (proc(5)). Field 2, the name in parentheses, may itself hold spaces.
 fn time_of_children() -> Option<Duration> {
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
     let (_, fields) = stat.rsplit_once(')')?;

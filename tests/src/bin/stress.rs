@@ -19,15 +19,15 @@ usage: stress [--cases N | --seconds S] [--seed N]
 
 /// Cases that a worker takes at a time.
 const BATCH: u64 = 32;
-/// From how many cases the time of all is estimated; a multiple of the cycles of regions and formats.
+/// How many cases the estimate of the whole time takes; a multiple of the cycles of regions and formats.
 const FIRST: u64 = 2080;
-/// How much longer than estimated a campaign may take; what it announces.
+/// How much longer than estimated a campaign may take; the time that it announces includes this factor.
 const MARGIN: f64 = 1.3;
 
-/// How many cases are computed unless told.
+/// How many cases are computed by default.
 const CASES: u64 = 100_000;
 
-/// What was asked for.
+/// The parsed arguments.
 struct Request {
     seed: u64,
     cases: Option<u64>,
@@ -62,7 +62,7 @@ fn main() -> ExitCode {
 }
 
 impl Request {
-    /// The request of the arguments; none if they ask for help.
+    /// Parses the arguments; none if they ask for help.
     fn read(mut arguments: impl Iterator<Item = String>) -> Result<Option<Self>, String> {
         let mut request = Self { seed: 1, cases: None, seconds: None, only: None };
         while let Some(name) = arguments.next() {
@@ -104,7 +104,7 @@ impl Request {
         let announced = self.seconds.map(Duration::from_secs);
         let cases = self.cases.unwrap_or(if announced.is_some() { u64::MAX } else { CASES });
         let first = cases.min(FIRST);
-        // A time that no clock will show is no deadline.
+        // A time beyond the range of the clock is no deadline.
         let deadline = |limit| start.checked_add(limit);
         let run = |cases, deadline| with_panics_in_the_report(|| run_all(&campaign, cases, deadline));
         let mut report = run(0..first, announced.and_then(deadline));
@@ -122,7 +122,7 @@ impl Request {
     }
 }
 
-/// Does work whose panics are findings, so that nothing else tells of them.
+/// Does work whose panics are findings, without printing them.
 fn with_panics_in_the_report<R>(work: impl FnOnce() -> R) -> R {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));
@@ -131,7 +131,7 @@ fn with_panics_in_the_report<R>(work: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Examines the cases on all cores, as many as can be begun before the deadline.
+/// Examines the cases on all cores, as many as can be started before the deadline.
 fn run_all(campaign: &Campaign, cases: core::ops::Range<u64>, deadline: Option<Instant>) -> Report {
     let next = AtomicU64::new(cases.start);
     let begun = Instant::now();
@@ -162,7 +162,7 @@ fn run_all(campaign: &Campaign, cases: core::ops::Range<u64>, deadline: Option<I
         }
         let mut report = campaign.report();
         for worker in workers {
-            // A worker cannot panic: scenes that do are caught.
+            // A worker cannot panic: panics of scenes are caught.
             if let Ok(found) = worker.join() {
                 report.merge(found);
             }
@@ -177,7 +177,7 @@ fn show_progress(done: u64, count: u64, begun: Instant, deadline: Option<Instant
     let by_count = done as f64 / count as f64;
     let limit = deadline.map(|deadline| deadline.saturating_duration_since(begun));
     let by_time = limit.map_or(0.0, |limit| elapsed.as_secs_f64() / limit.as_secs_f64().max(1e-9));
-    // A campaign of some seconds has no end by number.
+    // A campaign with a time limit has no last case.
     let share = if count > u64::MAX / 2 { by_time } else { by_count }.min(1.0);
     let left = elapsed.as_secs_f64() * (1.0 - share) / share.max(1e-3);
     let left = limit.map_or(left, |limit| left.min(limit.saturating_sub(elapsed).as_secs_f64()));
@@ -188,7 +188,7 @@ fn show_progress(done: u64, count: u64, begun: Instant, deadline: Option<Instant
         share * 100.0,
         shown(Duration::from_secs_f64(left))
     );
-    // A terminal that is gone is no reason to stop.
+    // A closed terminal is no reason to stop.
     let _ = stderr().flush();
 }
 

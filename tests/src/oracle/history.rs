@@ -1,4 +1,4 @@
-//! The contact under a load history, with the memory as it is printed.
+//! The contact under a load history, with the memory integral as printed.
 
 use super::number::{Real, decimal, double, pi, whole};
 use super::profile::Profile;
@@ -39,7 +39,7 @@ impl Piece {
 
 impl Oracle {
     /// The solution for a geometry, the constants m and χ, and the knots (time, force) of a load that is linear between
-    /// them and constant after the last; the first is at time 0, two at the same time are a step.
+    /// them and constant after the last; the first is at time 0, and two at the same time are a step.
     ///
     /// # Panics
     ///
@@ -103,13 +103,13 @@ impl Oracle {
         let edge = self.profile.at(&a);
         let mut pressures = points.each_ref().map(|point| edge.pressure_kernel(point));
         let covered = radii.each_ref().map(|r| if *r < a { self.time_of_covering(r) } else { t.clone() });
-        // 1e-45 and less: the results have about twice the digits in which the last two agree.
+        // The error is 1e-45 or less: a result has about twice the digits in which it agrees with the one before.
         let tolerance = decimal("1e-30");
         for ends in self.panels(&covered, &t).windows(2) {
             let shares: [Real; N] = integrate(&ends[0], &ends[1], &tolerance, |time| {
                 let edge = self.profile.at(&self.radius_at(time));
                 let share = (-(&self.chi * (&t - time))).exp();
-                // Decided by time: at its ends a radius that is rounded may seem to be covered a little too early.
+                // Decided by time: at the ends of a panel, a rounded radius may seem covered a little too early.
                 let counts = covered.each_ref().map(|first| *first <= ends[0]);
                 core::array::from_fn(|i| {
                     if counts[i] { edge.pressure_kernel(&points[i]) * &share } else { whole(0) }
@@ -122,7 +122,7 @@ impl Oracle {
         pressures.map(|pressure| pressure * &self.m)
     }
 
-    /// The piece that holds at a time, the later one at a knot.
+    /// The piece that applies at a time, the later one at a knot.
     fn piece_at(&self, t: &Real) -> &Piece {
         let later = self.pieces.partition_point(|piece| piece.start <= *t);
         &self.pieces[later.saturating_sub(1)]
@@ -140,7 +140,7 @@ impl Oracle {
 
     /// The first time at which the contact covers r.
     ///
-    /// On a piece Y rises by b z + χ F′ z²/2 after the time z, with b = F′ + χ F₀ its slope at the start.
+    /// On a piece Y rises by b z + χ F′ z²/2 in the time z from its start, where b = F′ + χ F₀ is the slope of Y.
     ///
     /// # Panics
     ///
@@ -164,10 +164,10 @@ impl Oracle {
         unreachable!("the contact never covers {r}")
     }
 
-    /// Times between which the memory integrand is smooth and fades by 20 e-foldings at most: from the first to the
-    /// last there are the knots and all in `covered`, at which a radius begins to count.
+    /// Times between which the memory integrand is smooth and fades by 20 e-foldings at most; among them are the knots
+    /// and the times in `covered`, at which a radius begins to count.
     ///
-    /// What is older than 140 e-foldings is below 1e-60 of G(a(t), r), and left out.
+    /// Contributions older than 140 e-foldings are below 1e-60 of G(a(t), r) and left out.
     fn panels(&self, covered: &[Real], last: &Real) -> Vec<Real> {
         let Some(first) = covered.iter().min().filter(|_| self.chi > Real::ZERO) else { return Vec::new() };
         let fading = |folds: i64| last - whole(folds) / &self.chi;

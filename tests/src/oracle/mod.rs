@@ -1,4 +1,4 @@
-//! The solution as it is defined, to more than 40 digits: what every other result is measured by.
+//! The solution from its definition, to more than 40 digits: the measure of every other result.
 //!
 //! Nothing here is shared with the library. The integrals of Eqs. (10), (14) and (28) are evaluated by quadrature
 //! instead of in closed form, and the memory as it is printed,
@@ -7,7 +7,7 @@
 //! P(r, t) = m [G(a(t), r) − χ ∫ G(a(τ), r) e^(−χ (t−τ)) dτ],    over τ from where a(τ) reaches r,
 //! ```
 //!
-//! instead of in the form without cancellation; both lose digits, of which there are enough.
+//! instead of in the form without cancellation; both lose digits, but there are enough of them.
 //!
 //! # Examples
 //!

@@ -5,11 +5,11 @@ use core::str::FromStr;
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{Context, FBig};
 
-/// A number of [`BITS`] bits, rounded to the nearest.
+/// A number of [`BITS`] bits, rounded to nearest.
 pub type Real = FBig<HalfEven, 2>;
 
 /// 96 digits: 40 are wanted; 1 − r/a = 1e-12 costs 24 in the bracket of the pressure kernel, χ t = 1e4 another 4 in
-/// the memory, and what is left absorbs the rounding of some thousand nodes.
+/// the memory, and the remaining ones absorb the rounding of some thousand nodes.
 pub const BITS: usize = 320;
 
 /// A whole number.
@@ -71,7 +71,7 @@ impl Exponent {
         Self { value, quarters }
     }
 
-    /// xⁿ. Roots and products are quicker than a logarithm and an exponential, where they do.
+    /// xⁿ. Where 4 n is whole, roots and products are quicker than a logarithm and an exponential.
     pub(super) fn power_of(&self, x: &Real) -> Real {
         match self.quarters {
             _ if x.repr().is_pos_zero() => whole(0),
@@ -82,8 +82,8 @@ impl Exponent {
     }
 }
 
-/// `count` significant digits, in the notation of the files in `reference/`: all of them written, trailing zeros too,
-/// and powers of ten below 1e-7 and from 1e25 on apart.
+/// `count` significant digits in the notation of the files in `reference/`: trailing zeros are written, and numbers
+/// below 1e-7 and from 1e25 on have an exponent.
 #[must_use]
 pub fn digits(x: &Real, count: usize) -> String {
     if x.repr().is_pos_zero() || x.repr().is_neg_zero() {

@@ -33,15 +33,15 @@ impl Term {
     }
 }
 
-/// 2 ∫₀¹ xⁿ⁺¹ dx, ∫₀¹ xⁿ⁺¹ (2x² − 1) dx and ∫₀¹ xⁿ⁺¹ ln(1/x) dx, evaluated once for every exponent that is met.
+/// 2 ∫₀¹ xⁿ⁺¹ dx, ∫₀¹ xⁿ⁺¹ (2x² − 1) dx and ∫₀¹ xⁿ⁺¹ ln(1/x) dx, evaluated once per exponent.
 fn integrals(exponent: &Real) -> [Real; 3] {
     static KNOWN: Mutex<Vec<(Real, [Real; 3])>> = Mutex::new(Vec::new());
     let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, integrals)) = known().iter().find(|(known, _)| known == exponent) {
         return integrals.clone();
     }
-    // 1e-72 and less, of which the bracket of the pressure kernel cancels up to 24 digits: the results have about
-    // twice the digits in which the last two agree.
+    // The error is 1e-72 or less, as a result has about twice the digits in which it agrees with the one before; the
+    // bracket of the pressure kernel cancels up to 24 of these digits.
     let tolerance = decimal("1e-48");
     let next = Exponent::of(exponent + whole(1));
     let integrals = integrate(&whole(0), &whole(1), &tolerance, |x| {
@@ -53,13 +53,13 @@ fn integrals(exponent: &Real) -> [Real; 3] {
 }
 
 impl Profile {
-    /// The gap of the pairs (C, n), which stand for exactly these `f64`.
+    /// The gap of the pairs (C, n) with exactly these `f64`.
     #[must_use]
     pub fn of(terms: &[(f64, f64)]) -> Self {
         Self { terms: terms.iter().map(|&(c, n)| Term::of(double(c), double(n))).collect() }
     }
 
-    /// The gap of the pairs (C, n), which stand for exactly these decimals or quotients of decimals, as `7/3`.
+    /// The gap of the pairs (C, n) with exactly these decimals or quotients of decimals, such as `7/3`.
     #[must_use]
     pub fn of_decimals(terms: &[(&str, &str)]) -> Self {
         let number = |text: &str| match text.split_once('/') {
@@ -87,7 +87,7 @@ impl Profile {
         self.at(a).approach()
     }
 
-    /// δ₀′(a) = (2/a) (Φ(a) − δ₀(a)), the derivative of that mean.
+    /// δ₀′(a) = (2/a) (Φ(a) − δ₀(a)), the derivative of the approach.
     #[must_use]
     pub fn approach_slope(&self, a: &Real) -> Real {
         let at = self.at(a);
@@ -112,13 +112,13 @@ impl Profile {
         self.at(a).pressure_kernel(&self.at(r))
     }
 
-    /// The powers of a radius, from which everything there follows.
+    /// The powers of a radius, from which all functions at that radius follow.
     pub(super) fn at(&self, radius: &Real) -> At<'_> {
         let power = |term: &Term| &term.coefficient * term.exponent.power_of(radius);
         At { terms: &self.terms, square: radius * radius, powers: self.terms.iter().map(power).collect() }
     }
 
-    /// The contact radius at which J is `target`: Newton's method from a start in `f64`.
+    /// The contact radius at which J is `target`, by Newton's method from a start in `f64`.
     ///
     /// # Panics
     ///
@@ -134,7 +134,7 @@ impl Profile {
             let at = self.at(&a);
             let correction = (at.load_integral() - target) / at.log_slope_of_load_integral();
             a = &a - &a * &correction;
-            // What is left is of the size of its square.
+            // The remaining error is of the order of the correction squared.
             if size(correction) < close {
                 return a;
             }
@@ -144,8 +144,8 @@ impl Profile {
 
     /// The first radius at which J reaches `target`, in `f64`.
     ///
-    /// J is below the target while each of its N positive terms is below target/N; from there it is followed in
-    /// steps of 1 % until it is reached, and the last step bisected.
+    /// J is below the target while each of its N positive terms is below target/N; from there the radius grows in steps
+    /// of 1 % until J reaches the target, and the last step is bisected.
     fn start(&self, target: f64) -> f64 {
         let terms: Vec<(f64, f64, f64)> = self
             .terms
@@ -209,7 +209,7 @@ impl At<'_> {
         self.sum(|term| term.log.clone()) * &self.square
     }
 
-    /// G(a, r) for this radius a and another.
+    /// G(a, r) for this radius a and another radius r.
     pub(super) fn pressure_kernel(&self, r: &Self) -> Real {
         if r.square >= self.square {
             return whole(0);

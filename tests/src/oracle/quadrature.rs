@@ -4,8 +4,8 @@
 //! or logarithm it begins with at the ends, and the trapezoidal rule converges geometrically: halving its
 //! step doubles the digits that are right.
 //!
-//! **Error.** Steps are halved until two results differ by less than what is asked for. That is the error of the last
-//! but one; the last has about twice as many digits right.
+//! **Error.** Steps are halved until two results differ by less than the tolerance. The difference is the error of the
+//! last result but one; the last has about twice as many digits right.
 //!
 //! Source: H. Takahasi and M. Mori, "Double exponential formulas for numerical integration", Publ. RIMS 9 (1974),
 //! doi 10.2977/prims/1195192451.
@@ -17,14 +17,14 @@ use super::number::{BITS, Real, pi, size, whole};
 /// The step of the finest level is 2^−9; no integrand here needs more than 2^−6.
 const LEVELS: usize = 10;
 
-/// A node near an end of the unit interval, which stands for its mirror image too.
+/// A node near an end of the unit interval; its mirror image is a node too.
 struct Node {
     /// The distance to the end.
     inset: Real,
     weight: Real,
 }
 
-/// The nodes that level k, with the step 2^−k, adds to those before it.
+/// The nodes that level k, with the step 2^−k, adds to those of the levels before.
 fn level(k: usize) -> &'static [Node] {
     static NODES: [OnceLock<Vec<Node>>; LEVELS] = [const { OnceLock::new() }; LEVELS];
     NODES[k].get_or_init(|| {
@@ -44,7 +44,7 @@ fn level(k: usize) -> &'static [Node] {
     })
 }
 
-/// The integrals of several functions over `low` to `high`, to `tolerance` relative to those of their sizes.
+/// The integrals of several functions from `low` to `high`, to `tolerance` relative to those of their absolute values.
 ///
 /// # Panics
 ///

@@ -1,4 +1,4 @@
-//! Many scenes, and the worst of what was found in them.
+//! Many scenes, and the worst findings in them.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -10,10 +10,10 @@ use super::scene::Scene;
 use crate::budget::Allowance;
 use crate::random::Stream;
 
-/// Every how many cases memory and balance are looked at as well.
+/// Every so many cases, memory and balance are examined as well.
 const DEEP: u64 = 97;
 
-/// In which format a case is computed.
+/// The format in which a case is computed.
 #[derive(Clone, Copy, Debug)]
 pub enum Format {
     /// `f64`.
@@ -36,7 +36,7 @@ impl Format {
         }
     }
 
-    /// What the table allows, in units of ε.
+    /// The error that the table allows, in units of ε.
     #[must_use]
     pub fn allowed(self, allowance: Allowance) -> f64 {
         match self {
@@ -53,23 +53,23 @@ pub struct Campaign {
     pub seed: u64,
 }
 
-/// The worst of one kind in one corner.
+/// The worst error of one quantity in one region.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Worst {
-    /// As a share of what is allowed.
+    /// The error as a share of the allowed one.
     pub share: f64,
-    /// In which case.
+    /// The case in which it occurred.
     pub case: u64,
-    /// How many were measured.
+    /// How many errors were measured.
     pub count: u64,
 }
 
-/// Faults of one kind in one corner.
+/// Faults of one kind in one region.
 #[derive(Clone, Debug, Default)]
 pub struct Faults {
     /// How many.
     pub count: u64,
-    /// The first: its case, and what it is about.
+    /// The case of the first one and its description.
     pub first: Option<(u64, String)>,
 }
 
@@ -89,7 +89,7 @@ impl Faults {
     }
 }
 
-/// What was found in one format.
+/// The findings in one format.
 #[derive(Clone, Debug)]
 pub struct Ledger {
     /// The format.
@@ -98,11 +98,11 @@ pub struct Ledger {
     pub errors: [[Worst; Quantity::ALL.len()]; Region::ALL.len()],
     /// By region and fault.
     pub faults: [[Faults; Fault::ALL.len()]; Region::ALL.len()],
-    /// How many, by region and tally.
+    /// Counts by region and tally.
     pub tallies: [[u64; Tally::ALL.len()]; Region::ALL.len()],
 }
 
-/// What was found in all of them.
+/// The findings in both formats.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The ledgers of f64 and f32.
@@ -126,13 +126,13 @@ impl Campaign {
         Report { ledgers, cases: 0, seed: self.seed }
     }
 
-    /// Examines one case: three in f64, the fourth in f32, through all regions.
+    /// Examines one case: of every four, three are in f64 and one in f32, and they go through all regions.
     pub fn run(&self, case: u64, report: &mut Report) {
         let is_deep = case.is_multiple_of(DEEP);
         self.run_to(Depth { memory: is_deep, balance: is_deep }, case, report);
     }
 
-    /// Examines one case with all that there is.
+    /// Examines one case, including memory and balance.
     pub fn run_closely(&self, case: u64, report: &mut Report) {
         self.run_to(Depth { memory: true, balance: true }, case, report);
     }
@@ -155,7 +155,7 @@ impl Campaign {
         }
     }
 
-    /// What tells the scene of a case from others; see [`Scene::fingerprint`].
+    /// A number that tells the scene of a case from others; see [`Scene::fingerprint`].
     #[must_use]
     pub fn fingerprint(&self, case: u64) -> u32 {
         match Format::of(case) {
@@ -174,7 +174,7 @@ impl Campaign {
     fn run_in<T: Precision>(&self, depth: Depth, case: u64, ledger: &mut Ledger) {
         let (region, scene) = self.scene::<T>(case);
         let mut entry = Entry { ledger, region, case };
-        // A panic must end neither the campaign nor what was found before it.
+        // A panic must not end the campaign, nor lose what was found before it.
         if let Err(panic) = catch_unwind(AssertUnwindSafe(|| examine(&scene, depth, &mut entry))) {
             let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
             let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
@@ -211,7 +211,7 @@ impl Findings for Entry<'_> {
 }
 
 impl Report {
-    /// Adds what was found in other cases of the same campaign; the order does not matter.
+    /// Adds the findings in other cases of the same campaign; the order does not matter.
     pub fn merge(&mut self, other: Self) {
         self.cases += other.cases;
         for (ledger, other) in self.ledgers.iter_mut().zip(other.ledgers) {
@@ -228,19 +228,19 @@ impl Report {
         }
     }
 
-    /// How many there are of a tally, in all regions and formats.
+    /// The count of a tally, over all regions and formats.
     #[must_use]
     pub fn count(&self, tally: Tally) -> u64 {
         self.ledgers.iter().flat_map(|ledger| &ledger.tallies).map(|row| row[tally as usize]).sum()
     }
 
-    /// Whether anything was examined, every error is within its bound, and nothing is at fault.
+    /// Whether anything was examined, every error is within its bound, and there are no faults.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.count(Tally::Solved) + self.count(Tally::Unsolved) > 0 && self.is_within_bounds()
     }
 
-    /// Whether every error is within its bound and nothing is at fault, should anything have been examined or not.
+    /// Whether every error is within its bound and there are no faults, even if nothing was examined.
     #[must_use]
     pub fn is_within_bounds(&self) -> bool {
         self.ledgers.iter().all(|ledger| {

@@ -1,11 +1,11 @@
-//! By what an allowance is multiplied for a scene: how much larger errors are there that nothing can be done about.
+//! The factor on the allowance of a scene: how much larger the unavoidable errors are there.
 
 use super::exact::Kernels;
 
-/// Σ|terms of J|/(a J′), if it is above 1: errors of J are divided by its degree and grow where its terms cancel.
+/// Σ|terms of J|/(a J′) but at least 1: the degree of J divides errors of J, and cancelling terms magnify them.
 ///
-/// Infinite where J falls: rounded coefficients, which are exact here, may be those of a geometry that is not quite
-/// admissible. No radius belongs to what lies there, and what the contact passes in a jump is in doubt.
+/// Infinite where J falls: rounded coefficients, which count as exact here, may be those of a geometry that is not
+/// quite admissible. No radius belongs to a load there, and it is uncertain which radii the contact passes in a jump.
 pub(super) fn of_radius(here: &Kernels) -> f64 {
     let slope = here.log_slope.value;
     if slope.is_positive() { (here.load_integral.size / slope).value().max(1.0) } else { f64::INFINITY }

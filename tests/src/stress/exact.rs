@@ -1,8 +1,8 @@
-//! The solution in 31 digits, from the formulas as they stand.
+//! The solution in 31 digits, straight from the formulas.
 
 use super::wide::Wide;
 
-/// A value, and the sum of the sizes of its terms.
+/// A sum, and the sum of the absolute values of its terms.
 #[derive(Clone, Copy, Debug)]
 pub struct Sum {
     /// Σ terms.
@@ -23,14 +23,14 @@ impl Sum {
         Self { value: self.value * factor, size: self.size * factor }
     }
 
-    /// Σ|terms|/|Σ terms|, by which rounding may be multiplied.
+    /// Σ|terms|/|Σ terms|, by which errors from rounding may grow.
     #[must_use]
     pub fn condition(self) -> f64 {
         if self.value.is_zero() { 1.0 } else { (self.size / self.value.abs()).value() }
     }
 }
 
-/// The functions of one radius: Eqs. (10), (14), (28).
+/// The functions of a geometry at one radius: Eqs. (10), (14), (28).
 #[derive(Clone, Copy, Debug)]
 pub struct Kernels {
     /// Φ.
@@ -54,13 +54,13 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The gap with the coefficients and exponents given.
+    /// The gap with the given coefficients and exponents.
     #[must_use]
     pub fn new(terms: Vec<(Wide, f64)>) -> Self {
         Self { terms }
     }
 
-    /// The functions of a radius above 0.
+    /// The functions at a radius above 0.
     #[must_use]
     pub fn kernels(&self, a: Wide) -> Kernels {
         let zero = Sum::ZERO;
@@ -94,7 +94,7 @@ impl Profile {
         }
     }
 
-    /// G(a, r) for r < a: its bracket away from the edge, its expansion in 1 − r/a next to it.
+    /// G(a, r) for r < a: from its bracket away from the edge, from its expansion in 1 − r/a next to the edge.
     #[must_use]
     pub fn pressure_kernel(&self, a: Wide, r: Wide) -> Sum {
         let (ratio, inset) = (r / a, (a - r) / a);
@@ -108,11 +108,11 @@ impl Profile {
     }
 
     /// The root of J(a) = y nearest to an estimate, by Newton's method on logarithms, until steps below 1e-17 no longer
-    /// shrink; None if they do not come to that.
+    /// shrink; `None` if this is never reached.
     #[must_use]
     pub fn radius(&self, y: Wide, estimate: Wide) -> Option<Wide> {
         let (mut a, mut last) = (estimate, f64::INFINITY);
-        // Where J is nearly flat Newton's method gains no more than a third at a time.
+        // Where J is nearly flat, each step of Newton's method removes no more than a third of the error.
         for _ in 0..400 {
             let here = self.kernels(a);
             let (value, slope) = (here.load_integral.value, here.log_slope.value);
@@ -120,7 +120,7 @@ impl Profile {
                 return None;
             }
             let change = ((value - y) / slope).value();
-            // The logarithm's step far away, where a ratio of powers is all that counts.
+            // Far away the step is that of the logarithm, as only a ratio of powers counts there.
             let step =
                 if change.abs() < 0.1 { change } else { (value / y).ln().value() / (slope / value).value() };
             a = a * (Wide::ONE - Wide::of(step.clamp(-0.7, 0.5)));
@@ -144,8 +144,8 @@ impl Profile {
         positive.map(logarithm).reduce(Wide::min).map_or(Wide::ZERO, Wide::exp)
     }
 
-    /// The radius up to `a` at which a J′ is smallest beside the sizes of the terms of J, where the gap has terms of
-    /// both signs: the contact passes it in no time, and rounding moves it most.
+    /// The radius up to `a` at which a J′ is smallest relative to the absolute terms of J, if the gap has terms of both
+    /// signs: the contact passes this radius in no time, and rounding moves it most.
     #[must_use]
     pub fn flattest_radius(&self, a: Wide) -> Option<Wide> {
         if self.terms.iter().all(|(c, _)| c.is_positive()) {
@@ -168,8 +168,8 @@ impl Profile {
 
 /// K(q) = n − (n+2) q² + 2 q^(n+2), from q and 1 − q.
 ///
-/// With δ = 1 − q the binomial series of q^(n+2) leaves n (n+2) δ² + 2 Σ_{j≥3} binom(n+2, j) (−δ)^j. The bracket loses
-/// half its digits where the series begins, at (n+2) δ = 1/4, and 31 are more than enough.
+/// With δ = 1 − q the binomial series of q^(n+2) leaves n (n+2) δ² + 2 Σ_{j≥3} binom(n+2, j) (−δ)^j. At (n+2) δ = 1/4,
+/// where the series takes over, the bracket loses half its digits, and 31 are more than enough.
 fn bracket(n: f64, ratio: Wide, inset: Wide) -> Wide {
     let (exponent, two) = (Wide::of(n), Wide::of(2.0));
     let next = exponent + two;

@@ -1,4 +1,4 @@
-//! One scene through every public result, compared with the exact ones.
+//! Every public result of one scene, compared with the exact one.
 
 use cartcontact::load::{LoadError, PiecewiseLinear};
 use cartcontact::{ContactError, GapProfile, Snapshot};
@@ -16,15 +16,15 @@ use crate::budget;
 use crate::condition::edge;
 use crate::quadrature::Graded;
 
-/// The most knots for which the balance is looked at: its pressures, and the time of each, number as many as they.
+/// The most knots for which the balance is examined: the number of its pressures and the time of each grow with them.
 const MOST_KNOTS: usize = 30;
 
-/// How much of a scene is looked at.
+/// How much of a scene is examined.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Depth {
-    /// The pressure after drainage against its integral in 31 digits: some milliseconds.
+    /// The pressure after drainage, against its integral in 31 digits: some milliseconds.
     pub memory: bool,
-    /// The balance of the pressure with the load, by some thousand pressures: some milliseconds.
+    /// The balance of pressure and load, from some thousand pressures: some milliseconds.
     pub balance: bool,
 }
 
@@ -42,7 +42,7 @@ pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn 
     examination.run(depth);
 }
 
-/// A scene that there is no contact of, which is a fault if it is usable.
+/// Notes a scene for which no contact could be made, which is a fault if the scene is usable.
 fn turned_away(error: &dyn core::fmt::Display, is_usable: bool, findings: &mut dyn Findings) {
     if is_usable {
         findings.fault(Fault::Refused, error);
@@ -67,7 +67,7 @@ impl<T: Precision> Examination<'_, T> {
         let contact = self.contact;
         let time = Wide::of(self.scene.time.value());
         let hereditary = self.exact.hereditary(time);
-        // What rounds to zero is no load.
+        // A load that rounds to zero is no load.
         if hereditary.value() < T::LEAST * T::EPSILON {
             self.findings.count(Tally::Unsolved);
             return self.unloaded();
@@ -97,7 +97,7 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// A radius beyond the last exact one is right if J there is as much as rounding lets it be told apart.
+    /// A radius beyond the last exact one is right if rounding cannot tell J there from the load.
     fn accepted(&mut self, found: f64, y: Wide) {
         let load_integral = self.exact.profile.kernels(Wide::of(found)).load_integral;
         let error = ((load_integral.value - y) / load_integral.size).value().abs() / T::EPSILON;
@@ -107,7 +107,7 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// An error at a time is right beyond the admissible range, and where J or a J′ leave the format.
+    /// An error at a time is right beyond the admissible range, and where J or a J′ leaves the format.
     fn refused(&mut self, error: &ContactError, time: T) {
         let time = Wide::of(time.value());
         let y = self.exact.hereditary(time) / self.exact.stiffness();
@@ -115,7 +115,7 @@ impl<T: Precision> Examination<'_, T> {
         let radius = if y.is_positive() { self.exact.profile.radius(y, estimate()) } else { None };
         let is_right = match (error, radius) {
             (ContactError::BeyondRange { max_radius, .. }, Some(a)) => {
-                // Rounding of J may hide whether a radius next to the end is inside.
+                // Rounding of J may hide whether a radius next to the end of the range is inside.
                 let slack = 4.0 * T::EPSILON * condition::of_radius(&self.exact.profile.kernels(a));
                 a.value() > max_radius * (1.0 - slack)
             }
@@ -135,12 +135,12 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// ∫F up to a time, from Y.
+    /// ∫F up to a time, from Y/(π m/4).
     fn impulse(&self, time: Wide, y: Wide) -> f64 {
         (y * self.exact.stiffness() - self.exact.force(time)).value() / self.scene.chi.value()
     }
 
-    /// Whether a number that has to have all its digits has not.
+    /// Whether a number that needs all its digits lacks some.
     fn is_out_of_range(&self, time: Wide, y: Wide, radius: Option<Wide>) -> bool {
         let force = self.exact.force(time).value();
         let chi = self.scene.chi.value();
@@ -172,7 +172,7 @@ impl<T: Precision> Examination<'_, T> {
             Quantity::ContactApproach,
             now.approach().value(),
             here.approach.value,
-            // It is that of the radius found, which may be off by all that is allowed for one.
+            // The approach belongs to the radius found, which may be off by all that is allowed for a radius.
             of_radius * (1.0 + degree),
         );
         self.kernels(now);
@@ -242,8 +242,8 @@ impl<T: Precision> Examination<'_, T> {
 
     /// Pressures are finite, not negative, and fall from the axis to the edge.
     ///
-    /// Either of two pressures may be off by a share of what it is. The exact ones rise for certain if the outer less
-    /// its share exceeds the inner and its share; next to the edge that share may be all there is.
+    /// Either of two pressures may be off by a share of itself. The exact pressures rise for certain if the outer one
+    /// minus its share exceeds the inner one plus its share; next to the edge the share may be the whole pressure.
     fn course(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64) {
         let is_representable = self.exact.undrained_pressure(a, Wide::ZERO).value() <= T::MOST / 16.0;
         let (mut inner, mut most) = (f64::INFINITY, f64::INFINITY);
@@ -265,7 +265,7 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// A field of two times agrees with the snapshot at the second.
+    /// A field at two times agrees with the snapshot at the second.
     fn field(&mut self, now: &Now<'_, '_, T>, condition: f64) {
         let third = self.scene.time * T::rounded(1.0 / 3.0);
         let times = [third, self.scene.time];
@@ -282,7 +282,7 @@ impl<T: Precision> Examination<'_, T> {
                 self.findings.fault(Fault::NegativePressure, &format_args!("{:e} in a field", value.value()));
             }
             if expected.is_finite() && r < now.radius() {
-                // Of two pressures so near the edge that one is 0 the other is the scale.
+                // If one of two pressures next to the edge is 0, the other is the scale.
                 let (found, scale) = (value.value(), value.value().max(expected));
                 let condition =
                     condition * edge(now.radius(), r) * if expected > 0.0 { scale / expected } else { 1.0 };
@@ -318,18 +318,18 @@ impl<T: Precision> Examination<'_, T> {
         self.measure(Quantity::Balance, carried.value(), Wide::of(force), condition);
     }
 
-    /// The radii just before and just after a time, as shares of the radius `a`.
+    /// The radii just before and at a time, as shares of the radius `a`.
     fn radii_at(&self, time: T, a: T) -> [f64; 2] {
         let before = time * (T::one() - T::rounded(T::EPSILON * 4.0));
         [before, time]
             .map(|time| self.contact.at(time).map_or(0.0, |then| (then.radius() / a).value().min(1.0)))
     }
 
-    /// Notes an error in units of ε, relative to a normal number at least, as a share of what is allowed.
+    /// Notes an error as a share of the allowed one: in units of ε, relative to the smallest normal number at least.
     fn measure(&mut self, quantity: Quantity, found: f64, expected: Wide, condition: f64) {
         let value = expected.value();
         if value.abs() > T::MOST * (1.0 - T::EPSILON) {
-            // The exact result is out of range; anything but a wrong number will do.
+            // The exact result is out of range: infinity and numbers next to it are right.
             if found.is_nan() || found.abs() < T::MOST * (1.0 - 64.0 * T::EPSILON * condition) {
                 self.findings.fault(
                     Fault::NotANumber,

@@ -1,4 +1,4 @@
-//! Geometries whose structure is known to the compiler and whose coefficients are not.
+//! Geometries whose exponents are known to the compiler but whose coefficients are not.
 
 use cartcontact::{GapProfile, Scalar, gap_profile};
 
@@ -20,7 +20,7 @@ struct Whole<T> {
     third: T,
 }
 
-/// Powers that are not whole, the last not even a multiple of 1/4; all of them exact in binary.
+/// Powers that are not whole, the last one not even a multiple of 1/4; all are exact in binary.
 #[gap_profile(first * r^0.25 + second * r^2.5 + third * r^3.28125)]
 #[derive(Clone, Copy, Debug)]
 struct Real<T> {

@@ -1,4 +1,4 @@
-//! What a scene is checked for, and what can be found.
+//! What a scene is checked for, and what the checks can find.
 
 use crate::budget::{self, Allowance};
 
@@ -48,7 +48,7 @@ impl Quantity {
         Self::Balance,
     ];
 
-    /// What is allowed for it.
+    /// The error that is allowed for it.
     #[must_use]
     pub fn allowance(self) -> Allowance {
         match self {
@@ -102,7 +102,7 @@ pub enum Fault {
     Refused,
     /// A radius although the contact has none.
     Accepted,
-    /// Another result in other units that differ by powers of two.
+    /// A result that changes with units that differ by powers of two.
     NotInvariant,
 }
 
@@ -118,7 +118,7 @@ impl Fault {
         Self::NotInvariant,
     ];
 
-    /// What it says in reports.
+    /// Its name in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -133,14 +133,14 @@ impl Fault {
     }
 }
 
-/// What is counted, so that nothing passes for not having been looked at.
+/// What is counted, so that nothing passes just because it was not examined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tally {
     /// Scenes whose results were compared with the exact ones.
     Solved,
-    /// Scenes that have no radius to compare: nothing is loaded, or the time is refused; either was judged.
+    /// Scenes without a radius to compare, as there is no load or the time is refused; both are judged.
     Unsolved,
-    /// Scenes of which there is no contact: their geometry, medium or load is refused.
+    /// Scenes without a contact: their geometry, medium or load is refused.
     Refused,
     /// Results compared with those in other units.
     Units,
@@ -150,7 +150,7 @@ impl Tally {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Solved, Self::Unsolved, Self::Refused, Self::Units];
 
-    /// What it says in reports, at most ten characters.
+    /// Its name in reports, at most ten characters.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -164,12 +164,12 @@ impl Tally {
 
 /// Where the findings of a scene go.
 pub trait Findings {
-    /// What became of it.
+    /// The outcome of the scene.
     fn count(&mut self, tally: Tally);
 
-    /// An error, as a share of what is allowed.
+    /// An error, as a share of the allowed one.
     fn error(&mut self, quantity: Quantity, share: f64);
 
-    /// A fault, and what it is about.
+    /// A fault and its description.
     fn fault(&mut self, fault: Fault, about: &dyn core::fmt::Display);
 }

@@ -1,11 +1,11 @@
-//! A load history in 31 digits, and the pressure it leaves.
+//! A load history in 31 digits, and the pressure that it leaves.
 
 use std::sync::OnceLock;
 
 use super::exact::Profile;
 use super::wide::Wide;
 
-/// Everything that a contact is made of, exactly as it was given.
+/// Everything that a contact is made of, exactly as given.
 #[derive(Clone, Debug)]
 pub struct History {
     /// The geometry.
@@ -107,7 +107,7 @@ impl History {
     /// P(r, t) = (m/4) ∫ᵣᵃ δ₀′(s) (s² − r²) e^(−χ (t − τ(s))) ds
     /// ```
     ///
-    /// with m G for what a jump of the load covers at once; none if a radius on the way cannot be found.
+    /// where a jump of the load contributes the change of m G; none if a radius of the history cannot be found.
     #[must_use]
     pub fn pressure(&self, time: Wide, a: Wide, r: Wide) -> Option<Wide> {
         let mut sum = Wide::ZERO;
@@ -142,9 +142,9 @@ impl History {
         self.profile.radius(hereditary / self.stiffness(), estimate)
     }
 
-    /// What a straight piece between two radii leaves at its end.
+    /// The pressure that a straight piece between two radii leaves at its end.
     fn of_straight_piece(&self, piece: &Piece, (before, after): (Wide, Wide), r: Wide) -> Option<Wide> {
-        // What is older than 100 e-foldings does not count, and would leave nodes where there is nothing.
+        // Contributions older than 100 e-foldings do not count; integrating them would waste nodes.
         let duration = piece.end - piece.start;
         let kept = if self.chi.is_positive() { duration.min(Wide::of(100.0) / self.chi) } else { duration };
         let oldest = if kept.is_below(duration) {
@@ -176,8 +176,8 @@ impl History {
 
 /// ∫₀^length by Gauss–Legendre rules on panels that halve towards both ends.
 ///
-/// Next to an end where the integrand is a power of the distance, a panel is as long as its distance, and 16 nodes
-/// leave 5.8^-32; the innermost panel, 2^-36 of the length, leaves less than that of roots of the distance.
+/// Next to an end, where the integrand is a power of the distance, a panel is as long as its distance from the end, and
+/// 16 nodes leave an error of 5.8^-32; the innermost panel, 2^-36 of the length, leaves less for roots of the distance.
 fn graded(length: Wide, integrand: impl Fn(Wide) -> Wide) -> Wide {
     const PANELS: i64 = 36;
     let panel = |from: Wide, to: Wide| {
@@ -196,7 +196,7 @@ fn graded(length: Wide, integrand: impl Fn(Wide) -> Wide) -> Wide {
     sum
 }
 
-/// The positive nodes of the rule of 16 nodes with their weights, by Newton's method on the Legendre polynomial.
+/// The positive nodes of the 16-node rule and their weights, by Newton's method on the Legendre polynomial.
 fn nodes() -> &'static [(Wide, Wide); 8] {
     static NODES: OnceLock<[(Wide, Wide); 8]> = OnceLock::new();
     NODES.get_or_init(|| {

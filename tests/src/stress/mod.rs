@@ -1,4 +1,4 @@
-//! Random scenes from every corner of what the library accepts, each compared with a solution in 31 digits.
+//! Random scenes from every corner of the accepted input, each compared with a solution in 31 digits.
 
 pub mod campaign;
 mod condition;

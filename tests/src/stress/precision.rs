@@ -1,4 +1,4 @@
-//! The two formats of numbers that the campaign runs in.
+//! The two number formats of the campaign.
 
 use cartcontact::{GapProfile, Scalar};
 
@@ -27,7 +27,7 @@ pub trait Precision: Scalar {
     /// The generated solver of a geometry.
     fn solver(case: &Case) -> &'static dyn GapProfile<Self>;
 
-    /// What the table allows, in units of ε.
+    /// The error that the table allows, in units of ε.
     fn allowed(allowance: Allowance) -> f64;
 }
 

@@ -8,10 +8,10 @@ use super::wide::Wide;
 use crate::profiles::cases;
 use crate::random::Stream;
 
-/// Every how many cases the load has many knots; with none in common with the cycles of the others.
+/// Every so many cases the load has many knots; the number shares no factor with the cycles of regions and formats.
 const RECORDS: u64 = 17;
 
-/// A corner of what the library accepts.
+/// A corner of the accepted input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
     /// Joints: what most users compute.
@@ -40,7 +40,7 @@ pub enum Region {
     Fall,
     /// Geometries whose δ₀′ is nearly zero inside the range.
     NearlyAdmissible,
-    /// Loads of 4 to 200 knots, as they are measured.
+    /// Loads of 4 to 200 knots, like measured ones.
     Record,
 }
 
@@ -63,7 +63,7 @@ impl Region {
         Self::Record,
     ];
 
-    /// The region of a case: the last one for every 17th, the others in turn.
+    /// The region of a case: the last region for every 17th case, the others in turn.
     #[must_use]
     pub fn of_case(case: u64) -> Self {
         let others = Self::ALL.len() as u64 - 1;
@@ -91,7 +91,7 @@ impl Region {
         }
     }
 
-    /// A scene of this corner, for a format.
+    /// A scene of this region, for a format.
     pub fn draw<T: Precision>(self, stream: &mut Stream) -> Scene<f64> {
         let mut draft = match self {
             Self::Generated => Draft::generated(stream),
@@ -145,23 +145,23 @@ const ALL_EXPONENTS: [f64; 24] = [
     64.0,
 ];
 
-/// A scene without its load.
+/// A scene without the knots of its load.
 struct Draft {
     form: Form,
     terms: Vec<(f64, f64)>,
     max_radius: Option<f64>,
     m: f64,
-    /// The contact radius under the first load.
+    /// The contact radius at the time, or in one scene of four at the start.
     radius: f64,
     chi: f64,
     chi_t: f64,
     inset: f64,
-    /// The load, if it does not follow from the radius.
+    /// The force, if it does not follow from the radius.
     force: Option<f64>,
 }
 
 impl Draft {
-    /// Terms that are alike in size at the radius `size`, times ten to the power of up to `spread`.
+    /// Terms of similar size at the radius `size`, each times ten to a power between −`spread` and `spread`.
     fn new(form: Form, exponents: &[f64], size: f64, spread: f64, stream: &mut Stream) -> Self {
         let gap = size * stream.magnitude(-3.0, 0.0);
         let terms =
@@ -198,7 +198,7 @@ impl Draft {
         exponents.sort_by(f64::total_cmp);
         exponents.dedup();
         let highest = exponents.last().copied().unwrap_or(2.0);
-        // So that coefficients and powers stay in range.
+        // This keeps coefficients and powers in range.
         let decades = (T::DECADES / (highest + 5.0)).min(2.0);
         let size = stream.magnitude(-decades, decades);
         Self::new(Form::Polynomial, &exponents, size, 1.0, stream)
@@ -237,7 +237,7 @@ impl Draft {
     /// One to three terms at a radius whose power alone is out of range.
     fn of_high_powers<T: Precision>(stream: &mut Stream) -> Self {
         let highest: f64 = stream.one_of(&[3.0, 6.0, 12.0, 17.5, 31.4, 64.0]);
-        // C = gap/size^n and J ~ gap size⁴ are in range, a^n need not be.
+        // C = gap/size^n and J ~ gap size⁴ are in range; a^n need not be.
         let decades = (2.0 * T::DECADES - 8.0) / (highest + 1.0).max(5.0);
         let size = 10_f64.powf(stream.between(0.5, 0.95) * decades * stream.one_of(&[-1.0, 1.0]));
         let exponents: Vec<f64> = [0.25, 2.0, highest].into_iter().skip(stream.below(3)).collect();
@@ -278,7 +278,7 @@ impl Draft {
         let terms = self.terms.iter().map(|&(c, n)| (Wide::of(c), n)).collect();
         let load_integral = Profile::new(terms).kernels(Wide::of(self.radius)).load_integral.value;
         let hereditary = load_integral * Wide::of(self.m) * Wide::FRAC_PI_4;
-        // In most scenes the radius is that at the time asked for, in the others that at the start.
+        // In most scenes the radius is the one at the time, in the others the one at the start.
         let grown = if stream.once_in(4) { 1.0 } else { 1.0 + self.chi_t };
         let force = self.force.unwrap_or_else(|| (hereditary / Wide::of(grown)).value());
         let time = if self.chi_t == 0.0 && stream.once_in(2) { 0.0 } else { self.chi_t / self.chi };
@@ -303,7 +303,7 @@ impl Draft {
     }
 }
 
-/// A load of any of the usual kinds.
+/// A load of one of the usual kinds.
 fn stream_of_knots(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)> {
     match stream.below(5) {
         0 => vec![(0.0, 0.0), (time * stream.between(0.1, 2.0), force)],
@@ -349,8 +349,8 @@ fn falls(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)
     knots
 }
 
-/// A measured load: pieces alike or very unlike in length, which rise, are held, jump, or fall, some as fast as
-/// e^(−χ t).
+/// A load like a measured one: pieces of similar or very different lengths that rise, hold, jump or fall, some as fast
+/// as e^(−χ t).
 fn record(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)> {
     let most = stream.one_of(&[1.0, 1.0, 1.0, 1.3, 1.6, 2.3]);
     let count = stream.magnitude(0.6, most) as usize;

@@ -41,7 +41,7 @@ fn tallies(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     line(f, "all", Tally::ALL.map(|tally| ledger.tallies.iter().map(|row| row[tally as usize]).sum()))
 }
 
-/// The largest errors as shares of what is allowed, by region and quantity.
+/// The largest errors as shares of the allowed ones, by region and quantity.
 fn shares(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     write!(f, "\n{}, error/bound", ledger.format.name())?;
     write!(f, "{:1$}", "", 17 - ledger.format.name().len() - 13)?;
@@ -67,7 +67,7 @@ fn shares(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// The worst error of every quantity, in units of ε, and where it is.
+/// The worst error of every quantity, in units of ε, and the case in which it occurred.
 fn worst(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "\n{}, worst       error/ε  allowed     values  case, region", ledger.format.name())?;
     for quantity in Quantity::ALL {
@@ -93,7 +93,7 @@ fn worst(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// Where errors exceed what is allowed.
+/// The cases in which errors exceed the allowed ones.
 fn exceeded(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (region, row) in Region::ALL.into_iter().zip(&ledger.errors) {
         for (quantity, worst) in Quantity::ALL.into_iter().zip(row).filter(|(_, worst)| worst.share > 1.0) {
@@ -109,7 +109,7 @@ fn exceeded(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// What must not happen, if it did.
+/// The faults, if there are any.
 fn faults(ledger: &Ledger, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for fault in Fault::ALL {
         for (region, row) in Region::ALL.into_iter().zip(&ledger.faults) {

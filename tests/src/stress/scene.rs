@@ -1,4 +1,4 @@
-//! A contact to be computed: everything that the library is given.
+//! A contact to compute: the whole input of the library.
 
 use super::precision::Precision;
 use super::wide::Wide;
@@ -36,7 +36,7 @@ pub struct Scene<T> {
 }
 
 impl Scene<f64> {
-    /// The scene in another format; loads that would recede there for rounding are held instead.
+    /// The scene in another format; loads that would recede there because of rounding are held instead.
     #[must_use]
     pub fn rounded<T: Precision>(&self) -> Scene<T> {
         let pairs =
@@ -57,7 +57,7 @@ impl Scene<f64> {
 }
 
 impl<T: Precision> Scene<T> {
-    /// Raises forces behind which the hereditary load would fall, or nearly so, to the force before.
+    /// Replaces a force at which the hereditary load would fall, or nearly fall, by the force before it.
     fn hold_where_it_recedes(&mut self) {
         let chi = self.chi;
         for last in 1..self.knots.len() {
@@ -68,7 +68,7 @@ impl<T: Precision> Scene<T> {
         }
     }
 
-    /// The coefficient of each term as it was meant: decimals for geometries that the compiler reads.
+    /// The terms with the coefficients as meant: decimals for geometries that the compiler reads.
     #[must_use]
     pub fn exact_terms(&self) -> Vec<(Wide, f64)> {
         if let Form::Constant(index) = self.form {
@@ -85,8 +85,8 @@ impl<T: Precision> Scene<T> {
         coefficients.chain(knots).chain([self.m, self.chi, self.time])
     }
 
-    /// What tells the scene from others: a digest of its form and of seven digits of every number, those in which all
-    /// machines agree, since powers of ten are not rounded alike on all of them.
+    /// A digest that tells the scene from others, of its form and of seven digits of every number: all machines agree
+    /// in these, although they do not round powers of ten alike.
     #[must_use]
     pub fn fingerprint(&self) -> u32 {
         let exponents = self.terms.iter().map(|&(_, n)| n);
@@ -98,7 +98,7 @@ impl<T: Precision> Scene<T> {
             .fold(0x811c_9dc5, |digest, byte| (digest ^ u32::from(byte)).wrapping_mul(0x0100_0193))
     }
 
-    /// Lengths, forces and times multiplied by powers of two; none if the numbers of the scene do not allow it.
+    /// The scene with lengths, forces and times multiplied by powers of two; none if its exponents do not allow it.
     #[must_use]
     pub fn in_units(&self, length: i32, force: i32, time: i32) -> Option<Self> {
         let coefficient = |(c, n): (T, T)| {
@@ -122,7 +122,7 @@ impl<T: Precision> Scene<T> {
     }
 }
 
-/// Whether F′ + χ F stays positive on a falling piece by more than what rounding may make of it.
+/// Whether F′ + χ F stays positive on a falling piece by more than its rounding.
 fn may_fall<T: Precision>(chi: T, (start, before): (T, T), (end, after): (T, T)) -> bool {
     let [chi, start, before, end, after] = [chi, start, before, end, after].map(|x| Wide::of(x.value()));
     let fall = before - after;

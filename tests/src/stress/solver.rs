@@ -36,7 +36,7 @@ pub(super) fn solver<T: Precision>(
 ///
 /// # Errors
 ///
-/// Whatever its parts complain of.
+/// If the load, the medium or the geometry is refused.
 pub(super) fn contact<'a, T: Precision>(
     scene: &'a Scene<T>,
     profile: &'a dyn GapProfile<T>,

@@ -1,7 +1,7 @@
-//! Whatever the input: no panic, nothing that is not a number, no negative pressure, and a pressure that carries the
-//! load.
+//! For any input: no panic, no result that is not a number, no negative pressure, and a pressure that carries the load.
 //!
-//! The fuzz target and a seeded test draw their input from the same words, so that either reaches what the other does.
+//! The fuzz target and a seeded test draw their input from words in the same way, so that each reaches what the other
+//! does.
 
 use super::examine::{Depth, examine};
 use super::finding::{Fault, Findings, Quantity, Tally};
@@ -11,7 +11,7 @@ use super::scene::{Form, Scene};
 /// The share of the load by which a balance may be off, in ε: 1e-10 in f64.
 const BALANCE: f64 = 4.5e5;
 
-/// A scene from a source of words, of which any sequence will do: most numbers are those of a joint, some are anything.
+/// A scene from any sequence of words: most numbers are like those of a joint, some are arbitrary.
 pub fn scene(word: &mut dyn FnMut() -> u64) -> Scene<f64> {
     let terms = (0..=word() % 6).map(|_| (number(word()), exponent(word()))).collect();
     let max_radius = word().is_multiple_of(8).then(|| number(word()).abs());
@@ -27,7 +27,7 @@ pub fn scene(word: &mut dyn FnMut() -> u64) -> Scene<f64> {
     Scene { form: Form::Polynomial, terms, max_radius, m, chi, knots, time: number(word()).abs(), inset }
 }
 
-/// In three of four cases up to three digits with a power of ten, else any bits.
+/// In three of four cases a number up to 1023 times a power of ten, else any bits.
 fn number(word: u64) -> f64 {
     if word.is_multiple_of(4) {
         return f64::from_bits(word.rotate_right(2));
@@ -47,11 +47,11 @@ fn exponent(word: u64) -> f64 {
     }
 }
 
-/// Computes a scene and tells what became of it; a panic is left to whoever calls.
+/// Computes a scene and returns its outcome; panics are left to the caller.
 ///
 /// # Errors
 ///
-/// What is wrong with its results.
+/// The first unsound result, as text.
 pub fn check<T: Precision>(scene: &Scene<T>) -> Result<Tally, String> {
     let allowed = T::allowed(Quantity::Balance.allowance());
     let mut worst = Unsound { allowed, outcome: Tally::Refused, found: None };
@@ -61,7 +61,7 @@ pub fn check<T: Precision>(scene: &Scene<T>) -> Result<Tally, String> {
 
 /// The first finding that makes a result unsound.
 struct Unsound {
-    /// What the table allows for a balance, in ε.
+    /// The error that the table allows for a balance, in ε.
     allowed: f64,
     outcome: Tally,
     found: Option<String>,

@@ -9,10 +9,10 @@ use super::scene::{Form, Scene};
 use super::solver::{contact, solver};
 
 impl<T: Precision> Examination<'_, T> {
-    /// Lengths, forces and times in units that differ by powers of two: the same bits.
+    /// Lengths, forces and times in units that differ by powers of two give the same bits.
     pub(super) fn units(&mut self, now: &Now<'_, '_, T>) {
-        // Coefficients of constant geometries have no other units; the end of a range that is searched for is the zero
-        // of a sum of exponentials of ln r, and rounded as such.
+        // Constant geometries cannot be expressed in other units; with negative terms the end of the range is searched
+        // for as the zero of a sum of exponentials of ln r, and rounded as such.
         let is_bound = matches!(self.scene.form, Form::Constant(_))
             || self.scene.terms.iter().any(|(c, _)| *c < T::zero());
         let lengths = if is_bound { 0 } else { 4 };
@@ -23,7 +23,7 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// Compares with the same scene in other units, which are 2 to these powers of the present ones.
+    /// Compares with the same scene in other units: lengths, forces and times are multiplied by 2 to these powers.
     fn compare_with(&mut self, now: &Now<'_, '_, T>, scene: &Scene<T>, units: (i32, i32, i32)) {
         let (length, force, _) = units;
         let r = self.place(now.radius(), self.scene.inset);
@@ -47,9 +47,9 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// Whether what goes in and what is computed on the way to a radius keep their digits here and in other units.
+    /// Whether the input and the intermediate results of a radius keep their digits in these and in other units.
     fn has_room_in(&self, scene: &Scene<T>, radius: T, (length, force, time): (i32, i32, i32)) -> bool {
-        // Nor may a number become zero in other units.
+        // No number may become zero in other units.
         let mut inputs = self.scene.numbers().zip(scene.numbers());
         let forces = self.scene.knots.iter().map(|knot| knot.1).filter(|force| !force.is_zero());
         let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
@@ -69,7 +69,7 @@ impl<T: Precision> Examination<'_, T> {
             && inputs.all(|(x, y)| has_room(&x) && has_room(&y) && x.is_zero() == y.is_zero())
     }
 
-    /// The least impulse between two knots that is not zero, and zero if there is none.
+    /// Twice the least impulse between two knots that is not zero; zero if there is none.
     fn least_impulse(&self) -> T {
         let impulses =
             self.scene.knots.windows(2).map(|pair| (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1));
@@ -78,7 +78,7 @@ impl<T: Precision> Examination<'_, T> {
     }
 }
 
-/// Whether a number is zero, or so far from the ends of the range that what is made of it on the way has all its digits.
+/// Whether a number is zero, or so far from the ends of the range that intermediate results have all their digits.
 fn has_room<T: Precision>(x: &T) -> bool {
     x.is_zero() || (T::LEAST / T::EPSILON / T::EPSILON..T::MOST * T::EPSILON).contains(&x.value().abs())
 }

@@ -1,4 +1,4 @@
-//! What the library has to accept, so that its refusal is a fault.
+//! What the library must accept, so that refusing it is a fault.
 
 use super::precision::Precision;
 use super::scene::Scene;
@@ -13,15 +13,15 @@ pub(super) fn is_geometry<T: Precision>(terms: &[(T, T)]) -> bool {
     has_digits && terms.iter().any(|(c, _)| !c.is_zero())
 }
 
-/// Whether geometry, constants of the medium and load are such as a contact can be made of.
+/// Whether a contact can be made of the geometry, the constants of the medium and the load.
 pub(super) fn is_contact<T: Precision>(scene: &Scene<T>) -> bool {
     let is_normal = |x: T| x.is_finite() && x.value() >= T::LEAST;
     let is_medium = is_normal(scene.m) && (scene.chi.is_zero() || is_normal(scene.chi));
     is_geometry(&scene.terms) && is_medium && is_load(&scene.knots)
 }
 
-/// Whether knots are finite and in order from 0, at most two of them at a time, with forces that are not negative and
-/// slopes that the format holds twice.
+/// Whether knots are finite and in order from 0, at most two of them at one time, with forces that are not negative and
+/// slopes whose double the format holds.
 fn is_load<T: Precision>(knots: &[(T, T)]) -> bool {
     let are_numbers =
         knots.iter().all(|(t, force)| t.is_finite() && force.is_finite() && *force >= T::zero());
@@ -32,7 +32,7 @@ fn is_load<T: Precision>(knots: &[(T, T)]) -> bool {
     }
 }
 
-/// Whether twice a slope is in range, whichever way it is rounded.
+/// Whether twice a slope is in range, however it is rounded.
 fn is_slope<T: Precision>(start: (T, T), end: (T, T)) -> bool {
     let [start_time, start, end_time, end] = [start.0, start.1, end.0, end.1].map(|x| Wide::of(x.value()));
     let slope = (end - start).abs() / (end_time - start_time);

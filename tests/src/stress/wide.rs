@@ -1,15 +1,15 @@
-//! Numbers of 31 digits and any size: what the results of the library are compared with.
+//! Numbers of 31 digits and any size, with which the results of the library are compared.
 //!
 //! A number is (high + low) · 2^exponent with 1 ≤ |high| < 2 and |low| ≤ ulp(high)/2. The two words give a relative
-//! error of some 2^-102 per operation, the exponent of its own keeps the reference from over- or underflowing where
-//! the library might.
+//! error of some 2^-102 per operation; the separate exponent keeps the reference from over- or underflowing where the
+//! library might.
 //!
 //! Sources: M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of
 //! double-word arithmetic", ACM TOMS 44 (2017), doi 10.1145/3121432; exact products by fused multiply-add.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number of 31 digits with an exponent of its own; zero has the words 0 and 0.
+/// A number of 31 digits with a separate exponent; zero has the words 0 and 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Wide {
     high: f64,
@@ -17,7 +17,7 @@ pub struct Wide {
     exponent: i64,
 }
 
-/// ln 2 = high + low; the second word is the rounded difference to ln 2 in 40 digits.
+/// ln 2; the second word is the rounded difference of the first from ln 2 in 40 digits.
 const LN_2: Wide =
     Wide { high: core::f64::consts::LN_2 * 2.0, low: 2.319_046_813_846_299_6e-17 * 2.0, exponent: -1 };
 
@@ -33,7 +33,7 @@ impl Wide {
         exponent: -1,
     };
 
-    /// The number itself; `x` must be finite.
+    /// Exactly `x`, which must be finite.
     #[must_use]
     pub fn of(x: f64) -> Self {
         Self { high: x, low: 0.0, exponent: 0 }.normalised()
@@ -101,7 +101,7 @@ impl Wide {
         Self { exponent: self.exponent + if self.is_zero() { 0 } else { k }, ..self }
     }
 
-    /// The square root of a number from 0.
+    /// The square root of a number that is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.is_zero() {
@@ -109,7 +109,7 @@ impl Wide {
         }
         let odd = self.exponent & 1;
         let reduced = Self { exponent: odd, ..self };
-        // One step of Heron's rule doubles the digits of the square root of the leading word.
+        // One step of Heron's rule doubles the digits of the root in `f64`.
         let estimate = Self::of(reduced.value().sqrt());
         (estimate + reduced / estimate).scaled(-1 + (self.exponent - odd) / 2)
     }
@@ -135,7 +135,7 @@ impl Wide {
         for k in (1..=9).rev() {
             series = (series + Self::ONE) * reduced / Self::of(f64::from(k));
         }
-        // (1 + s)² − 1 = s (2 + s), so that the ten squarings do not multiply the rounding of 1 + s.
+        // (1 + s)² − 1 = s (2 + s): the ten squarings do not magnify the rounding of 1 + s.
         for _ in 0..10 {
             series = series * (series + Self::of(2.0));
         }
@@ -169,7 +169,7 @@ impl Wide {
         if k < 0 { Self::ONE / power } else { power }
     }
 
-    /// The words brought to their ranges again.
+    /// The number with its words back in their ranges.
     fn normalised(self) -> Self {
         let high = self.high + self.low;
         let low = self.low - (high - self.high);
@@ -256,14 +256,14 @@ impl Div for Wide {
     }
 }
 
-/// x + y and what rounding took from it (Knuth).
+/// x + y rounded, and its rounding error (Knuth).
 fn two_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
     let share = sum - x;
     (sum, (x - (sum - share)) + (y - share))
 }
 
-/// x + y and what rounding took from it, for |x| ≥ |y| (Dekker).
+/// x + y rounded, and its rounding error, for |x| ≥ |y| (Dekker).
 fn quick_two_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
     (sum, y - (sum - x))
