@@ -47,8 +47,9 @@ fn pressure_carries_a_swinging_load_of_a_users_own() {
     errors_on(cases().into_iter().step_by(6), "long swing", &load, &[30.0, 1000.0]).check();
 }
 
-/// F′ + χ F, in shares of χ times the mean, is 1 + (A/mean) √(1 + (ω/χ)²) sin(ω t + φ): the edge nearly stands still
-/// where it is least, and after a long history the forces within a step are rounded more than the load that it adds.
+/// F′ + χ F, divided by χ times the mean, is 1 + (A/mean) √(1 + (ω/χ)²) sin(ω t + φ): the edge nearly stands still
+/// where this is least, and after a long history the rounding of the forces within a step exceeds the load that the
+/// step adds.
 #[test]
 fn pressure_carries_loads_that_swing_as_much_as_they_may() {
     let mut errors = Errors::of(budget::BALANCE_OF_OTHER_LOADS);
@@ -78,7 +79,7 @@ fn pressure_carries_a_falling_load_of_a_users_own() {
     );
 }
 
-/// What the load once was is many times what it is: a rounding of the hereditary load may be more than the load.
+/// The load once was many times what it is now: the rounding of the hereditary load may exceed the load.
 #[test]
 fn pressure_carries_loads_that_have_fallen_for_long() {
     let errors = |share: f64| {
@@ -87,12 +88,13 @@ fn pressure_carries_loads_that_have_fallen_for_long() {
     };
     [1.0, 0.9, 0.5].into_iter().for_each(|share| errors(share).check());
     errors(0.999).check_worst();
-    // As steep at every knot as it may be: F₁ = F₀/(1 + χ Δt).
+    // The fall is as steep as possible at every knot: F₁ = F₀/(1 + χ Δt).
     let falls: Vec<(f64, f64)> = (0..=14).map(|k| (3.0 * f64::from(k) / CHI, 4f64.powi(10 - k))).collect();
     check_load("straight", &through(&falls), &[2.0, 3.0, 7.5, 9.0, 30.0, 41.0, 42.0]);
 }
 
-/// After a long history the rounding of the hereditary load, and so of radii, is a share of what a step adds.
+/// After a long history the rounding of the hereditary load, and so of radii, is a noticeable share of what a step
+/// adds.
 #[test]
 fn pressure_carries_a_step_after_a_long_history() -> Result<(), Box<dyn core::error::Error>> {
     let mut errors = Errors::of(budget::BALANCE);
@@ -114,7 +116,7 @@ fn pressure_carries_a_step_after_a_long_history() -> Result<(), Box<dyn core::er
     Ok(())
 }
 
-/// A gap of a power near the zeroth is nearly constant: its values at two radii may differ by less than rounding.
+/// A gap with a power near 0 is nearly constant: its values at two radii may differ by less than their rounding.
 #[test]
 fn pressure_of_powers_near_the_zeroth_carries_the_load() -> Result<(), Box<dyn core::error::Error>> {
     let mut errors = Errors::of(budget::BALANCE);
@@ -164,8 +166,8 @@ fn errors_on(
     errors
 }
 
-/// 2π ∫₀ᵃ P r dr, in a medium in which the contact radius at `t` is [`LAST_RADIUS`], where P is smooth between the
-/// contact radii at some times.
+/// 2π ∫₀ᵃ P r dr, in a medium in which the contact radius at `t` is [`LAST_RADIUS`]; P is smooth between the contact
+/// radii at `times`.
 fn carried(case: Case, load: &dyn Load<f64>, t: f64, times: Vec<f64>, rule: &Graded) -> f64 {
     let solve = || {
         let contact = planted::contact(case.double, load, CHI, LAST_RADIUS, t)?;
@@ -189,7 +191,7 @@ fn times_of_kinks(load: &dyn Load<f64>, t: f64) -> Vec<f64> {
     }
 }
 
-/// The contact radii at the start and at some times, on both sides of jumps.
+/// The contact radii at the start and at `times`, on both sides of jumps.
 fn radii_at(
     times: Vec<f64>,
     profile: &dyn GapProfile<f64>,

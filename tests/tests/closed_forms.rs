@@ -34,8 +34,8 @@ struct Fractional {
     c: f64,
 }
 
-/// In ε, by how much the closed form of a radius or of its growth may be off: its exponent is rounded twice, which counts as
-/// often as the logarithm of the result says, at most 14 times here; the root divides what its nine factors are off by.
+/// In ε, how much the closed form of a radius or of its growth may be off: its exponent is rounded twice, which counts
+/// with the logarithm of the result, at most 14 here; the root divides the errors of its nine factors.
 const POWER: f64 = 16.0;
 
 /// C, n, m, χ and F.
@@ -83,7 +83,7 @@ impl Problem {
             |x: f64, y: f64, scale: f64, allowed: f64| (x - y).abs() <= allowed * f64::EPSILON * scale;
         let (n, of_radius) = (self.n, budget::CONTACT_RADIUS.double);
         let of_approach = (1.0 + n) * budget::CONTACT_APPROACH.double;
-        // Of the shape the difference is rounded, which is n on the axis, and r.
+        // The difference in the shape is rounded, which is n on the axis, and so is r.
         let of_pressure = budget::PEAK_PRESSURE.double + (n + 2.0) * POWER + 6.0 * (n + 2.0) / n;
         for q in [0.0, 0.3, 0.8, 0.99] {
             let (found, expected) = (first.pressure(q * first.radius()), self.first_pressure(q));
@@ -132,7 +132,7 @@ proptest! {
         Problem { n: 3.2, ..problem }.compare(&Fractional { c })?;
     }
 
-    /// As χ t grows, the pressure tends to the paraboloid 2F/(π a²) (1 − r²/a²), whatever the geometry: the rest is a few
+    /// As χ t grows, the pressure tends to the paraboloid 2F/(π a²) (1 − r²/a²) for any geometry: the rest is a few
     /// times 1/(χ t), which is 1e-6 here.
     #[test]
     fn pressure_becomes_parabolic_in_the_long_run(problem in problems(exponent())) {
@@ -148,7 +148,7 @@ proptest! {
     }
 }
 
-/// Twelve digits of the history of a paraboloid under a constant load, in units of a₀ and P(0, 0).
+/// The history of a paraboloid under a constant load to twelve digits, in units of a₀ and P(0, 0).
 #[test]
 fn a_paraboloid_creeps_as_tabulated() -> Result<(), ContactError> {
     let rows = [
@@ -173,7 +173,7 @@ fn a_paraboloid_creeps_as_tabulated() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// The example of the paper's section 7, to the digits given for it.
+/// The example of the paper's section 7, to the known digits.
 #[test]
 fn the_papers_example_has_its_known_values() -> Result<(), Box<dyn core::error::Error>> {
     let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
@@ -198,7 +198,7 @@ fn the_papers_example_has_its_known_values() -> Result<(), Box<dyn core::error::
     Ok(())
 }
 
-/// 1/0 as a coefficient is refused before anything is computed with it.
+/// An infinite coefficient is refused before anything is computed with it.
 #[test]
 fn a_symbolic_coefficient_is_checked() {
     let problem = Problem { c: 1.0, n: 2.0, m: 1.0, chi: 0.0, force: 1.0 };

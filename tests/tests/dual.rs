@@ -13,13 +13,13 @@ use tests::measure::relative_error;
 
 type Failure = Box<dyn core::error::Error>;
 
-/// A ball that may be any scalar.
+/// A ball over any scalar.
 #[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3))]
 struct Ball<T> {
     radius: T,
 }
 
-/// A geometry of constants, of which one power is not whole, used with any scalar.
+/// A geometry of constants with a power that is not whole, used with any scalar.
 #[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
 struct Plain;
 
@@ -34,15 +34,15 @@ fn slope(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     (8.0 * (f(x + h) - f(x - h)) - (f(x + 2.0 * h) - f(x - 2.0 * h))) / (12.0 * h)
 }
 
-/// In ε: a derivative has no entry in the table, and is allowed what two pressures are; the worst here is off by 2.8 ε.
+/// In ε: a derivative has no entry in the table, and is allowed as much as two pressures; the worst here is 2.8 ε off.
 const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
-/// In ε: so much differences are off for results that are off by a few ε, over steps of a thousandth of x; 3e-12 is the
-/// worst here.
+/// In ε: how much differences over steps of a thousandth of x are off if results are off by a few ε; the worst here is
+/// 3e-12.
 const DIFFERENCES: f64 = 1e-10 / f64::EPSILON;
 /// In ε: the sixth root of a quotient by `powf`, and a product with it.
 const CLOSED_FORM: f64 = 4.0;
 
-/// Compares numbers, of which one may be off by so many ε.
+/// Asserts that a number is off by no more than `allowed` ε.
 fn assert_close(found: f64, expected: f64, allowed: f64) {
     let error = relative_error(found, expected, f64::EPSILON);
     assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε");
@@ -97,7 +97,7 @@ fn slope_of_the_first_peak_pressure_is_that_of_its_closed_form() -> Result<(), F
     Ok(())
 }
 
-/// What a problem gives: radius, approach, and pressure at 3 mm, after a ramp and a hold.
+/// Radius, approach and pressure at 3 mm, after a ramp and a hold.
 fn results<T: Scalar>(profile: impl GapProfile<T>, permeability: T, force: T) -> Result<[T; 3], Failure> {
     let constant = T::constant;
     let layer = Layer { thickness: constant(1.0), shear_modulus: constant(0.25), permeability };
@@ -141,7 +141,7 @@ fn slopes_with_respect_to_the_load_are_those_of_differences() -> Result<(), Fail
     Ok(())
 }
 
-/// P_t + χ P = (m/4) δ₀′(t) (a² − r²) with m = 0.375 and χ = 0.0015, of a snapshot at a time with the derivative 1.
+/// P_t + χ P = (m/4) δ₀′(t) (a² − r²) with m = 0.375 and χ = 0.0015, for a snapshot at a time with the derivative 1.
 fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Plain, L>) {
     let (a, r) = (now.radius().re, 2.0);
     let pressure = now.pressure(Dual64::from(r));
@@ -149,7 +149,7 @@ fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Plai
     assert_close(pressure.eps, expected, SLOPE);
 }
 
-/// The slopes of a snapshot with respect to time are those that the model's equations give.
+/// The derivatives of a snapshot with respect to time satisfy the equations of the model.
 #[test]
 fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), Failure> {
     let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
@@ -163,7 +163,7 @@ fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), 
     Ok(())
 }
 
-/// At the start nothing has drained, and P_t + χ P = (m/4) δ₀′(t) (a² − r²) all the same.
+/// At the start nothing has drained, but P_t + χ P = (m/4) δ₀′(t) (a² − r²) all the same.
 #[test]
 fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
     let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
@@ -173,7 +173,7 @@ fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
     Ok(())
 }
 
-/// At a knot the edge moves as the load says behind it: F′ + χ F = (π m/8) a⁴ δ₀′(t).
+/// At a knot the edge moves with the slope of the load after the knot: F′ + χ F = (π m/8) a⁴ δ₀′(t).
 #[test]
 fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {
     let [medium_constant, chi] = [0.375, 0.0015].map(Dual64::from);
@@ -188,7 +188,7 @@ fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Φ = C rⁿ changes by Φ ln r with n, be n whole or not.
+/// The derivative of Φ = C rⁿ with respect to n is Φ ln r, whether n is whole or not.
 #[test]
 fn slope_with_respect_to_an_exponent_is_that_of_the_power() -> Result<(), Failure> {
     for n in [2.0, 2.5, 2.3] {
@@ -212,7 +212,7 @@ fn values_are_those_of_plain_numbers() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Numbers of single precision are known as such, also with derivatives.
+/// Single-precision numbers have the limits of single precision, also with derivatives.
 #[test]
 fn single_precision_has_its_own_range() -> Result<(), Failure> {
     let dual = Dual32::from;
@@ -259,7 +259,7 @@ fn pressures<T: Scalar>(
     Ok([now.peak_pressure(), now.pressure(T::constant(3.0))])
 }
 
-/// At first there is no contact, and the whole of the radius is gained.
+/// At first there is no contact, and the radius grows from zero.
 #[test]
 fn slopes_under_loads_from_nothing_are_those_of_differences() -> Result<(), Failure> {
     for exponents in [[2.0, 4.0], [2.0, 3.0], [2.3, 4.1], [0.5, 4.1]] {
@@ -307,7 +307,8 @@ impl Load<Dual32> for Fading {
 /// Distances from the axis as shares of the contact radius.
 const SHARES: [f32; 3] = [0.0, 0.5, 0.9];
 
-/// Zeros may carry a derivative, so that they are no terms to leave out; a power beyond the format makes no number of them.
+/// A zero coefficient may carry a derivative, so that its term cannot be left out; times a power beyond the format it
+/// is not a number.
 #[test]
 fn a_zero_before_a_power_beyond_the_format_changes_nothing() -> Result<(), Failure> {
     let number = Dual32::from;
@@ -347,7 +348,7 @@ impl<T: Scalar> Load<T> for Approaching<T> {
     }
 }
 
-/// A fit may begin where a parameter does nothing yet, and the force does not vary.
+/// A fit may begin where a parameter has no effect yet, and the force does not vary.
 #[test]
 fn slopes_are_right_where_the_force_does_not_vary() -> Result<(), Failure> {
     for tau in [100.0, 30.0, 10.0] {

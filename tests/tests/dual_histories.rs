@@ -1,4 +1,4 @@
-//! Derivatives of pressures with respect to the course of a load, where the value of a slope or of a step is zero.
+//! Derivatives of pressures with respect to forces of a load, where the value of a slope or of a step is zero.
 
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
@@ -14,7 +14,7 @@ struct Blunt;
 
 const CHI: f64 = 0.0015;
 
-/// Knots, those of them with the derivative 1, and times.
+/// Knots, the indices of those with the derivative 1, and times.
 struct History {
     knots: Vec<(f64, f64)>,
     varied: &'static [usize],
@@ -27,7 +27,7 @@ impl History {
         Self { knots: knots.to_vec(), varied, times, chi: CHI }
     }
 
-    /// The load with as much more force at the knots that vary.
+    /// The load with the force `more` added at the knots that vary.
     fn load<T: Scalar>(&self, more: T) -> PiecewiseLinear<T, Vec<(T, T)>> {
         let knots = self.knots.iter().enumerate().map(|(index, &(time, force))| {
             let force = T::constant(force);
@@ -37,7 +37,7 @@ impl History {
     }
 }
 
-/// Forces that are equal, or of which one is no higher than the one before it.
+/// Histories in which a force is equal to the one before it, or lower.
 fn histories() -> Vec<(&'static str, History)> {
     let record: Vec<_> = (0..=40).map(|k| (f64::from(k) * 5.0, 100.0 + f64::from(k))).collect();
     let with_step = [&record[..=20], &record[20..]].concat();
@@ -96,7 +96,7 @@ fn pressures<T: Scalar>(
     Ok([&snapshot[..], &one, &two[RADII.len()..]].concat())
 }
 
-/// Compares derivatives with differences of fourth order upwards: below, some of these loads would fall too fast.
+/// Compares derivatives with forward differences of fourth order: with lower forces some loads would fall too fast.
 fn compare(
     name: &str,
     history: &History,
@@ -152,7 +152,7 @@ fn slopes_under_loads_of_a_users_own_are_those_under_knots() -> Result<(), Failu
     Ok(())
 }
 
-/// P = (m C/16) (a² − r²)² of a paraboloid from which nothing drains, with a⁶ in the proportion of F.
+/// P = (m C/16) (a² − r²)² of a paraboloid from which nothing drains, with a⁶ proportional to F.
 #[test]
 fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure> {
     let gap = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
@@ -170,7 +170,7 @@ fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure>
     Ok(())
 }
 
-/// What a step of no height lays is laid at once, but with a derivative it is not laid at one radius.
+/// A step of no height acts at once, but with a derivative it does not act at a single radius.
 #[test]
 fn second_derivatives_with_respect_to_a_step_are_those_of_differences() -> Result<(), Failure> {
     let (_, history) = histories().swap_remove(3);

@@ -1,4 +1,4 @@
-//! A whole pressure field is the pressures of its snapshots.
+//! A pressure field consists of the pressures of its snapshots.
 
 use core::f64::consts::FRAC_PI_4;
 
@@ -62,7 +62,7 @@ fn a_field_is_its_snapshots_for_every_geometry_and_load() -> Result<(), ContactE
     Ok(())
 }
 
-/// Also where the edge has moved by less than a rounding of its radius.
+/// This holds even where the edge has moved by less than the rounding of its radius.
 #[test]
 fn the_edge_carries_nothing() -> Result<(), ContactError> {
     let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
@@ -131,7 +131,7 @@ fn roundings_do_not_add_up_over_many_rows() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// With steps so short that thousands of rows lie within one memory, all alike, so that roundings are too.
+/// Steps are so short that thousands of rows lie within one memory, and equal, so that their roundings are equal too.
 #[test]
 fn roundings_do_not_add_up_over_thousands_of_equal_steps() -> Result<(), ContactError> {
     let times: Vec<f64> = (0..6000).map(|row| f64::from(row) / 100.0).collect();
@@ -143,8 +143,8 @@ fn roundings_do_not_add_up_over_thousands_of_equal_steps() -> Result<(), Contact
     Ok(())
 }
 
-/// Most of these radii are covered one by one, some within a step that is long for the geometry, some in a
-/// short one.
+/// Most of these radii are covered one by one, some within a step that is long for the geometry, some within a short
+/// one.
 #[test]
 fn radii_may_be_as_dense_as_the_edges() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::FIELD);
@@ -172,7 +172,7 @@ fn single_precision_has_its_own_rounding() -> Result<(), ContactError> {
         let medium = Medium::from_constants(stiffness / FRAC_PI_4 as f32, CHI as f32);
         let medium = medium.unwrap_or_else(|e| unreachable!("{e}"));
         let contact = match Contact::new(case.single, medium, Constant(100.0)) {
-            // Its 1e-40 has no digits in single precision.
+            // Its coefficient 1e-40 lacks digits in single precision.
             Err(ContactError::Profile(_)) if case.name == "FlatEnded" => continue,
             contact => contact?,
         };

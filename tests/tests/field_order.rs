@@ -12,7 +12,7 @@ fn ascending() -> Vec<f64> {
     (0..COUNT).map(|k| 0.01 * k as f64).collect()
 }
 
-/// The radii in every order that a caller is likely to have, and in none.
+/// Radii in the orders that a caller is likely to have, and shuffled.
 fn orders() -> [(&'static str, Vec<f64>); 5] {
     let half = || ascending().into_iter().step_by(3);
     let pixel = |k: usize| 40.0_f64.recip() * (k as f64 - 19.5) * 15.0;
@@ -30,7 +30,7 @@ fn field<L: Load<f64>>(
     contact: &Contact<f64, Patellofemoral, L>,
     radii: &[f64],
 ) -> Result<Vec<f64>, ContactError> {
-    // Some steps are short, some cover many radii, before one all memory fades.
+    // Some steps are short, some cover many radii, and one is so long that all memory fades.
     let times: Vec<f64> = (0..150).map(|row| f64::from(row * row) * 0.1).chain([1e5, 1e5 + 1.0]).collect();
     let mut values = vec![f64::NAN; times.len() * radii.len()];
     contact.pressure_field(&times, radii, &mut values)?;

@@ -1,5 +1,5 @@
-//! A user-defined load whose impulse is not that of its force is refused, and no other is; what cannot be told apart
-//! takes no long time.
+//! A user-defined load is refused if and only if its impulse is not the integral of its force; where this cannot be
+//! decided, it does not take long either.
 
 use core::cell::Cell;
 use core::f64::consts::LN_2;
@@ -10,7 +10,7 @@ use tests::random::Stream;
 
 const CHI: f64 = 0.02;
 
-/// A force and what is said to be its impulse.
+/// A force and its alleged impulse.
 struct Told<F, I> {
     force: F,
     impulse: I,
@@ -40,7 +40,7 @@ fn contact<L: Load<f64>>(chi: f64, load: L) -> Contact<f64, Gap, L> {
     Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-/// ∫ of the force of a rise from zero to 100.
+/// ∫F of a rise from zero to 100.
 fn rise_impulse(t: f64) -> f64 {
     100.0 * (t + (-0.05 * t).exp_m1() / 0.05)
 }
@@ -49,7 +49,7 @@ fn rise(t: f64) -> f64 {
     -100.0 * (-0.05 * t).exp_m1()
 }
 
-/// Loads with the impulse of another, up to a time.
+/// Loads with the impulse of another load, up to a time.
 fn contradictions(t: f64) -> Vec<(&'static str, Told<Curve, Curve>)> {
     let held = |_| 100.0;
     let swing = |t: f64| 100.0 + 5.0 * (0.3 * t).sin();
@@ -112,7 +112,7 @@ fn all_ways_to_a_contact_refuse_it_alike() {
     assert_eq!(load.contradiction(chi, 50.0).map(ContactError::Load), expected);
 }
 
-/// A held load that says so, in single precision.
+/// A constant load that says it is straight, in single precision.
 struct Held {
     impulse: f32,
 }
@@ -148,7 +148,7 @@ fn without_drainage_no_impulse_counts() {
     }
 }
 
-/// A force that steps up at times that no method tells.
+/// A force that steps up at times that no method reports.
 struct Staircase {
     /// The time, the force from there on and the impulse up to there.
     steps: Vec<(f64, f64, f64)>,
@@ -160,7 +160,7 @@ impl Staircase {
     }
 }
 
-/// What loads are drawn about: a mean force, the rate of the medium, a time, and a place and a width within it.
+/// Parameters of random loads: a mean force, the rate of the medium, a time, and a place and a width within it.
 #[derive(Clone, Copy)]
 struct About {
     mean: f64,
@@ -170,7 +170,7 @@ struct About {
     width: f64,
 }
 
-/// A load that recedes nowhere, in a medium with the rate χ, up to about a time, drawn at random.
+/// A random load that recedes nowhere in a medium with the rate χ, for times up to about `t`.
 fn honest(stream: &mut Stream, chi: f64, t: f64) -> (&'static str, Told<Curve, Curve>) {
     let mean = stream.magnitude(-2.0, 4.0);
     let (place, width) = (stream.between(0.0, 1.0) * t, stream.magnitude(-9.0, 0.0) * t);
@@ -241,19 +241,19 @@ fn staircase(About { mean, t, .. }: About, stream: &mut Stream) -> Told<Curve, C
     told(move |t| one.step(t).1, impulse)
 }
 
-/// A number of [−1, 1] that depends on a time without any order.
+/// A number in [−1, 1] that varies erratically with time.
 fn noise(t: f64) -> f64 {
     Stream::of_case(t.to_bits(), 1).between(-1.0, 1.0)
 }
 
-/// The ways in which an impulse may be off although it is meant well.
+/// Adds an error that an honest impulse may have.
 fn inexact(stream: &mut Stream, Told { force, impulse }: Told<Curve, Curve>, t: f64) -> Told<Curve, Curve> {
     let last = impulse(t);
     let impulse: Curve = match stream.below(5) {
         0 => impulse,
         1 => Box::new(move |t| impulse(t) * (1.0 + 64.0 * f64::EPSILON * noise(t))),
         2 => Box::new(move |t| impulse(t) * (1.0 + 1e-10 * noise(t))),
-        // What a table has for all times alike.
+        // The error of a table, of the same size at all times.
         3 => Box::new(move |t| impulse(t) + last * 1e-10 * noise(t)),
         _ => Box::new(move |t| impulse(t) + last * 1e-10 * (t / last * 3e3).sin()),
     };
@@ -274,7 +274,7 @@ fn no_impulse_that_is_meant_well_is_refused() {
     }
 }
 
-/// A load that is not searched, and counts how often it is asked for a force.
+/// A load that is not searched and counts how often it is asked for a force.
 struct Unsearched {
     load: Told<Curve, Curve>,
     asked: Cell<u32>,
@@ -295,14 +295,14 @@ impl Load<f64> for Unsearched {
     }
 }
 
-/// The pressure on the axis under a load that is not searched, and for how many forces it asked.
+/// The pressure on the axis under a load that is not searched, and how many forces it took.
 fn unsearched_pressure(load: Told<Curve, Curve>, t: f64) -> (f64, u32) {
     let contact = contact(CHI, Unsearched { load, asked: Cell::new(0) });
     let pressure = contact.at(t).map_or(f64::NAN, |now| now.peak_pressure());
     (pressure, contact.load().asked.get())
 }
 
-/// Without a limit there would be a hundred million.
+/// Without a limit there would be a hundred million forces.
 #[test]
 fn a_pressure_takes_no_long_time_whatever_the_impulse() {
     let mut most = 0;
@@ -328,7 +328,7 @@ fn a_quadrature_of_few_digits_costs_no_more_digits() {
         for error in [1e-6, 1e-8, 1e-10] {
             let (found, _) =
                 unsearched_pressure(told(|_| 100.0, move |s| 100.0 * s * (1.0 + error * noise(s))), t);
-            // A share of χ t in what has drained.
+            // The error counts with χ t through the impulse.
             assert!(
                 (found / exact - 1.0).abs() < error * (1.0 + folds),
                 "{folds}, {error}: {found}, {exact}"

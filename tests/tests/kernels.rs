@@ -1,4 +1,4 @@
-//! Laws that tie the functions of a geometry to each other, and generated solvers to polynomials.
+//! Laws that relate the functions of a geometry to each other, and generated solvers to polynomials.
 
 use cartcontact::{GapProfile, gap_profile};
 use proptest::prelude::*;
@@ -42,7 +42,7 @@ proptest! {
         let case = cases()[index];
         let a = share * case.max_radius.unwrap_or(16.0);
         let r = a * (1.0 - depth);
-        // From the inside out, because a − r is exact and r is not a (1 − depth).
+        // Integrated outwards from r with the exact a − r, because r is not exactly a (1 − depth).
         let depth = a - r;
         let integral = Graded::new(40, 0).integrate(0.0, depth, |h| {
             case.double.approach_slope(r + h) * h * (r + (r + h)) / 4.0
@@ -60,7 +60,7 @@ proptest! {
         let a = share * case.max_radius.unwrap_or(20.0);
         let (gap, approach) = (case.double.gap(a), case.double.approach(a));
         let difference = 2.0 * (gap - approach) / a;
-        // δ₀ and a δ₀′/2 have shares 2/(n+2) and n/(n+2) of each term of Φ.
+        // δ₀ and a δ₀′/2 are the shares 2/(n+2) and n/(n+2) of each term of Φ.
         let shares = budget::APPROACH.double.max(budget::APPROACH_SLOPE.double);
         let allowed = 2.0 * (budget::GAP.double + shares) * f64::EPSILON * case.of_sizes().gap(a) / a;
         prop_assert!((case.double.approach_slope(a) - difference).abs() <= allowed, "{case:?} at {a}");
@@ -80,7 +80,7 @@ proptest! {
         let slope = |s: f64| s * s * s * s * case.double.approach_slope(s) / 2.0;
         let integral = Graded::new(40, 2).integrate(0.0, depth, |h| slope(a - h));
         let sizes = case.of_sizes();
-        // By the degree the rounding of radii is multiplied, here and in the quadrature.
+        // The degree multiplies the rounding of radii, here and in the quadrature.
         let condition = sizes.load_integral_drop(a, depth) * (1.0 + degree(&sizes, a) / 4.0);
         for found in [case.double.load_integral_drop(a, depth), case.polynomial().load_integral_drop(a, depth)] {
             let allowed = budget::LOAD_INTEGRAL_DROP.double * f64::EPSILON * condition;
@@ -95,7 +95,7 @@ fn all_kernels_but_the_slope_of_a_cone_vanish_at_the_centre() {
         for Kernel { allowance, double, .. } in kernel::ALL {
             let found = double(case.double, 0.0, 0.0);
             if allowance.quantity == budget::APPROACH_SLOPE.quantity {
-                // 2C/3 for a cone, which has a slope there.
+                // It is 2C/3 for a cone.
                 let expected =
                     case.terms.iter().filter(|term| term.1 == 1.0).map(|term| 2.0 * term.0 / 3.0).sum();
                 let error = relative_error(found, expected, f64::EPSILON);
@@ -128,7 +128,7 @@ struct Whole;
 #[gap_profile(0.37 * r^12)]
 struct Even;
 
-/// Next to the edge the kernel is far smaller than the power in it.
+/// Next to the edge the kernel is far smaller than the power in it, which may overflow.
 #[test]
 fn pressure_kernel_is_a_number_where_the_power_in_it_is_none() {
     let single: [(&dyn GapProfile<f32>, &str, f32, f32); 3] = [

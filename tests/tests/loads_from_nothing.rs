@@ -1,6 +1,6 @@
-//! User-defined loads that are zero for a while, or the rounding of something, before they rise: next to zero neither forces
-//! nor impulses have digits, and nothing is covered. Pressures against 30-digit integrals of Eq. (28), which
-//! `reference/loads_from_nothing.py` makes.
+//! User-defined loads that are zero, or the rounding of something, for a while before they rise: next to zero neither
+//! forces nor impulses have digits, and nothing is covered. The pressures are compared with 30-digit integrals of
+//! Eq. (28) from `reference/loads_from_nothing.py`.
 
 use core::cell::Cell;
 use core::f64::consts::PI;
@@ -16,7 +16,7 @@ const CHI: f64 = 0.02;
 /// The most forces that one pressure may take.
 const MOST_FORCES: usize = 500_000;
 
-/// A force and its impulse, with a knot, and how often it was asked for its force.
+/// A force and its impulse, with a knot and a count of the forces asked for.
 struct Formula<F, I> {
     force: F,
     impulse: I,
@@ -56,7 +56,7 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() <= tolerance, "{found:e} instead of {expected:e}");
 }
 
-/// Half a cosine from nothing to 100 N in a second, then held: 1 − cos is zero, or its rounding, at first.
+/// Half a cosine from nothing to 100 N in a second, then held: at first 1 − cos is zero or its rounding.
 #[test]
 fn half_a_cosine_may_be_written_as_such() -> Result<(), ContactError> {
     let rise = |t: f64| if t < 1.0 { 50.0 * (1.0 - (PI * t).cos()) } else { 100.0 };
@@ -65,7 +65,7 @@ fn half_a_cosine_may_be_written_as_such() -> Result<(), ContactError> {
     for chi in [1e-3, 3e-3, CHI, 0.1, 1.0] {
         for t in [1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 3.0] {
             let found = peak(t, chi, (rise, impulse), 1.0)?;
-            // A force that was off by a share x of the present one is a share x^(2/3) of the present pressure.
+            // An error of a share x of the present force, made in the past, is a share x^(2/3) of the present pressure.
             let rounding = 50.0 * f64::EPSILON / exact_rise(t);
             assert_near(found, peak(t, chi, (exact_rise, impulse), 1.0)?, rounding.cbrt().powi(2));
         }
@@ -78,7 +78,7 @@ fn half_a_cosine_may_be_written_as_such() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// The impulse of half a slow cosine is all rounding for its first hundredth, where the force has every digit.
+/// In its first hundredth the impulse of half a slow cosine is all rounding, while the force has every digit.
 #[test]
 fn impulses_that_cancel_early_take_few_forces() -> Result<(), ContactError> {
     let rise = |t: f64| if t < 1e3 { 100.0 * (PI * t / 2e3).sin().powi(2) } else { 100.0 };
@@ -97,7 +97,7 @@ fn impulses_that_cancel_early_take_few_forces() -> Result<(), ContactError> {
         let now = contact.at(t)?;
         contact.load().forces.set(0);
         assert_near(now.peak_pressure(), expected, 16.0 * f64::EPSILON);
-        // Twice as many as it takes.
+        // The limit is twice the number that it takes.
         let forces = contact.load().forces.get();
         assert!(forces < 50_000, "{t}: {forces}");
     }
@@ -106,16 +106,16 @@ fn impulses_that_cancel_early_take_few_forces() -> Result<(), ContactError> {
 
 #[test]
 fn a_load_may_begin_late() -> Result<(), ContactError> {
-    // Under it a = 0 up to 100 s.
+    // a = 0 up to 100 s.
     let since = |t: f64| (t - 100.0).max(0.0);
     let root = (|t: f64| 90.0 * since(t).powf(0.1), |t: f64| 90.0 / 1.1 * since(t).powf(1.1));
-    // The times are rounded by 1e-16 of 101 s, at first a large share of those since the knot.
+    // The times are rounded by 1e-16 of 101 s, which is at first a large share of the time since the knot.
     assert_near(peak(101.0, CHI, root, 100.0)?, 1.694_338_650_692_070_5, 1e-12);
     assert_eq!(peak(99.0, CHI, root, 100.0)?, 0.0);
     Ok(())
 }
 
-/// Logistic rises, whose forces underflow at first.
+/// Logistic rises, of which the forces underflow at first.
 #[test]
 fn a_load_may_come_out_of_an_underflow() -> Result<(), ContactError> {
     let steep = |t: f64| 90.0 / (1.0 + (8.0 * (100.0 - t)).exp());
@@ -123,7 +123,7 @@ fn a_load_may_come_out_of_an_underflow() -> Result<(), ContactError> {
     for (t, expected) in [(100.0, 1.062_452_624_442_345_3), (110.0, 1.597_507_805_446_538)] {
         assert_near(peak(t, CHI, (steep, impulse), f64::INFINITY)?, expected, 16.0 * f64::EPSILON);
     }
-    // The impulse is one of 4500 N s less as much.
+    // The impulse is a difference of terms of 4500 N s.
     let logarithm_of_cosh = |x: f64| x.abs() + (-2.0 * x.abs()).exp().ln_1p() - 2f64.ln();
     let impulse = |t: f64| 45.0 * (t + logarithm_of_cosh(t - 100.0) - logarithm_of_cosh(100.0));
     let rounded = |t: f64| 45.0 * (1.0 + (t - 100.0).tanh());
@@ -134,7 +134,7 @@ fn a_load_may_come_out_of_an_underflow() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// Powers of which most of the history is nothing beside its end.
+/// High powers, of which most of the history is negligible against the end.
 #[test]
 fn a_load_may_be_a_high_power_of_time() -> Result<(), ContactError> {
     for (power, expected) in [(20, 8.198_943_914_133_43e-2), (30, 8.200_873_070_774_43e-2)] {
@@ -144,7 +144,7 @@ fn a_load_may_be_a_high_power_of_time() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// In single precision, too, where rounding is a larger share.
+/// This holds in single precision too, where rounding is a larger share.
 #[test]
 fn smooth_rises_from_nothing_take_few_forces() {
     struct Rise {
@@ -166,12 +166,12 @@ fn smooth_rises_from_nothing_take_few_forces() {
         let t = 1e-4 * 1.06_f32.powi(step);
         contact.load().forces.set(0);
         assert!(contact.at(t).is_ok(), "{t}");
-        // Twice the worst of these times.
+        // The limit is twice the worst of these times.
         assert!(contact.load().forces.get() < 200_000, "{t}: {}", contact.load().forces.get());
     }
 }
 
-/// Behind a rest the first forces are the rounding of their times; away from the axis nobody need know them.
+/// After a rest the first forces suffer from the rounding of the times; away from the axis they do not matter.
 #[test]
 fn rises_behind_a_rest_take_few_forces_off_the_axis() -> Result<(), ContactError> {
     let since = |t: f64| (t - 1.0).max(0.0);
@@ -184,7 +184,7 @@ fn rises_behind_a_rest_take_few_forces_off_the_axis() -> Result<(), ContactError
         contact.load().forces.set(0);
         let allowed = budget::PRESSURE.double * edge(now.radius(), r) * f64::EPSILON;
         assert_near(now.pressure(r), expected, allowed);
-        // Four times as many as it takes.
+        // The limit is four times the number that it takes.
         assert!(contact.load().forces.get() < 5000, "{r}: {}", contact.load().forces.get());
     }
     Ok(())

@@ -1,4 +1,5 @@
-//! Pressures long after the row before them, and after histories so long that an e-folding is few roundings of the time.
+//! Pressures long after the row before, and after histories so long that an e-folding is only a few roundings of the
+//! time.
 
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar};
@@ -7,7 +8,7 @@ use tests::condition::edge;
 use tests::measure::Errors;
 use tests::profiles::Paraboloid;
 
-/// 100 N and a swing.
+/// 100 N plus a swing.
 struct Swing {
     amplitude: f64,
     frequency: f64,
@@ -25,7 +26,7 @@ impl<T: Scalar> Load<T> for Swing {
     }
 }
 
-/// A scene whose memory fades at a rate.
+/// A scene whose memory fades at the rate `chi`.
 fn scene<T: Scalar, P: GapProfile<T>>(gap: P, chi: f64, load: Swing) -> Contact<T, P, Swing> {
     let medium = Medium::from_constants(T::constant(0.375), T::constant(chi));
     let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
@@ -60,7 +61,7 @@ fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactEr
     Ok(())
 }
 
-/// Of a paraboloid, δ₀ and the pressure grow like the square of the radius, a⁶ ~ Y ~ χ t: P(0) = 2F/(π a²) (1 + 1/(3 χ t)).
+/// For a paraboloid δ₀ and the pressure grow with a², and a⁶ ~ Y ~ χ t: P(0) = 2F/(π a²) (1 + 1/(3 χ t)).
 #[test]
 fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactError> {
     for (chi, frequency, amplitude) in [(0.0015, 0.01, 5.0), (1.0, 5.0, 1.0), (1.0, 1.0, 10.0)] {

@@ -1,4 +1,4 @@
-//! Records and fields of many thousands of steps, in single precision: what each of them rounds must not add up.
+//! Records and fields of many thousands of steps, in single precision: their roundings must not add up.
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, Medium};
@@ -7,7 +7,7 @@ use tests::condition::edge;
 use tests::measure::{Errors, ulps};
 use tests::profiles::Patellofemoral;
 
-/// Every millisecond of ten seconds.
+/// One sample per millisecond, for ten seconds.
 const SAMPLES: u16 = 10_000;
 
 type Joint<L> = Contact<f32, Patellofemoral, L>;
@@ -28,7 +28,7 @@ fn a_record_of_a_held_load_is_a_held_load() -> Result<(), Box<dyn core::error::E
         (Errors::of_single(budget::CONTACT_RADIUS), Errors::of_single(budget::PRESSURE));
     for t in [0.0, 0.0375, 1.0, 3.333, 10.0, 100.0] {
         let (one, many) = (one.at(t)?, many.at(t)?);
-        // Either may be off by what is allowed.
+        // Either may be off by the allowance.
         radius.add(many.radius().into(), f64::from(one.radius()), 2.0, &t);
         for share in [0.0, 0.3, 0.9, 0.999] {
             let r = one.radius() * share;

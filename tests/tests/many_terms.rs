@@ -1,4 +1,4 @@
-//! Geometries with more terms than are written out one by one: their constants stand in tables.
+//! Geometries with so many terms that the generated code holds their constants in tables instead of writing them out.
 
 use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile};
@@ -19,8 +19,8 @@ struct Dense;
     + 1e-40*r^48, max_radius = 5)]
 struct FarApart;
 
-/// Compares everything with the same geometry as it is evaluated at run time, whose weights are formed in double words:
-/// either has the error that is allowed.
+/// Compares everything with the same geometry as a `Polynomial`, whose weights are formed in double words; either may
+/// be off by the allowance.
 fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
     let polynomial = Polynomial::with_max_radius(terms, 5.0).unwrap_or_else(|error| unreachable!("{error}"));
     let assert_near = |found: f64, expected: f64, allowance: Allowance, condition: f64| {
@@ -46,7 +46,7 @@ fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
         close(radius, polynomial.radius(target).unwrap_or(0.0), budget::RADIUS);
     }
     let medium = Medium::from_constants(2.0, 1e-2).unwrap_or_else(|error| unreachable!("{error}"));
-    // Under a memory integral besides.
+    // The pressure includes a memory integral.
     let radius_and_pressure = |profile: &dyn GapProfile<f64>| {
         let contact = Contact::new(profile, medium, Constant(20.0));
         let now = contact.and_then(|contact| contact.at(30.0).map(|now| (now.radius(), now.pressure(1.0))));

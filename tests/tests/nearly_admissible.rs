@@ -1,5 +1,6 @@
-//! Loads of a user's own on a gap that is admissible by a millionth only: where δ₀′ nearly vanishes, the rounding of a
-//! load integral moves the radius by a hundred thousand of its own, and steps of the load must not be shortened for that.
+//! User-defined loads on a gap that is admissible only by a millionth: where δ₀′ nearly vanishes, the rounding of a
+//! load integral moves the radius by a hundred thousand of its own roundings, and this must not shorten the steps of
+//! the load.
 
 use core::cell::Cell;
 use core::f64::consts::PI;
@@ -17,13 +18,13 @@ struct NearlyFlat;
 /// Where δ₀′/a is least.
 const FLATTEST: f64 = 7.0;
 
-/// A straight rise that does not tell that it is straight.
+/// A straight rise that does not say that it is straight.
 struct Rise {
     last: f64,
     forces: Cell<usize>,
 }
 
-/// From when on the last force is held, and a pressure is asked for.
+/// The time at which the last force is reached and the pressure is taken.
 const END: f64 = 200.0;
 
 impl Load<f64> for Rise {
@@ -49,7 +50,7 @@ fn pressures_are_those_of_a_straight_load_and_take_few_forces() -> Result<(), Co
         let curved = Contact::new(NearlyFlat, medium, Rise { last, forces: Cell::new(0) })?;
         let (expected, found) = (straight.at(END)?, curved.at(END)?);
         let a = expected.radius();
-        // What the contact has passed counts, too: that of the flattest radius on the way.
+        // Radii that the contact has passed count too: the condition is that at the flattest of them.
         let condition = of_radius(&NearlyFlat, &of_sizes(&NearlyFlat::TERMS), a.min(FLATTEST));
         for share in [0.0, 0.5, 0.9, 0.99, 0.999, 0.99999] {
             curved.load().forces.set(0);

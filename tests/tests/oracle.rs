@@ -46,7 +46,7 @@ const KERNELS: &str = include_str!("../reference/kernels.csv");
 const RADII: &str = include_str!("../reference/radius.csv");
 const CONTACTS: &str = include_str!("../reference/contact.csv");
 
-/// The closed forms at radii of the contact and inside it.
+/// The functions of a geometry at the contact radius `a` and the distance `r` from the axis.
 fn kernels(profile: &Profile, a: &Real, r: &Real) -> [Real; 6] {
     [
         profile.gap(a),
@@ -58,7 +58,7 @@ fn kernels(profile: &Profile, a: &Real, r: &Real) -> [Real; 6] {
     ]
 }
 
-/// What is below compared row by row.
+/// The tests below compare row by row.
 #[test]
 fn there_is_something_to_compare() {
     let terms: Vec<usize> = records().iter().map(|record| record.terms.len()).collect();
@@ -68,8 +68,9 @@ fn there_is_something_to_compare() {
 }
 
 /// All results but 27 pressure kernels are reproduced to the last digit. Those 27 lie next to the edge, where the file
-/// has the rounding of 40-digit arithmetic, magnified by what the bracket of Eq. (26) cancels; there it is reproduced
-/// to the last digit by this bracket in 40-digit arithmetic, and differs from the oracle by no more than that explains.
+/// has the rounding of 40-digit arithmetic, magnified by the cancellation in the bracket of Eq. (26); there this
+/// bracket in 40-digit arithmetic reproduces the file to the last digit, and the oracle differs by no more than that
+/// explains.
 #[test]
 fn kernels_are_regenerated() {
     let mut of_forty_digits = 0;
@@ -92,7 +93,7 @@ fn kernels_are_regenerated() {
 /// Σ C/(2 (n+2)²) [n aⁿ⁺² − (n+2) aⁿ r² + 2 rⁿ⁺²] with every operation rounded to 136 bits.
 fn bracket_in_forty_digits(record: &Record, a: &str, r: &str) -> String {
     type Rounded = FBig<HalfEven, 2>;
-    // Differences may come with a bit too many, which a change of the precision only rounds away if it is one.
+    // Differences may have a bit too many, which only an actual change of the precision rounds away.
     let rounded =
         |x: &Real| -> Rounded { x.clone().with_precision(BITS).value().with_precision(136).value() };
     let (a, r) = (rounded(&double(number(a))), rounded(&double(number(r))));
@@ -144,7 +145,7 @@ fn kernels_are_the_exact_rational_numbers() {
         let (a, r) = (double(a), double(r));
         for (found, expected) in kernels(profile, &a, &r).into_iter().zip(expected) {
             let expected = decimal(&expected.numer().to_string()) / decimal(&expected.denom().to_string());
-            // What the pressure kernel cancels leaves 45 digits of it.
+            // Cancellation leaves 45 digits of the pressure kernel.
             assert!(size(&found - &expected) <= decimal("1e-45") * expected, "{row:?}");
         }
         count += 1;

@@ -1,4 +1,4 @@
-//! Laws of the pressure: not negative, falling outwards, zero outside, fading at the rate χ.
+//! Laws of the pressure: it is not negative, falls outwards, is zero outside, and fades at the rate χ.
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium};
@@ -67,7 +67,7 @@ fn pressure_relaxes_like_the_load_at_a_constant_approach() -> Result<(), Contact
     Ok(())
 }
 
-/// A load that tells its force and its impulse only.
+/// A load that reports only its force and its impulse.
 struct Unannounced<'a>(&'a Knots);
 
 impl Load<f64> for Unannounced<'_> {
@@ -100,7 +100,7 @@ fn jumps_and_kinks_are_found_where_no_knot_tells_of_them() -> Result<(), Contact
     Ok(())
 }
 
-/// Steps begin at a knot, not a rounding before it, where the force is still that of the ramp.
+/// Integration steps begin at a knot, not a rounding before it, where the force is still that of the ramp.
 #[test]
 fn short_ramps_end_at_their_knots() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::PRESSURE);
@@ -124,7 +124,7 @@ fn short_ramps_end_at_their_knots() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// Also for loads that are not straight, whose steps are then shorter than any normal number.
+/// This holds even for loads that are not straight, whose steps are then shorter than any normal number.
 #[test]
 fn nothing_has_drained_in_the_first_moments() -> Result<(), ContactError> {
     for case in cases() {
@@ -180,7 +180,7 @@ fn knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// Impulses of equal pieces round alike, and would add up to something else.
+/// Impulses of equal pieces have equal roundings, which would add up.
 #[test]
 fn ten_thousand_knots_where_nothing_happens_change_nothing() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::PRESSURE);
@@ -199,7 +199,7 @@ fn ten_thousand_knots_where_nothing_happens_change_nothing() -> Result<(), Conta
     Ok(())
 }
 
-/// A load that tells of knots at equal times up to the last, where nothing happens.
+/// A load that reports equidistant knots up to the time `last`, at which nothing happens.
 struct WithKnots<'a> {
     load: &'a dyn Load<f64>,
     last: f64,
@@ -221,7 +221,7 @@ impl Load<f64> for WithKnots<'_> {
     }
 }
 
-/// Every stretch between knots is rounded by itself: what is left out in one must be laid in the next.
+/// Every stretch between knots is rounded by itself: a load left out of one stretch must be added in the next.
 #[test]
 fn knots_in_a_load_of_a_users_own_change_nothing() -> Result<(), ContactError> {
     let slowly = Rise { start: 0.0, rise: 90.0, rate: 0.5 * CHI };
@@ -246,7 +246,7 @@ fn knots_in_a_load_of_a_users_own_change_nothing() -> Result<(), ContactError> {
     Ok(())
 }
 
-/// A history that the load goes through again, slower, in a medium that drains slower.
+/// The same history of the load, slower, in a medium that drains as much slower.
 #[test]
 fn time_is_measured_in_units_of_the_memory() -> Result<(), ContactError> {
     let mut errors = Errors::of(budget::PRESSURE);

@@ -20,7 +20,7 @@ fn oracle() -> Profile {
     Profile::of_decimals(&[("0.025", "2"), ("1.09375e-4", "4")])
 }
 
-/// The decimal digits that an error costs, from relative errors in units of ε: none below 10, all sixteen at most.
+/// The decimal digits lost to relative errors in units of ε: none below 10, at most all sixteen.
 fn digits_lost(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().fold(1.0, f64::max).log10().floor().min(16.0)
 }
@@ -35,7 +35,7 @@ fn printed_kernel(a: f64, r: f64) -> f64 {
     term(0.025, 2) + term(1.09375e-4, 4)
 }
 
-/// Digits lost by Eq. (26) and by the crate at a distance from the edge, the worst of a hundred contact radii.
+/// The digits lost by Eq. (26) and by the crate at a depth 1 − r/a, the worst of a hundred contact radii.
 fn near_the_edge(oracle: &Profile, depth: f64) -> [f64; 2] {
     let places = (0..100).map(|index| 1.0 + 0.07 * f64::from(index)).map(|a| (a, a * (1.0 - depth)));
     let expected: Vec<_> =
@@ -50,7 +50,7 @@ fn near_the_edge(oracle: &Profile, depth: f64) -> [f64; 2] {
 
 /// m [G(a(t), r) − χ ∫ G(a(τ), r) e^(−χ (t−τ)) dτ], Eq. (25), with radii and kernels to the last digit.
 ///
-/// In z = χ (t − τ) the integrand is smooth on panels of length 1; what is older than 45 is below ε.
+/// In z = χ (t − τ) the integrand is smooth on panels of length 1; contributions beyond z = 45 are below ε.
 fn printed_pressure(r: f64, t: f64) -> f64 {
     let radius = |z: f64| {
         let hereditary = FORCE * (1.0 + (CHI * t - z));
@@ -64,7 +64,8 @@ fn printed_pressure(r: f64, t: f64) -> f64 {
     M * (kernel(0.0) - memory)
 }
 
-/// Digits lost by Eq. (25) and by the crate after a time, the worst of eight radii up to half the first contact radius.
+/// The digits lost by Eq. (25) and by the crate after χ t, the worst of eight radii up to half the first contact
+/// radius.
 fn at_long_times(oracle: &Oracle, folds: f64) -> [f64; 2] {
     let (t, radii) = (folds / CHI, core::array::from_fn::<_, 8, _>(|index| 0.5 * index as f64));
     let expected = oracle.pressures(radii, t).map(|pressure| rounded(&pressure));

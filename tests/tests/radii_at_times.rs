@@ -1,4 +1,4 @@
-//! The radii at many times are those at single ones to the last bit, and so are the faults.
+//! Radii at many times equal those at single times to the last bit, and so do the faults.
 
 use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Scalar};
@@ -16,7 +16,7 @@ fn contact<T: Scalar, P: GapProfile<T>, L: Load<T>>(profile: P, m: T, load: L) -
     Contact::new(profile, medium(m), load).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-/// Less than a block, a block and the next time, and several.
+/// Less than a block, a block and one more time, and several blocks.
 const LENGTHS: [usize; 4] = [1, 255, 257, 1000];
 
 fn assert_same<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, name: &str) {
@@ -41,7 +41,7 @@ fn radii_under_every_history() {
     }
 }
 
-/// To search it takes a user-defined load as long as many radii.
+/// Searching a user-defined load takes as long as many radii.
 #[test]
 fn a_history_is_searched_once_for_all_times() {
     for (name, load) in histories(CHI) {
@@ -53,7 +53,7 @@ fn a_history_is_searched_once_for_all_times() {
     }
 }
 
-/// Also where a block's numbers are not of common size.
+/// This holds even where the numbers of a block are beyond the usual sizes.
 #[test]
 fn radii_under_loads_of_every_size() {
     for exponent in (-280..=280).step_by(10) {
@@ -72,7 +72,7 @@ fn no_load_makes_no_contact_at_any_time() {
     assert_same(&contact(Patellofemoral, 0.375_f32, Constant(0.0)), "f32");
 }
 
-/// The first fault is the one that the time has on its own.
+/// The first fault among many times is the one of that time alone.
 fn assert_refused<P: GapProfile<f64>, L: Load<f64>>(contact: &Contact<f64, P, L>, fault: f64) {
     let mut times: Vec<f64> = (0..600).map(f64::from).collect();
     times[300] = fault;
@@ -80,7 +80,7 @@ fn assert_refused<P: GapProfile<f64>, L: Load<f64>>(contact: &Contact<f64, P, L>
     let expected: Option<ContactError> = contact.at(fault).err();
     assert!(expected.is_some(), "{fault}");
     let found = contact.radii(&times, &mut [0.0; 600]).err();
-    // Errors may hold what is not a number.
+    // Errors may hold NaN, so they are compared as text.
     assert_eq!(format!("{found:?}"), format!("{expected:?}"));
 }
 
@@ -92,7 +92,7 @@ fn the_first_time_without_a_radius_is_named() {
     assert_refused(&contact(Oblate, 0.375, Constant(50.0)), 1e6);
 }
 
-/// A load that is no force, or whose impulse is none, at one time.
+/// A load with an invalid force or impulse at one time.
 struct Faulty {
     force: f64,
     impulse: f64,

@@ -1,4 +1,4 @@
-//! Contact radii in single precision, where the products of a step may leave the format long before the radius does.
+//! Contact radii in single precision, where the products in a step may leave the format long before the radius does.
 
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
@@ -6,14 +6,14 @@ use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
-/// Coefficients whose ratio has no square.
+/// The square of the ratio of the coefficients leaves the format.
 #[gap_profile(r^2 + 1e-20 * r^4)]
 struct Parabolic;
 
 #[gap_profile(0.025 * r^2 + 1e-4 * r^4 + 1e-12 * r^8 + 1e-18 * r^10)]
 struct Deep;
 
-/// Powers that are formed one by one, and load integrals that have no square.
+/// Powers that are formed one by one; the squares of some load integrals leave the format.
 #[gap_profile(0.025 * r + 1.25e-3 * r^1.5 + 2e-5 * r^2)]
 struct Fractional;
 
@@ -34,13 +34,13 @@ struct Mixed {
     c: f32,
 }
 
-/// A constant beside a field, and no bound for their ratio.
+/// A constant beside a field, with no bound on their ratio.
 #[gap_profile(b * r + 1e-10 * r^7)]
 struct Steepening {
     b: f32,
 }
 
-/// A geometry, its terms (C, n), and the powers of ten that its load integrals lie between.
+/// A geometry, its terms (C, n), and the powers of ten between which its load integrals lie.
 struct Case {
     profile: Box<dyn GapProfile<f32>>,
     terms: Vec<(f64, f64)>,

@@ -10,7 +10,7 @@ use tests::profiles::{case, cases};
 use tests::radii::assert_same_one_by_one;
 use tests::random::{self, magnitude, positive_sums};
 
-/// In units of ε; J is rounded twice, and its error divided by its degree.
+/// In units of ε; J is rounded twice, and its degree divides its error.
 const ALLOWED: f64 = budget::RADIUS.double + 2.0 * budget::LOAD_INTEGRAL.double / 4.0;
 
 fn failure(error: impl core::fmt::Display) -> TestCaseError {
@@ -64,7 +64,7 @@ proptest! {
     }
 }
 
-/// Whether J of the radius that is found is `load_integral`, as far as the degree of J lets a radius be rounded.
+/// Whether J of the radius found is `load_integral`, up to the rounding of the radius times the degree of J.
 fn is_recovered(profile: &dyn GapProfile<f64>, load_integral: f64) -> bool {
     let a = profile.radius(load_integral).unwrap_or(f64::NAN);
     let allowed = budget::LOAD_INTEGRAL.double + ALLOWED * degree(profile, a);
@@ -98,7 +98,7 @@ fn radii_are_not_wrong_where_the_slope_overflows() {
 #[gap_profile(1e15 * r + 1e-15 * r^64)]
 struct Steep;
 
-/// The search ends with an interval of ε, which J, off by an ε times half its degree, places within another half.
+/// The search ends with an interval of ε; the error of J, ε times half its degree, may move it by another ε/2.
 #[test]
 fn radii_are_halved_to_where_the_slope_overflows() {
     for load_integral in [5.281_584_5e36, 2.355_637_6e37, 6.120_69e37, 9.029_46e37_f32] {
@@ -115,7 +115,7 @@ struct Fields {
     c: f64,
 }
 
-/// Numbers whose squares leave the format, in a step from the table that all geometries of two fields share.
+/// In a step from the table that all geometries of two fields share, squares of these numbers would leave the format.
 #[test]
 fn coefficients_of_any_size_have_all_digits() {
     for exponent in -290..290 {
@@ -150,7 +150,7 @@ fn the_end_of_the_range_is_reached_and_not_passed() {
     }
 }
 
-/// The load integral at the end of a range is the largest that has a radius there, to the last bit.
+/// The load integral at the end of a range has a radius within the range, to the last bit.
 #[test]
 fn the_load_integral_of_the_end_is_inside() {
     fn is_inside<T: Scalar>(profile: &dyn GapProfile<T>, end: T) -> bool {
@@ -167,7 +167,7 @@ fn the_load_integral_of_the_end_is_inside() {
     }
 }
 
-/// Large blocks, small ones and the rest of one, in the table or with some load integrals outside it.
+/// Large blocks, small blocks and incomplete ones, in the table or with some load integrals outside it.
 #[test]
 fn many_radii_are_those_of_single_ones() {
     for case in cases() {
@@ -193,7 +193,7 @@ fn the_first_fault_among_many_is_named() {
     assert_eq!(length, Err(RadiusError::Length { load_integrals: 3, radii: 2 }));
 }
 
-/// On both sides of every row of the tables and of their ends: neighbours have neighbouring radii.
+/// On both sides of every border between rows of the tables, and at their ends, neighbours have neighbouring radii.
 #[test]
 fn radii_are_continuous_from_row_to_row() {
     for case in cases() {
@@ -207,7 +207,7 @@ fn radii_are_continuous_from_row_to_row() {
             assert!(error <= 2.0 * budget::RADIUS.double, "{case:?}: {below:e}, {above:e}");
             count += 1;
         }
-        // Half of the octaves are beyond a range that ends.
+        // If the range ends, half of the octaves are beyond it.
         assert!(count >= if case.max_radius.is_some() { 400 } else { 800 }, "{case:?}: {count}");
     }
 }

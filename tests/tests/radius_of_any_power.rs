@@ -1,4 +1,4 @@
-//! Contact radii of a single term whose power is a fraction with a long numerator, so that no few octaves are a period of it.
+//! Contact radii of a single term whose power is a fraction with a long numerator, so that no few octaves are a period.
 
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
@@ -42,7 +42,7 @@ struct Kind {
     decimal: &'static str,
     double: fn(f64) -> Box<dyn GapProfile<f64>>,
     single: fn(f32) -> Box<dyn GapProfile<f32>>,
-    /// With the coefficient 2⁻⁵.
+    /// The geometry with the coefficient 2⁻⁵, in both formats.
     constant: (&'static dyn GapProfile<f64>, &'static dyn GapProfile<f32>),
 }
 
@@ -53,7 +53,7 @@ impl Kind {
         4.0 + self.decimal.parse::<f64>().unwrap_or(f64::NAN)
     }
 
-    /// By an oracle for the coefficient 1.
+    /// The exact radius, from an oracle for the coefficient 1.
     fn exact(&self, oracle: &Profile, (c, load_integral): (f64, f64)) -> Exact {
         Exact::from(&oracle.radius(&(double(load_integral) / double(c))))
     }

@@ -1,5 +1,5 @@
-//! Contact radii of gaps whose first term is positive and the second negative for positive fields, as those of oblate
-//! surfaces are: the same table holds them up to where they are admissible no more.
+//! Contact radii of gaps whose first term is positive and whose second is negative for positive fields, like those of
+//! oblate surfaces: one table holds them up to the end of their admissible range.
 
 use cartcontact::{GapProfile, Polynomial, RadiusError, gap_profile};
 use tests::budget;
@@ -34,7 +34,7 @@ struct Scaled<T> {
     d: T,
 }
 
-/// With three terms in one unit, of which the last turns J upwards again.
+/// Three terms in one unit; the last one turns J upwards again.
 #[gap_profile(c * (r^2 / d - 0.4 * r^4 / d^3 + 0.02 * r^6 / d^5), positive)]
 struct Turning<T> {
     c: T,
@@ -64,7 +64,7 @@ fn radii_are_exact_up_to_their_condition() {
             let place = (index, c, d, share);
             errors.add(found, exact_radius(&terms, load_integral), condition, &place);
 
-            // Smaller ones have fewer digits for J.
+            // With a smaller share J would lack digits.
             let share = share.max(0.05) as f32;
             let (terms, profile) = (kind.single)(c.sqrt() as f32, d.sqrt() as f32);
             let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
@@ -79,7 +79,7 @@ fn radii_are_exact_up_to_their_condition() {
     errors_of_single.check();
 }
 
-/// The table is asked before the range, and has to agree with it.
+/// The table is consulted before the range, and must agree with it.
 #[test]
 fn no_radius_lies_beyond_the_range() {
     for (index, kind) in (0..).zip(&KINDS) {
@@ -125,7 +125,7 @@ fn other_units_change_no_digit() {
     for _ in 0..1000 {
         let (c, d) = (stream.magnitude(-3.0, 3.0), stream.magnitude(-3.0, 3.0));
         let load_integral = stream.between(1e-9, 1.0) * Oblate { c, d }.load_integral((0.7 * c / d).sqrt());
-        // Coefficients stay between 1e-60 and 1e60, for which there is a table.
+        // Coefficients stay between 1e-60 and 1e60, where the table applies.
         let [length, size] = [15, 100].map(|range| 2f64.powi(stream.below(2 * range) as i32 - range as i32));
         let scaled = Oblate { c: c * size / length.powi(2), d: d * size / length.powi(4) };
         let radius = Oblate { c, d }.radius(load_integral).unwrap_or(f64::NAN);

@@ -1,4 +1,4 @@
-//! Contact radii of gaps whose powers are multiples of a common fraction: of a root of the radius they are whole.
+//! Contact radii of gaps whose powers are multiples of a common fraction, and so whole powers of a root of the radius.
 
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
@@ -26,7 +26,7 @@ struct Tenths;
 #[gap_profile(0.02 * r^0.35 + 1e-3 * r^4.05)]
 struct Twentieths;
 
-/// In steps too fine for a root.
+/// The common fraction is too small for a root.
 #[gap_profile(0.02 * r^2.37 + 1e-3 * r^3.5)]
 struct Hundredths;
 
@@ -36,7 +36,7 @@ struct FifthsOfFields<T> {
     d: T,
 }
 
-/// A geometry in both formats, with its terms as they are written and as they are computed with.
+/// A geometry in both formats, with its terms as written and as numbers.
 struct Kind {
     double: &'static dyn GapProfile<f64>,
     single: &'static dyn GapProfile<f32>,
@@ -66,7 +66,7 @@ const KINDS: [Kind; 7] = kinds! {
 };
 
 impl Kind {
-    /// By what the error of a radius is multiplied.
+    /// The factor on the error of a radius.
     fn condition(&self, a: f64) -> f64 {
         let terms = self.numbers;
         let is_sum = terms.iter().all(|&(c, _)| c > 0.0);
@@ -117,7 +117,7 @@ fn radii_are_exact_for_fields_of_any_size() {
         let (c, d) = (stream.magnitude(-4.0, 4.0), stream.magnitude(-4.0, 4.0));
         let profile = FifthsOfFields { c, d };
         let load_integral = profile.load_integral(stream.magnitude(-6.0, 6.0));
-        // All digits of both.
+        // 80 decimals hold all digits of both.
         let coefficients = [c, d].map(|coefficient| format!("{coefficient:.80}"));
         let oracle = Profile::of_decimals(&[(&coefficients[0], "1.6"), (&coefficients[1], "2.2")]);
         let expected = Exact::from(&oracle.radius(&double(load_integral)));

@@ -1,5 +1,5 @@
-//! Contact radii of geometries with three symbolic coefficients: exact for any sizes of them, the same in all units,
-//! the same one by one and in a slice.
+//! Contact radii of geometries with symbolic coefficients, mostly three: they are exact for coefficients of any size,
+//! the same in all units, and the same one by one and in a slice.
 
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
@@ -24,7 +24,7 @@ struct Even<T> {
     d: T,
 }
 
-/// So far apart that steps may not come near.
+/// Powers so far apart that the steps may not come near the root.
 #[gap_profile(b * r + c * r^4 + d * r^40)]
 struct Wide<T> {
     b: T,
@@ -39,14 +39,14 @@ struct Fractional<T> {
     d: T,
 }
 
-/// A joint of nearly the same radii, and what conforms to third order.
+/// A joint of two spheres with nearly the same radius.
 #[gap_profile((1/head - 1/socket) * r^2 / 2 + (head^-3 - socket^-3) * r^4 / 8)]
 struct Hip<T> {
     head: T,
     socket: T,
 }
 
-/// A kind of geometry: its exponents, and how it is made of coefficients.
+/// A kind of geometry: its exponents, and its constructors from coefficients.
 struct Kind {
     exponents: [f64; 3],
     double: fn([f64; 3]) -> Box<dyn GapProfile<f64>>,
@@ -77,7 +77,7 @@ const KINDS: [Kind; 4] = [
 ];
 
 impl Kind {
-    /// Coefficients with which all terms have a part in J within some decades of the radius `unit`.
+    /// Coefficients with which all terms contribute to J within some decades of the radius `unit`.
     fn coefficients(&self, stream: &mut Stream, unit: f64) -> [f64; 3] {
         self.exponents.map(|n| stream.magnitude(-2.0, 2.0) / unit.powf(n - 1.0))
     }
@@ -94,7 +94,7 @@ fn radii_are_exact_for_coefficients_of_any_size() {
     for (index, kind) in KINDS.iter().enumerate() {
         let mut stream = Stream::of_case(1, index as u64);
         for _ in 0..200 {
-            // Of f64 those of powers up to 44 do not fit far beyond; of f32, beyond metres for a millimetre.
+            // Powers up to 44 do not fit into f64 far beyond these units, nor into f32 beyond metres for a millimetre.
             let unit = stream.magnitude(-3.0, 3.0);
             let coefficients = kind.coefficients(&mut stream, unit);
             let load_integral = stream.magnitude(-6.0, 6.0) * unit.powi(5);
@@ -152,7 +152,7 @@ fn other_units_change_no_digit() {
             let coefficients = kind.coefficients(&mut stream, 1.0);
             let load_integral = stream.magnitude(-6.0, 6.0);
             let radius = (kind.double)(coefficients).radius(load_integral).unwrap_or(f64::NAN);
-            // Powers of 16, so that those with quarters in their exponents are whole, too.
+            // Powers of 16, so that their powers with quarters in the exponent are powers of two as well.
             let length = 16f64.powi(stream.below(30) as i32 - 15);
             let size = 2f64.powi(stream.below(600) as i32 - 300);
             let mut scaled = coefficients;
@@ -172,7 +172,7 @@ fn slices_have_the_same_radii() {
         let mut stream = Stream::of_case(3, index as u64);
         let profile = (kind.double)(kind.coefficients(&mut stream, 1.0));
         let mut load_integrals: Vec<f64> = (0..200).map(|_| stream.magnitude(-9.0, 9.0)).collect();
-        // Which the leading term does not lead to.
+        // Load integrals to which the leading term does not lead.
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         assert_same_one_by_one(&*profile, &load_integrals, &kind.exponents);
@@ -184,7 +184,7 @@ fn slices_have_the_same_radii() {
     }
 }
 
-/// They have to be refused, or found as in any other way.
+/// Such coefficients must be refused, or give the same radius as any other way.
 #[test]
 fn what_is_no_positive_coefficient_is_noticed() {
     let radius = |b, c, d, load_integral| Even { b, c, d }.radius_within(load_integral, 2.0);
@@ -192,9 +192,9 @@ fn what_is_no_positive_coefficient_is_noticed() {
     let of_two_radii = 2.0 * budget::RADIUS.double * f64::EPSILON;
     assert!((positive / 12f64.powf(1.0 / 6.0) - 1.0).abs() <= of_two_radii, "{positive}");
     for tiny in [1e-300, 1e-30, 1e-10] {
-        // J = a⁶/12 − … with another sign of what hardly counts, and that of a term that decides.
+        // J = a⁶/12 − …, where the negative term hardly counts.
         let negative = radius(1.0, -tiny, tiny, 1.0).unwrap_or(f64::NAN);
-        // Both together are 2.4 `tiny` of J, whose degree is 6.
+        // The two tiny terms are together 2.4 `tiny` of J, whose degree is 6.
         assert!((negative / positive - 1.0).abs() <= of_two_radii + 0.5 * tiny, "{tiny:e}: {negative}");
     }
     let oblate = radius(1.0, -0.1, 0.0, 1.0).unwrap_or(f64::NAN);

@@ -23,7 +23,7 @@ macro_rules! terms {
     };
 }
 
-// A root, a table by whole periods of 5 to 64 octaves, and in the end none.
+// The cases are a root, tables by whole periods of 5 to 64 octaves, and finally no table.
 terms! {
     Root: 0.5, c * r^0.5;
     Cone: 1.0, c * r;
@@ -88,7 +88,7 @@ fn other_units_change_no_digit() {
             let size = 2f64.powi(stream.below(1000) as i32 - 500);
             let found = (kind.double)(c * size).radius(load_integral * size).unwrap_or(f64::NAN);
             assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.exponent);
-            // A power of 16, so that those with quarters in their exponents are whole, too; eighths are not.
+            // A power of 16, so that its powers with quarters in the exponent are powers of two; eighths are not.
             let length = 16f64.powi(stream.below(3) as i32 - 1);
             if (4.0 * kind.exponent).fract() == 0.0 {
                 let longer = c * length.powf(-kind.exponent);
@@ -146,7 +146,7 @@ fn the_end_of_the_range_is_inside() {
         let profile = (kind.double)(0.03);
         let end = profile.load_integral(5.0);
         let found = profile.radius_within(end, 5.0).unwrap_or(f64::NAN);
-        // J is rounded, too, which its degree divides.
+        // J is rounded too, and its degree divides that error.
         let allowed = budget::RADIUS.double + budget::LOAD_INTEGRAL.double / 4.0;
         assert!(ulps(found, 5.0.into(), f64::EPSILON) <= allowed, "{}: {found:e}", kind.exponent);
         let beyond = profile.radius_within(end * 1.000_001, 5.0);

@@ -1,5 +1,5 @@
-//! Contact radii of geometries whose fields do no more than set their units, and of some that look like it: all have
-//! more than two terms, and the former one table for all values.
+//! Contact radii of geometries whose fields only set their units, and of some that look alike: all have more than two
+//! terms, and the former have one table for all values.
 
 use cartcontact::gap_profile;
 use tests::budget;
@@ -36,7 +36,7 @@ struct Halves<T> {
     radius: T,
 }
 
-/// With the sign of its radius the second term changes its own.
+/// The second term changes its sign with the radius.
 #[gap_profile(k * (r^2 + r^3 / radius + r^4 / radius^2))]
 struct Turned<T> {
     k: T,
@@ -58,7 +58,7 @@ fn radii_are_exact_for_fields_of_any_size() {
     for (index, kind) in KINDS.iter().enumerate() {
         let mut stream = Stream::of_case(1, index as u64);
         for _ in 0..300 {
-            // Both ends of the table and what lies beyond.
+            // The sizes reach both ends of the table and beyond.
             let (k, radius) = (stream.magnitude(-4.0, 4.0), stream.magnitude(-2.0, 2.0));
             let size = radius * stream.magnitude(-3.5, 1.0);
             let (terms, profile) = (kind.double)(k, radius);

@@ -6,17 +6,17 @@ use tests::measure::Errors;
 use tests::radii::exact_radius;
 use tests::random::Stream;
 
-/// Exponents that have all the digits of a number, of which powers round once more.
+/// Exponents with all the digits of the format, so that powers round once more.
 const DECIMALS: [f64; 8] = [0.1, 0.3, 0.7, 1.3, 2.1, 3.7, 6.1, 9.3];
 
-/// The kinds of exponents: quarters, whole ones, and decimals.
+/// The kinds of exponents: quarters, whole numbers and decimals.
 const KINDS: [fn(&mut Stream) -> f64; 3] = [
     |stream| (1 + stream.below(40)) as f64 / 4.0,
     |stream| (1 + stream.below(64)) as f64,
     |stream| stream.one_of(&DECIMALS),
 ];
 
-/// Up to four terms (C, n), each of which may have the largest part of J.
+/// Up to four terms (C, n), any of which may be the largest part of J.
 fn terms(stream: &mut Stream, exponent: fn(&mut Stream) -> f64) -> Vec<(f64, f64)> {
     let count = 1 + stream.below(4);
     (0..count).map(|_| (stream.magnitude(-3.0, 3.0), exponent(stream))).collect()

@@ -1,4 +1,4 @@
-//! Contact radii of constant geometries that have no table, or lie outside its rows.
+//! Contact radii of constant geometries that have no table, and radii outside its rows.
 
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
@@ -7,27 +7,27 @@ use tests::oracle::{Profile, double};
 use tests::radii::assert_same_one_by_one;
 use tests::random::Stream;
 
-/// Rows below r = 1.2 only.
+/// The table has rows only below r = 1.2.
 #[gap_profile(0.02 * r^2 + 1e-6 * r^64)]
 struct Steep;
 
-/// No rows.
+/// The table has no rows.
 #[gap_profile(0.02 * r^2 + 1e-30 * r^400)]
 struct Steepest;
 
-/// Rows up to r = 4.8.
+/// The table has rows up to r = 4.8.
 #[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 1e-16 * r^23)]
 struct ThreeTerms;
 
 #[gap_profile(0.02 * r^1.3 + 1e-3 * r^2.71 + 1e-4 * r^3.9)]
 struct Fractional;
 
-/// A geometry in both formats, with its terms as they are written.
+/// A geometry in both formats, with its terms as written.
 struct Kind {
     double: &'static dyn GapProfile<f64>,
     single: &'static dyn GapProfile<f32>,
     terms: &'static [(&'static str, &'static str)],
-    /// Decades of the radius.
+    /// The decades in which radii are drawn.
     decades: [f64; 2],
 }
 

@@ -1,5 +1,5 @@
-//! The functions of geometries with fields against the oracle, at random values of the fields and random radii, the same
-//! ones in every run.
+//! The functions of geometries with fields against the oracle, at random values of the fields and random radii that are
+//! the same in every run.
 
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget::FUNCTION_OF_FIELDS;
@@ -9,7 +9,7 @@ use tests::oracle::number::whole;
 use tests::oracle::{Profile, Real, decimal, double};
 use tests::random::Stream;
 
-/// So many values of the fields and radii for every geometry, each in both precisions.
+/// How many values of the fields and radii each geometry is given, in both precisions.
 const DRAWS: u64 = 150;
 const SEED: u64 = 20_261_123;
 
@@ -54,7 +54,7 @@ mod shapes {
         pub(super) first: f64,
         pub(super) second: f64,
     }
-    // The powers have all digits of the base, 3 (b + d), and the second has no quarters.
+    // The base 3 (b + d) has all its digits, and the second exponent is no multiple of 1/4.
     #[gap_profile((3 * (b + d))^-1.5 * r^2 + (b / 7)^2.2 * r^4)]
     pub(super) struct Powers {
         pub(super) b: f64,
@@ -62,7 +62,7 @@ mod shapes {
     }
 }
 
-/// Compares all functions of a geometry, made of three numbers, with those of its terms.
+/// Compares all functions of a geometry that is made from three numbers with those of its terms.
 fn check<P: GapProfile<f64> + GapProfile<f32>>(
     profile: impl Fn([f64; 3]) -> P,
     terms: impl Fn([Real; 3]) -> Terms,

@@ -1,4 +1,4 @@
-//! Random geometries and histories against the oracle, the same ones in every run.
+//! Random geometries and histories against the oracle; they are the same in every run.
 
 use cartcontact::{Contact, GapProfile, Medium, gap_profile};
 use proptest::prelude::*;
@@ -22,8 +22,8 @@ fn quarters() -> impl Strategy<Value = f64> {
     prop_oneof![3 => quarters(1..=16), 2 => quarters(4..=48), 1 => (12..=64).prop_map(f64::from)]
 }
 
-/// A geometry of up to six terms, each of a size of 1e-3 to 1e3 at the radius 2, every third one negative where the
-/// geometry stays admissible; and the largest contact radius that is of interest.
+/// A geometry of up to `most` terms, each between 1e-3 and 1e3 at the radius 2, every third one negative if the
+/// geometry stays admissible; and the largest contact radius of interest.
 fn geometries(exponents: impl Strategy<Value = f64>, most: usize) -> impl Strategy<Value = (Terms, f64)> {
     let term = (magnitude(-3.0..3.0), exponents, 0..3_u8);
     proptest::collection::vec(term, 1..=most).prop_map(|terms| {
@@ -113,7 +113,7 @@ mod shapes {
     pub(super) struct Alternating;
     #[gap_profile(0.02*r + 1e-30 * r^40)]
     pub(super) struct FarApart;
-    // None of these exponents, nor of those of J, has all its digits in f64.
+    // Neither these exponents nor those of J are exact in f64.
     #[gap_profile(0.03 * r^2.3)]
     pub(super) struct Decimal;
     #[gap_profile(1e-7 * r^17.3)]
@@ -149,7 +149,7 @@ fn kernels_of_generated_solvers_are_those_of_the_oracle() {
     errors.iter().for_each(Errors::check);
 }
 
-/// A history in which the contact radius at the time of interest is given.
+/// A history with a given contact radius at the time of interest.
 #[derive(Clone, Debug)]
 struct Scene {
     terms: Terms,
@@ -189,7 +189,7 @@ impl Scene {
         through(&self.knots)
     }
 
-    /// The stiffness with which the contact radius is what it should be.
+    /// The stiffness that gives the contact radius.
     fn m(&self, profile: &dyn GapProfile<f64>) -> f64 {
         planted::stiffness(profile, &self.load(), self.chi, self.radius, self.time)
     }

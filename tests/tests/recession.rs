@@ -1,4 +1,4 @@
-//! A user-defined load that falls faster than the contact can follow is noticed, and no other is refused.
+//! A user-defined load that falls faster than the contact can follow is detected, and no other is refused.
 
 use core::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use tests::loads::{Rise, Swing};
 
 const CHI: f64 = 0.02;
 
-/// Since when the edge recedes, of a load asked for at a time.
+/// The time since which the edge recedes, as the error at the time `t` reports it.
 fn since(load: &dyn Load<f64>, chi: f64, t: f64) -> Option<f64> {
     let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
     let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
@@ -78,7 +78,7 @@ impl Load<f64> for Ripple {
     }
 }
 
-/// The ripple is a small share of the load late in a history, and its waves are many between two nodes.
+/// Late in a history the ripple is a small share of the load, and many of its waves lie between two nodes.
 #[test]
 fn a_ripple_recedes_in_its_first_wave_however_late_it_is_asked_for() {
     for (start, slope) in [(100.0, 1.0), (100.0, 0.1), (10.0, 10.0)] {
@@ -196,7 +196,7 @@ fn a_decay_may_be_as_fast_as_the_memory() {
     }
 }
 
-/// F = 100 (t/1000)^p: early in a history nearly all of it is rounding, and next to t = 0 below the normal numbers.
+/// F = 100 (t/1000)^p: early in a history it is nearly all rounding, and next to t = 0 it is below the normal numbers.
 struct PowerOfTime(i32);
 
 impl<T: Scalar> Load<T> for PowerOfTime {
@@ -249,7 +249,7 @@ fn many_times_name_the_first_that_is_too_late() {
     }
 }
 
-/// A load that is not a number, or whose impulse belongs to another.
+/// A load with an invalid force, or with the impulse of another force.
 struct Wrong {
     force: f64,
     impulse: f64,
@@ -271,7 +271,7 @@ fn the_search_ends_for_loads_that_are_none() {
         let found = Wrong { force: value, impulse: 100.0 }.recession(CHI, 1e4);
         // A larger force has a larger impulse.
         assert_eq!(found.is_some(), value != 100.0, "{value}: {found:?}");
-        // The impulse of another force contradicts this one from the start.
+        // The impulse of another force contradicts this force from the start.
         let found = Wrong { force: 100.0, impulse: value }.recession(CHI, 1e4);
         let is_wrong = if value.is_finite() { found == Some(0.0) } else { found.is_some() };
         assert_eq!(is_wrong, value != 100.0, "impulse {value}: {found:?}");

@@ -10,7 +10,7 @@ use tests::measure::Errors;
 use tests::profiles::{Case, cases};
 use tests::reference::{self, ContactRow};
 
-/// Which form of a geometry is compared.
+/// The form of a geometry that is compared.
 type Form = fn(Case, &mut dyn FnMut(&dyn GapProfile<f64>));
 
 const FORMS: [(&str, Form); 2] = [

@@ -1,4 +1,4 @@
-//! A user-defined load may dip for a moment within a long history, where no sample need meet it.
+//! A user-defined load may dip for a moment within a long history, where no sample may hit the dip.
 
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, Medium, Polynomial};
@@ -8,7 +8,7 @@ use tests::measure::Errors;
 
 const CHI: f64 = 0.02;
 
-/// 100 − D/cosh²((t − time)/width), whose knots, if it tells them, are no kinks but where it varies.
+/// 100 − D/cosh²((t − time)/width); its knots, if it reports any, are no kinks but lie where it varies.
 struct Dip {
     depth: f64,
     time: f64,

@@ -9,10 +9,10 @@ use tests::oracle::{Profile, double};
 use tests::profiles::{Case, DECIMALS, Decimals};
 use tests::reference::{self, ContactRow};
 
-/// What single precision holds with all its digits.
+/// The numbers that single precision holds with all their digits.
 const NORMAL: core::ops::Range<f64> = f32::MIN_POSITIVE as f64..f32::MAX as f64;
 
-/// Whether the coefficients have all their digits in single precision; those of the flat-ended geometry have not.
+/// Whether the coefficients have all their digits in single precision; those of the flat-ended geometry do not.
 fn is_representable(case: Case) -> bool {
     case.terms.iter().all(|&(c, _)| NORMAL.contains(&c.abs()))
 }
@@ -38,7 +38,7 @@ fn compare_reference_rows(errors: &mut [Errors; 6]) {
     }
 }
 
-/// The largest range that is accepted, whose end rounds up in single precision.
+/// The largest accepted range; its end rounds up in single precision.
 #[gap_profile(0.001 * r^2 - 86e-5 * r^4, max_radius = 0.9338592)]
 struct Turning;
 

@@ -1,5 +1,5 @@
-//! Of loads that are straight between their knots, those that fall faster than the contact can follow are noticed, however
-//! many pieces they fall in, and no others.
+//! Loads that are straight between their knots are refused if they fall faster than the contact can follow, in however
+//! many pieces, and no others are.
 
 use core::cell::Cell;
 
@@ -31,7 +31,7 @@ fn straight_loads_are_judged_as_they_judge_themselves() {
     }
 }
 
-/// Falls along lines that are as steep at their ends as they may be, F₁ = F₀/(1 + χ Δt), of rounded forces.
+/// Falls along lines that are as steep at their ends as allowed, F₁ = F₀/(1 + χ Δt), with rounded forces.
 #[test]
 fn rounded_falls_as_fast_as_the_memory_are_none_too_fast() {
     for folds in [1e-4, 0.01, 0.02, 0.06, 0.5, 3.0] {
@@ -49,7 +49,8 @@ fn rounded_falls_as_fast_as_the_memory_are_none_too_fast() {
     }
 }
 
-/// A line from one force to another and back, as a user may write it: what is left at its end is rounded like the first.
+/// A line from one force to another and a jump back, as a user may write it: the rounding of its last force is relative
+/// to the first.
 struct Dip {
     first: f64,
     last: f64,
@@ -97,7 +98,7 @@ fn long_falls_as_fast_as_the_memory_are_none_too_fast() {
             assert_eq!(dip(least).recession(CHI, 2.0 * duration), None, "{first} in {folds}");
             let load = through(&[(0.0, first), (duration, least), (duration, first)]);
             assert_eq!(load.recession(CHI, 2.0 * duration), None, "{first} in {folds}");
-            // Less by more than the first force is rounded.
+            // The fall exceeds the least force by more than the rounding of the first one.
             let less = least - 32.0 * f64::EPSILON * first;
             let load = through(&[(0.0, first), (duration, less), (duration, first)]);
             for since in [dip(less).recession(CHI, 2.0 * duration), load.recession(CHI, 2.0 * duration)] {
@@ -107,7 +108,7 @@ fn long_falls_as_fast_as_the_memory_are_none_too_fast() {
     }
 }
 
-/// A load in single precision at 1 kHz, each force from the one before it and how many e-foldings they are apart.
+/// A load in single precision at 1 kHz; `next` makes each force from the one before and their distance in e-foldings.
 fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> PiecewiseLinear<f32, Vec<(f32, f32)>> {
     let mut knots = vec![(0.0_f32, 80.0_f32)];
     for k in 1..count {
@@ -125,17 +126,17 @@ fn single_contact<L: Load<f32>>(chi: f32, load: L) -> Contact<f32, SingleGap, L>
     Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-/// What each of them falls too fast by is rounding, but not what all of them do.
+/// Each step falls too fast only by rounding, but all of them together do not.
 #[test]
 fn falls_in_small_steps_add_up() {
     for chi in [1.5e-2, 1.5e-3, 1.5e-4_f32] {
         for ratio in [1.1, 1.5, 3.0, 5.0] {
-            // As `f32` holds the result, not recursively: steps this short would otherwise be rounded to others.
+            // Rounded to `f32` at the end, not recursively, which would change steps this short.
             let force = |k: usize| (80.0 * (-f64::from(ratio * chi) * 1e-3 * k as f64).exp()) as f32;
             let knots: Vec<(f32, f32)> = (0..100_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
             let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
             let contact = single_contact(chi, &load);
-            // The fall is too much when it is √ε of the force.
+            // The excess of the fall is found when it is √ε of the force.
             let found_at = f32::EPSILON.sqrt() / ((ratio - 1.0) * chi);
             if found_at < 50.0 {
                 let late = 1.5 * found_at + 1.0;
@@ -148,7 +149,7 @@ fn falls_in_small_steps_add_up() {
                 assert_eq!(contact.radii(&[0.0, late], &mut values).err(), expected);
                 assert_eq!(contact.pressure_field(&[0.0, late], &[0.0], &mut values).err(), expected);
             }
-            // Of a single step, 8 ε is too much.
+            // In a single step, an excess of 8 ε is too much.
             if (ratio - 1.0) * chi * 1e-3 < 4.0 * f32::EPSILON {
                 let early = (found_at / 1.5).min(99.0);
                 assert_eq!(contact.radii(&[early], &mut [0.0]), Ok(()), "{chi}, {ratio}");
@@ -157,7 +158,7 @@ fn falls_in_small_steps_add_up() {
     }
 }
 
-/// The rounding of F₀/(1 + χ Δt) is the same in many steps; those of other ways to compute it differ from it.
+/// The rounding of F₀/(1 + χ Δt) is the same in many steps; other ways to compute it round differently.
 #[test]
 fn a_load_at_the_bound_may_have_any_number_of_knots() {
     for chi in [1e-5, 1.5e-4, 4e-4, 1e-3, 1.5e-3, 0.0123, 0.2_f32] {
@@ -183,7 +184,7 @@ fn a_load_at_the_bound_may_have_any_number_of_knots() {
     }
 }
 
-/// A load of a user's own that says that it is straight, and counts how often it is asked for a force.
+/// A user-defined load that says that it is straight, and counts how often it is asked for a force.
 struct Straight<L> {
     load: L,
     asked: Cell<usize>,
@@ -226,7 +227,7 @@ fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
                 2 => (1.0 - stream.magnitude(-9.0, -2.0)) / (1.0 + folds),
                 _ => 1.0 / (1.0 + folds),
             };
-            // What a load jumps from at the start, only its knots say.
+            // Only knots tell the force before a jump at the start.
             time += if time > 0.0 && stream.below(10) == 0 { 0.0 } else { folds / CHI };
             if knots.len() < 2 || knots[knots.len() - 2].0 < time {
                 knots.push((time, force));
@@ -251,7 +252,7 @@ fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
     assert!(own.asked.get() < 50_000, "{}", own.asked.get());
 }
 
-/// P = P₀ F/F₀ where the edge stands still; what rounding makes of its place must not add up.
+/// P = P₀ F/F₀ where the edge stands still; the roundings of its place must not add up.
 #[test]
 fn pressures_fade_with_a_load_at_the_bound() {
     for chi in [1.5e-3, 1.5e-2_f32] {

@@ -21,9 +21,9 @@ fn errors_are_within_their_bounds_everywhere() {
     report.ledgers.iter().for_each(|ledger| assert_much_was_examined(ledger, &report));
 }
 
-/// The least share of the scenes of a region that have results to compare: some leave the format, and of those of
-/// subnormal numbers most do. Of geometries that are nearly inadmissible, single precision cannot tell 3 in 10 from such as
-/// are: what rounding may add to δ₀′ is more than is left of it.
+/// The least share of the scenes of a region that have results to compare: some scenes leave the format, and most of
+/// those with subnormal numbers do. In single precision, 3 in 10 of the nearly inadmissible geometries cannot be told
+/// from inadmissible ones: the rounding of δ₀′ exceeds what is left of it.
 fn least_share(region: Region) -> f64 {
     match region {
         Region::Subnormal => 0.15,
@@ -33,7 +33,7 @@ fn least_share(region: Region) -> f64 {
     }
 }
 
-/// Of a campaign of [`CASES`].
+/// Expects the counts of a campaign of [`CASES`].
 fn assert_much_was_examined(ledger: &Ledger, report: &Report) {
     for region in Region::ALL {
         let [solved, unsolved, refused, in_units] = ledger.tallies[region as usize];
@@ -69,7 +69,8 @@ fn is_deep(quantity: Quantity) -> bool {
     matches!(quantity, Quantity::Pressure | Quantity::PeakPressure | Quantity::Balance)
 }
 
-/// Scenes that longer campaigns found at fault: a seed, a case, and the fingerprint of the scene, which `--only` shows.
+/// Scenes in which longer campaigns found faults: a seed, a case, and the fingerprint of the scene, which `--only`
+/// shows.
 #[test]
 fn what_was_found_once_stays_mended() {
     let found = [
@@ -83,19 +84,19 @@ fn what_was_found_once_stays_mended() {
         (7, 101_074, 0x0110_e0e0),
         (11, 14_065, 0xce33_f5c3),
         (11, 84_538, 0xa374_090a),
-        // A peak pressure under a load of some knots.
+        // A peak pressure under a load of several knots.
         (1, 109_125, 0xd444_a0b7),
         (1, 645_438, 0xdcab_1d0e),
         (2, 16_471, 0x14de_6d0b),
         (2, 25_759, 0x1105_dc4c),
         (2, 45_493, 0x7327_c2dd),
         (2, 58_575, 0x4c41_e360),
-        // A field that begins at a time at which the load is subnormal.
+        // A field that begins when the load is subnormal.
         (2, 351_575, 0x15ee_8e16),
         (2, 73_443, 0xa4f1_8f3d),
         // A coefficient that is zero in other units.
         (2, 186_943, 0x9c9f_9aef),
-        // An edge that rounding moves by more than the distance from it.
+        // An edge that rounding moves by more than the distance of the point from it.
         (1, 2_479_684, 0xb496_74a7),
         // A falling load whose square is out of range.
         (2, 108_283, 0x18ea_686b),
@@ -156,7 +157,7 @@ fn a_case_can_be_drawn_again() {
     assert_eq!(one.to_string(), all.to_string());
 }
 
-/// Products out of range on the way to numbers that are not.
+/// Intermediate products are out of range although the results are not.
 #[test]
 fn layers_of_any_size_make_a_medium() -> Result<(), MediumError> {
     let layer = Layer { thickness: 1e-100_f64, shear_modulus: 1e-10, permeability: 1e-230 };
@@ -167,7 +168,7 @@ fn layers_of_any_size_make_a_medium() -> Result<(), MediumError> {
     Ok(())
 }
 
-/// r⁶⁴ is out of range at the radius of the contact, in either format, and so is J of its power alone.
+/// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
 #[test]
 fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     let double =
@@ -188,7 +189,7 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     Ok(())
 }
 
-/// A term that is not there may have a power that is out of range.
+/// A term with a coefficient of zero may have a power that is out of range.
 #[test]
 fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>> {
     let medium = Medium::from_constants(1.0, 0.01)?;
@@ -203,7 +204,7 @@ fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>>
     Ok(())
 }
 
-/// What has lost its digits is refused, not answered.
+/// Scenes whose numbers have lost digits are refused, not solved.
 #[test]
 fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error>> {
     let paraboloid = || Polynomial::new([(0.025, 2.0)]);
@@ -237,7 +238,8 @@ fn rates_out_of_range_are_refused() -> Result<(), Box<dyn core::error::Error>> {
     Ok(())
 }
 
-/// A layer thinner than the spacing of numbers carries the whole load after a long time: P = 2 F (a² − r²)/(π a⁴).
+/// P = 2 F (a² − r²)/(π a⁴) after a long time, when the load comes from a strip of radii narrower than the spacing of
+/// numbers.
 #[test]
 fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
     let contact = Contact::new(
@@ -250,7 +252,7 @@ fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
         let (found, radius) = (f64::from(now.peak_pressure()), f64::from(now.radius()));
         let drained = 200.0 / (core::f64::consts::PI * radius * radius);
         let rounding = budget::PEAK_PRESSURE.single + 2.0 * budget::CONTACT_RADIUS.single;
-        // Of a⁻² ∝ (1 + χ t)^(−1/3) the memory has the mean over the last 1/χ.
+        // The memory holds the mean of a⁻² ∝ (1 + χ t)^(−1/3) over the last 1/χ.
         let allowed = rounding * f64::from(f32::EPSILON) + 1.0 / (3.0 * f64::from(time));
         assert!((found / drained - 1.0).abs() <= allowed, "{time:e}: {found:e}, {drained:e}");
     }

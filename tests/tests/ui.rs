@@ -1,4 +1,4 @@
-//! What the compiler says about faulty profiles, one fault in a file; `TRYBUILD=overwrite` renews the answers.
+//! The compiler's messages about faulty profiles, one fault per file; `TRYBUILD=overwrite` renews them.
 
 use trybuild::TestCases;
 

@@ -1,14 +1,14 @@
-//! A change of units changes the numbers, not the result; by powers of two not even the last bit, with these exceptions for
-//! lengths, which stay within their bounds:
+//! A change of units changes the numbers, not the result. Powers of two do not even change the last bit, except for
+//! these cases with other units of length, in which results stay within their bounds:
 //!
-//! - Radii of constant geometries in single precision where the load integral moves beyond the rows of the table that single
-//!   precision has: they are then iterated, and up to 5 % of them differ in the last bit.
-//! - Radii of geometries with fields whose coefficients move beyond 1e±60, in single precision 1e±11, where a table with
-//!   fields ends.
-//! - The `max_radius()` of a geometry with fields and terms of both signs, which is up to 52 ε too small, and beyond which a
-//!   radius is refused: it is searched for in ln r.
+//! - Radii of constant geometries in single precision where the load integral moves beyond the rows of the table for
+//!   single precision: they are then iterated, and up to 5 % of them differ in the last bit.
+//! - Radii of geometries with fields whose coefficients move beyond 1e±60, in single precision 1e±11, where a table
+//!   with fields ends.
+//! - The `max_radius()` of a geometry with fields and terms of both signs: it is searched for in ln r, and up to 52 ε
+//!   too small; larger radii are refused.
 //!
-//! Forces and times change none.
+//! Other units of force and time change no result.
 //!
 //! Lengths are multiplied by L, forces by Q and times by T: a coefficient of rⁿ by L^(1−n), m by Q/L⁵, χ by 1/T,
 //! pressures by Q/L².
@@ -91,8 +91,8 @@ impl Problem {
     }
 }
 
-/// In ε: the coefficients, m, the load and times are rounded one to six times on the way to other units and results up to
-/// three times on the way back; results depend on them with powers of which none is above 1.
+/// In ε: the coefficients, m, the load and times are rounded one to six times in the conversion to other units, and
+/// results up to three times in the conversion back; results depend on them with powers not above 1.
 const CONVERSION: f64 = 5.0;
 
 const SAME: Units = Units { length: 1.0, force: 1.0, time: 1.0 };
@@ -128,8 +128,8 @@ proptest! {
             .map(|results| results.map(|results| results.concat()).unwrap_or_default());
         prop_assert_eq!(results.len(), 72);
         for (found, expected) in results.chunks(6).zip(expected.chunks(6)) {
-            // The approach has a degree of at most 4. Pressures in units of that on the axis: next to the edge they are
-            // small differences.
+            // The approach has a degree of at most 4. Pressures are compared in units of the one on the axis: next to
+            // the edge they are small differences.
             let [radius, approach] = [budget::CONTACT_RADIUS.double, 5.0 * budget::CONTACT_APPROACH.double];
             let scales = [(expected[0], radius), (expected[1], approach)].into_iter();
             let scales = scales.chain([(expected[2], budget::PEAK_PRESSURE.double); 4]);

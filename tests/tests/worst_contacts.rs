@@ -1,5 +1,5 @@
-//! The scenes in which contact radii and peak pressures are off by the most, of millions of random ones in single precision
-//! and some ten thousands in double precision.
+//! The scenes with the largest errors of contact radii and peak pressures, of millions of random scenes in single
+//! precision and tens of thousands in double precision.
 
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
@@ -8,7 +8,7 @@ use tests::measure::Errors;
 use tests::oracle::{Oracle, Profile};
 use tests::profiles::Patellofemoral;
 
-/// The degree of its J is 4.25: what is rounded before the inversion counts for the most.
+/// The degree of its J is 4.25, so that rounding before the inversion counts most.
 #[gap_profile(0.37 * r^0.25)]
 struct Cusp;
 
@@ -28,7 +28,7 @@ struct Scene {
 }
 
 impl Scene {
-    /// a(t) and P(0, t) of the scene as the format has it.
+    /// a(t) and P(0, t) of the scene in a format.
     fn solved<T: Scalar>(self, profile: &dyn GapProfile<T>, format: fn(f64) -> T) -> [f64; 2] {
         let knots: Vec<(T, T)> = self.knots.iter().map(|&(t, force)| (format(t), format(force))).collect();
         let solve = || {
@@ -41,7 +41,7 @@ impl Scene {
     }
 }
 
-/// A geometry and its terms, as they are written.
+/// A geometry and its terms as written.
 type Geometry = (&'static dyn GapProfile<f64>, &'static [(&'static str, &'static str)]);
 
 #[test]

@@ -1,4 +1,4 @@
-//! Geometries known at run time, and fields of generated ones.
+//! Geometries known at run time, and fields of generated geometries.
 
 use cartcontact::load::Constant;
 use cartcontact::{
@@ -45,7 +45,7 @@ fn geometries_must_open_and_stay_open() {
     refused(result, |e| matches!(e, ProfileError::NotAdmissible { .. }), "14.5");
 }
 
-/// Infinity is what an unlimited geometry says of itself.
+/// The range of an unlimited geometry is infinity.
 #[test]
 fn an_infinite_limit_is_none() -> Result<(), ProfileError> {
     for terms in [[(0.025, 2.0), (1e-4, 4.0)], [(0.025, 2.0), (-1e-4, 4.0)]] {
@@ -136,7 +136,7 @@ fn fields_declared_positive_are_held_to_it() {
     refused(tiny.check(), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "r^4");
 }
 
-/// A ball in a socket of a known size.
+/// A ball in a socket.
 #[gap_profile(sphere(radius) - conic(k, 20 / k - 1), order = 2, max_radius = 6)]
 struct Socket {
     radius: f64,
@@ -164,7 +164,7 @@ fn a_range_ends_inside_its_surfaces() {
     refused(socket(5.9, 20.0), is_expected, "ends at r = 5.9");
 }
 
-/// Coefficients that fit into the format although what is computed from them does not.
+/// A coefficient that fits into the format is refused if the numbers computed from it do not fit.
 #[test]
 fn coefficients_leave_room_for_the_closed_forms() {
     let is_expected = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { .. });
@@ -208,11 +208,11 @@ fn constants_need_a_format_that_holds_them() {
     assert!(matches!(contact, Err(ContactError::Profile(_))), "{contact:?}");
 }
 
-/// A term that single precision takes for zero, although at r = 9 it is larger than the other.
+/// A term that is zero in single precision, although at r = 9 it is larger than the other one.
 #[gap_profile(0.025 * r^2 + 1e-60 * r^64)]
 struct Faint;
 
-/// The same beside a field.
+/// The same term beside a field.
 #[gap_profile(curvature * r^2 + 1e-60 * r^64)]
 struct FaintBesideField {
     curvature: f64,

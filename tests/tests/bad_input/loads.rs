@@ -1,4 +1,4 @@
-//! Loads that break the contract of a load: refused where they come in, or when they are used.
+//! Loads that break the contract of a load are refused where they enter, or when they are used.
 
 use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, Medium};
@@ -53,7 +53,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     Ok(())
 }
 
-/// A record with noise: no time is early enough.
+/// A noisy record that falls from the start: no time is early enough.
 #[test]
 fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError> {
     let contact = Contact::new(
@@ -67,7 +67,7 @@ fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError>
     Ok(())
 }
 
-/// A user-defined load that is not one.
+/// A user-defined load with any constants as force and impulse.
 struct Wrong {
     force: f64,
     impulse: f64,
@@ -114,7 +114,7 @@ fn hereditary_loads_beyond_the_format_are_refused() {
     assert!(matches!(contact.at(0.0), Err(ContactError::Unrepresentable { .. })));
 }
 
-/// 100 N, and 150 N from 10 s on, with what it says of that time.
+/// 100 N, and 150 N from 10 s on; `K` gives the next knot.
 struct Stepped<K>(K);
 
 impl<K: Fn(f64) -> Option<f64>> Load<f64> for Stepped<K> {
@@ -145,13 +145,13 @@ fn a_knot_that_is_not_ahead_is_none() -> Result<(), ContactError> {
         [|_| Some(10.0), |t| (t <= 10.0).then_some(10.0), Some, |_| Some(f64::NAN)];
     for (which, next_knot) in wrong.into_iter().enumerate() {
         let found = pressure(Stepped(next_knot))?;
-        // A step that no knot tells of is found within 2^−20 of the time.
+        // A step that no knot reports is found within 2^−20 of the time.
         assert!((found / expected - 1.0).abs() < 1e-6, "{which}: {found} instead of {expected}");
     }
     Ok(())
 }
 
-/// A load with a force and an impulse of its own between 5 s and 8 s.
+/// 100 N, with another force and impulse between 5 s and 8 s.
 struct Disturbed {
     force: f64,
     impulse: f64,
@@ -174,7 +174,7 @@ fn what_was_no_force_in_the_past_is_refused() {
     }
 }
 
-/// A sensor's load in single precision: it holds each value for 1/5 s, and does not say when it changes.
+/// A sensor's load in single precision, which holds each value for 1/5 s and does not report when it changes.
 struct Held;
 
 impl Load<f32> for Held {
@@ -198,7 +198,7 @@ fn steps_that_no_knot_tells_of_are_passed_in_single_precision() {
     assert!(pressures.iter().all(|pressure| pressure.is_finite() && *pressure > 0.0), "{pressures:?}");
 }
 
-/// 100 N, of which nobody may ask at a time that is none.
+/// 100 N; panics if asked at an invalid time.
 struct Strict {
     is_linear: bool,
 }
@@ -228,7 +228,7 @@ impl Load<f64> for Strict {
     }
 }
 
-/// Such as the one in the documentation, which takes it for an index.
+/// The load in the documentation, for example, uses the time as an index.
 #[test]
 fn a_load_is_never_asked_for_a_time_that_is_none() {
     let is_time = |e: &ContactError| matches!(e, ContactError::InvalidTime { .. });
@@ -252,7 +252,7 @@ fn a_load_is_never_asked_for_a_time_that_is_none() {
     }
 }
 
-/// Times beyond those of common size.
+/// Times of 1e60, beyond the usual sizes.
 #[test]
 fn times_of_no_common_size_have_the_radius_of_their_load() -> Result<(), ContactError> {
     let medium = Medium::from_constants(0.375, 1e-60).unwrap_or_else(|error| unreachable!("{error}"));

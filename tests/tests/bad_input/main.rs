@@ -1,4 +1,4 @@
-//! Values that make no sense are refused where they come in, with the value and a remedy; nothing panics.
+//! Values that make no sense are refused where they enter, with the value and a remedy; nothing panics.
 
 mod geometries;
 mod loads;
@@ -13,7 +13,7 @@ use tests::profiles::{Oblate, Paraboloid, cases};
 const NOT_A_SIZE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0];
 const NOT_AN_AMOUNT: [f64; 4] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0];
 
-/// Expects an error whose message holds the rule, the value and, behind the semicolon, a remedy.
+/// Expects an error whose message holds the rule, the value and, after the semicolon, a remedy.
 fn refused<T, E: Display + Debug>(result: Result<T, E>, is_expected: fn(&E) -> bool, value: &str) {
     let Err(error) = result else { unreachable!("{value} is accepted") };
     assert!(is_expected(&error), "{error:?} for {value}");
@@ -125,7 +125,7 @@ fn a_contact_that_jumps_out_of_its_range_leaves_it_at_the_jump() -> Result<(), C
             assert_eq!(leaves_at, jump);
         }
     }
-    // A ramp ends it on its way, however steep it is.
+    // The range is left within a ramp, however steep the ramp is.
     let load = PiecewiseLinear::new([(0.0, 50.0), (5.0, 50.0), (5.001, 500.0)])?;
     let contact = Contact::new(Oblate, *paraboloid().medium(), load)?;
     let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(6.0) else {

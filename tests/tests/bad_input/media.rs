@@ -29,7 +29,7 @@ fn layers_need_positive_sizes() {
     }
 }
 
-/// Of a rigid body there are two kinds of numbers, a layer of no thickness and one of infinite stiffness.
+/// Two kinds of layers stand for a bare rigid body: one of no thickness and one of infinite stiffness.
 #[test]
 fn only_the_numbers_of_a_bare_body_are_taken_for_one() {
     let message = |layer: Layer<f64>| {

@@ -9,13 +9,13 @@ macro_rules! fields {
         mod $module {
             use super::*;
 
-            /// A ball, with its radius under another name.
+            /// A ball whose radius has another name.
             #[gap_profile(r^2 / (2 * $field))]
             struct One {
                 $field: f64,
             }
 
-            /// Two terms and a range, so that Newton's method is used.
+            /// Several terms and a range, so that Newton's method is used.
             #[gap_profile(r^2 / (2 * $field) + 0 * r^4 / $field + $field^0.5 * r^6 / 1e30, max_radius = $field^3)]
             struct Two {
                 $field: f64,
@@ -57,7 +57,7 @@ fields! {
     raw: r#type;
 }
 
-/// Every letter that generated code might bind, in one struct.
+/// Many names that generated code might bind, in one struct.
 #[gap_profile(r^2 / (2 * a * s * x) + value * slope * r^4 / (c0 * depth) + limit * r^5 / load_integral)]
 struct Many {
     a: f64,
@@ -71,7 +71,7 @@ struct Many {
     load_integral: f64,
 }
 
-/// Written out, as names that come from a macro cannot collide with those of generated code.
+/// Written out, because names that come from a macro cannot collide with those of generated code.
 #[gap_profile(r^2 / (2 * error) + r^4 * (profile - end) / 1e30, max_radius = error)]
 struct Checked {
     error: f64,

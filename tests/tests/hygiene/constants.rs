@@ -12,21 +12,21 @@ constants! {
     r c0 c1 t1 t2 s2 s3 a_squared r_squared inset base square profile error end fields radius_ R k
 }
 
-/// Newton's method, a range, powers of fields.
+/// Needs Newton's method, a range and powers of fields.
 #[cartcontact::gap_profile(r^2 / (2 * R) + k^5 * r^4 / (1e30 * R) + r^6 / 1e30, max_radius = R)]
 struct Ball {
     R: f64,
     k: f64,
 }
 
-/// A root to search for, and the rim of a surface.
+/// Needs a search for a root, and the rim of a surface.
 #[cartcontact::gap_profile(sphere(R) - k * r^4, order = 6, max_radius = R / 2)]
 struct Worn {
     R: f64,
     k: f64,
 }
 
-/// Whatever is positive.
+/// All fields are positive.
 #[cartcontact::gap_profile(r^2 / (2 * R) + k^0.5 * r^2.5 / 1e30, positive)]
 struct Declared {
     R: f64,

@@ -14,7 +14,7 @@ struct Any<T> {
     radius: T,
 }
 
-/// Bounds where they are declared, and a default.
+/// Bounds where the parameter is declared, and a default.
 #[gap_profile(r^2 / (2 * radius))]
 struct Bounded<S: Copy + Debug = f64> {
     radius: S,
@@ -30,7 +30,7 @@ where
     radius: S,
 }
 
-/// A parameter named like that of generated code, which is not the scalar; a lifetime; a constant.
+/// A parameter that is named like the scalar of generated code but is not the scalar; a lifetime; a constant.
 #[gap_profile(r^2 / (2 * radius))]
 struct Labelled<'a, T: ?Sized, const N: usize> {
     radius: f64,
@@ -38,7 +38,7 @@ struct Labelled<'a, T: ?Sized, const N: usize> {
     tags: [u8; N],
 }
 
-/// A type with the name of that constant.
+/// A type with the name of the constant above.
 #[derive(Debug)]
 struct N;
 
@@ -64,7 +64,7 @@ where
     tags: [[u8; N]; M],
 }
 
-/// Parts of a struct that a macro takes stand in invisible groups.
+/// Parts of a struct that come from a macro are in invisible groups.
 macro_rules! parts {
     ($visibility:vis $name:ident, $lifetime:lifetime, $type:ty, $bounded:ty, $crate_path:path) => {
         #[gap_profile(r^2 / (2 * radius), crate = $crate_path)]
@@ -88,7 +88,7 @@ macro_rules! annotated {
 }
 
 annotated! {
-    /// With what stands before it.
+    /// With other attributes.
     #[derive(Clone, Copy)]
     pub(super) struct Whole { pub(super) radius: f64 }
 }

@@ -1,4 +1,4 @@
-//! What a program denies is not found in generated code, where nobody has written it.
+//! Lints that a program denies find nothing in generated code.
 
 #![deny(
     clippy::approx_constant,
@@ -24,7 +24,7 @@ fn coefficients_may_be_near_famous_numbers() {
     assert!(radius::<f64>(&NearPi) > 0.0 && radius::<f64>(&NearItsInverse) > 0.0);
 }
 
-/// Of it, and of its field, no more than the generated code makes use.
+/// Only the generated code uses the struct and its fields.
 #[cartcontact::gap_profile(curvature * r^2, max_radius = end)]
 #[deprecated]
 #[allow(dead_code, reason = "not all of it is read")]
@@ -35,7 +35,7 @@ struct Old {
     end: f64,
 }
 
-/// The compiler knows its lifetime twice, generated code but once.
+/// The struct uses its lifetime twice, generated code only once.
 #[cartcontact::gap_profile(curvature * r^2)]
 #[allow(dead_code, reason = "not all of it is read")]
 struct Borrowed<'a> {

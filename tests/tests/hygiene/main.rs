@@ -16,5 +16,5 @@ fn radius<T: cartcontact::Scalar>(profile: &impl cartcontact::GapProfile<T>) -> 
     profile.radius(T::constant(1.0)).map_or(f64::NAN, T::value)
 }
 
-/// That of the paraboloid r²/(2 · 20), the sixth root of 480.
+/// The radius of the paraboloid r²/(2 · 20), the sixth root of 480.
 const OF_BALL: f64 = 2.798_166_414_339_527_3;

@@ -18,7 +18,7 @@ mod inner {
     }
 }
 
-/// The crate under another name, and behind a module of one's own.
+/// The crate behind a module of the user's own.
 mod facade {
     pub(super) use cartcontact::*;
 }

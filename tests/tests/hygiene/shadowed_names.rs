@@ -41,13 +41,13 @@ macro_rules! vec {
     };
 }
 
-/// Newton's method, a range, fields and negative terms.
+/// Needs Newton's method, a range, fields and negative terms.
 #[::cartcontact::gap_profile(r^2 / (2 * radius) - r^4 / (1e30 * radius) + r^2.5 / 1e30, max_radius = radius)]
 struct Ball {
     radius: f64,
 }
 
-/// A type in bounds that is called like the parameter of generated code.
+/// A type in bounds that is named like the parameter of generated code.
 type T = f64;
 
 #[::cartcontact::gap_profile(r^2 / 40)]
@@ -58,11 +58,11 @@ where
     of: ::core::marker::PhantomData<(U, V)>,
 }
 
-/// Parameters that are called like the items of generated code, around a table.
+/// Parameters that are named like items of generated code, for a geometry with a table.
 #[::cartcontact::gap_profile(r^2 / 40 + r^4 / 1e30)]
 struct Counted<const TABLE: usize, const steepness: usize>;
 
-/// The same around coefficients that are computed.
+/// The same for coefficients that are computed.
 #[::cartcontact::gap_profile(r^2 / (2 * radius) + r^4 / 1e30)]
 struct Computed<const coefficients: usize, const steepness: usize> {
     radius: f64,

@@ -1,4 +1,4 @@
-//! What a program asks of the type itself is there, and what it has of its own is no second definition.
+//! Items that a program asks of the type exist, and items of its own are no second definitions.
 
 use cartcontact::gap_profile;
 

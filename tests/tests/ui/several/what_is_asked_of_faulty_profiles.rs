@@ -1,4 +1,4 @@
-//! However a program asks for terms and range, it gets the faults of the profile alone.
+//! However a program asks for terms and range, it gets only the faults of the profile.
 
 use cartcontact::gap_profile;
 
