@@ -1,10 +1,11 @@
-//! How the time for a pressure field grows with its size: like its times plus its radii plus its values.
+//! How the time for a pressure field grows with its size: with the number of times plus that of radii plus that of
+//! values.
 //!
 //! ```text
 //! cargo run --release --example field_growth
 //! ```
 //!
-//! The figure shows fields beside filling the same memory with a constant. Every point is the shortest of
+//! The figure compares fields with filling the same memory with a constant. Every point is the shortest of
 //! several runs, in which the two take turns. Both become slower per value where the memory no longer fits
 //! into the cache.
 
@@ -23,18 +24,18 @@ use examples::figure::{self, Axis, Curve, Dash, Ink, Panel};
 struct Patellofemoral;
 
 const LAYER: Layer<f64> = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
-/// In N, from t = 0 on.
+/// Applied from t = 0 on, in N.
 const FORCE: f64 = 100.0;
-/// The last time, in s, and the last radius, in mm; the contact then has a radius of 7.7 mm.
+/// The last time, in s, at which the contact has a radius of 7.7 mm, and the last radius, in mm.
 const LAST: (f64, f64) = (400.0, 9.0);
 
-/// How many times, or radii, or both; a matrix with the most of both would fill 0.8 GB.
+/// The numbers of times, of radii, or of both; a matrix with the largest number of both would fill 0.8 GB.
 const COUNTS: [usize; 9] = [100, 500, 1000, 2000, 3000, 4000, 6000, 8000, 10_000];
 const LARGEST_SQUARE: usize = 3000;
 const FIXED: usize = 100;
 const RUNS: usize = 40;
 
-/// Where the figure goes, below the folder in which the program is run.
+/// The path of the figure, relative to the folder in which the program runs.
 const FIGURE: &str = "target/cartcontact/field_growth.svg";
 
 fn main() -> ExitCode {
@@ -57,13 +58,13 @@ fn run() -> Result<(), Box<dyn Error>> {
 
 type Joint = Contact<f64, Patellofemoral, load::Constant<f64>>;
 
-/// Fields that grow in one way: a panel of the figure.
+/// Fields that grow in one way, shown in one panel of the figure.
 struct Series {
     title: &'static str,
     label: &'static str,
     /// Times and radii of every field.
     sizes: Vec<(usize, usize)>,
-    /// Where a size is on the axis.
+    /// The position of a size on the axis.
     x: fn((usize, usize)) -> f64,
 }
 
@@ -92,7 +93,7 @@ fn all_series() -> [Series; 3] {
 }
 
 impl Series {
-    /// Writes a line for every size; the times for the field and for filling its memory, in ms.
+    /// Writes a line for every size, and returns the times for the field and for filling its memory, in ms.
     fn measure(&self, contact: &Joint, out: &mut impl Write) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
         let mut all = Vec::new();
         for &(times, radii) in &self.sizes {

@@ -5,9 +5,9 @@
 //! cargo run --release --example measured_load -- my_record.csv > my_contact.csv
 //! ```
 //!
-//! Without an argument it reads `data/stair_loading.csv`: made up, but as a force sensor would record a joint
-//! that is loaded in three steps, relaxes a little in each hold, and is read to 0.1 N. The load may fall, as
-//! long as the contact does not become smaller.
+//! Without an argument it reads `data/stair_loading.csv`: a made-up record, like that of a force sensor with a
+//! resolution of 0.1 N on a joint that is loaded in three steps and relaxes a little in each hold. The load may
+//! fall, as long as the contact does not become smaller.
 
 use std::env;
 use std::error::Error;

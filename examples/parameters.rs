@@ -1,12 +1,12 @@
-//! A geometry with parameters: the solver is compiled once, the radii of curvature are data.
+//! A geometry with parameters: the solver is compiled once, and the radii of curvature are data.
 //!
 //! ```text
 //! cargo run --release --example parameters
 //! ```
 //!
 //! A ball of radius 10 mm lies in sockets from closely fitting to flat. The closer the fit, the wider the
-//! contact and the lower the pressure; and the more of the gap is lost by cutting the spheres off behind the
-//! fourth order. The last column says how much that is at the edge of the contact, where it is most.
+//! contact and the lower the pressure, and the more of the gap is lost by truncating the spheres after the
+//! fourth order. The last column is the share lost at the edge of the contact, where it is largest.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -22,7 +22,7 @@ struct BallInSocket {
 }
 
 impl BallInSocket {
-    /// The share of the spheres' gap at a distance from the axis that the fourth order neglects.
+    /// The share of the spheres' gap at the distance `r` from the axis that the fourth order neglects.
     fn neglected(&self, r: f64) -> f64 {
         let sag = |radius: f64| r * r / (radius + (radius * radius - r * r).sqrt());
         1.0 - self.gap(r) / (sag(self.ball) - sag(self.socket))

@@ -1,14 +1,14 @@
-//! A parametric study: what spread of peak pressures follows from the spread of joints, cartilage and loads?
+//! A parametric study: how do peak pressures spread with the spread of joints, cartilage and loads?
 //!
 //! ```text
 //! cargo run --release --example parametric_study
 //! cargo run --release --example parametric_study -- --scenes 100000 --threads 2 --seed 7
 //! ```
 //!
-//! A scene is a patient: a femoral condyle in the hollow of a tibial plateau, both with their own cartilage,
-//! under a load of its own. The population is made up: its means are of the size of a knee's, its spreads
-//! show the method. The scenes are drawn in blocks, each from a random stream of its own, so that the seed alone
-//! decides what comes out, not the number of threads.
+//! A scene is a patient: a femoral condyle in the hollow of a tibial plateau, each with its own cartilage, under
+//! the patient's own load. The population is made up: its means are of the size of a knee's, and its spreads
+//! show the method. Blocks of scenes are drawn from random streams of their own, so that the results depend on
+//! the seed alone, not on the number of threads.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -29,8 +29,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Two spheres to fourth order in the distance from the axis; the fields are their radii in mm.
 ///
-/// Up to 3/4 of the condyle's radius the sixth order of either sphere is at most 4 % of its second. Of their difference
-/// it is the more the closer the fit: at most 8 % where the plateau has twice the condyle's radius.
+/// Up to 3/4 of the condyle's radius the sixth order of either sphere is at most 4 % of its second order. The closer
+/// the fit, the larger its share in the difference: at most 8 % where the plateau has twice the condyle's radius.
 #[gap_profile(
     (1/condyle - 1/plateau) * r^2 / 2 + (1/condyle^3 - 1/plateau^3) * r^4 / 8,
     max_radius = 3/4 * condyle
@@ -40,13 +40,13 @@ struct Knee {
     plateau: f64,
 }
 
-/// When the states are taken, in s after the load was applied.
+/// The time of the states, in s after the load was applied.
 const TIME: f64 = 200.0;
 /// How many scenes are drawn from one random stream.
 const BLOCK: u64 = 4096;
-/// Those that the table shows.
+/// The quantiles in the table.
 const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
-/// Where the figure goes, below the folder in which the program is run.
+/// The path of the figure, relative to the folder in which the program runs.
 const FIGURE: &str = "target/cartcontact/parametric_study.svg";
 
 const SCENES: Flag =
@@ -85,7 +85,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What varies from patient to patient; log-normal, because nothing of it can be negative.
+/// What varies from patient to patient, log-normally, because none of it can be negative.
 struct Population {
     condyle: LogNormal<f64>,
     plateau: LogNormal<f64>,
@@ -96,7 +96,7 @@ struct Population {
 }
 
 impl Population {
-    /// The means, and the standard deviations in units of them.
+    /// Means, and standard deviations in units of the means.
     fn new() -> Result<Self, rand_distr::NormalError> {
         Ok(Self {
             condyle: LogNormal::from_mean_cv(30.0, 0.1)?,
@@ -134,7 +134,7 @@ impl Population {
     }
 }
 
-/// What is kept of a scene.
+/// The results of a scene.
 #[derive(Debug, PartialEq)]
 struct State {
     radius: f64,
@@ -163,7 +163,7 @@ impl Fault {
     }
 }
 
-/// The outcomes of the scenes, in their order.
+/// The outcomes of the scenes, in the order of the scenes.
 #[derive(Default)]
 struct Study {
     states: Vec<State>,
@@ -171,7 +171,7 @@ struct Study {
 }
 
 impl Study {
-    /// Solves scenes on all threads of the pool, with a progress bar if somebody is there to see it.
+    /// Solves scenes on all threads of the pool, with a progress bar on a terminal.
     fn of(population: &Population, scenes: u64, seed: u64) -> Self {
         let bar = progress_bar(scenes);
         let blocks: Vec<Self> = (0..scenes.div_ceil(BLOCK))
@@ -216,7 +216,7 @@ impl Study {
         reasons.iter().try_for_each(|(reason, count)| writeln!(out, "{count:>9} because {reason}"))
     }
 
-    /// Writes the quantiles of all results, and gives back the peak pressures in ascending order.
+    /// Writes the quantiles of all results, and returns the peak pressures in ascending order.
     fn write_quantiles(&self, out: &mut impl Write) -> io::Result<Vec<f64>> {
         write!(out, "\nQuantiles after {TIME} s         ")?;
         QUANTILES.iter().try_for_each(|quantile| write!(out, "{:>6} %", 100.0 * quantile))?;
@@ -241,7 +241,7 @@ fn at(quantile: f64, values: &[f64]) -> f64 {
     values[(quantile * (values.len() - 1) as f64).round() as usize]
 }
 
-/// A line on the standard error, 67 columns wide at most; nothing where that is no terminal.
+/// A line on the standard error, at most 67 columns wide; nothing if that is no terminal.
 fn progress_bar(scenes: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left");
     ProgressBar::new(scenes).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
@@ -254,7 +254,7 @@ fn draw(peak_pressures: &[f64]) -> Result<(), Box<dyn Error>> {
         label: "peak pressure (MPa)",
         unit: "MPa",
         bin: 0.025,
-        // The longest tails are a few scenes that nobody would see.
+        // The end of the tail is a few scenes, too few to be visible.
         end: at(0.9995, peak_pressures),
         marks: marks.to_vec(),
     };

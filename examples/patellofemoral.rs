@@ -4,8 +4,8 @@
 //! cargo run --release --example patellofemoral
 //! ```
 //!
-//! A ball of radius 10 mm in a socket of 20 mm is described by two gap profiles, to second order and to
-//! fourth. Shown is how much the fourth order matters, with the rate chi of the memory as it follows from the
+//! A ball of radius 10 mm in a socket of 20 mm is described by two gap profiles, to second and to fourth order.
+//! The example shows how much the fourth order matters, with the rate chi of the memory as it follows from the
 //! layers' displacements and as the paper prints it.
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
@@ -27,9 +27,9 @@ struct SecondOrder;
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
 struct FourthOrder;
 
-/// Either of the two layers, which are alike.
+/// Both layers, which are equal.
 const LAYER: Layer<f64> = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
-/// That of a matrix that does not widen when it is compressed.
+/// The ratio of a matrix that does not widen when it is compressed.
 const POISSON_RATIO: f64 = 0.0;
 /// Held from t = 0 on, in N.
 const FORCE: f64 = 100.0;
@@ -39,7 +39,7 @@ const LAST_TIME: f64 = 200.0;
 /// In mm, beyond the edge of all contacts shown.
 const LARGEST_RADIUS: f64 = 8.0;
 
-/// Where the figures go, below the folder in which the program is run.
+/// The folder of the figures, relative to the one in which the program runs.
 const FOLDER: &str = "target/cartcontact";
 
 fn main() -> ExitCode {
@@ -64,7 +64,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the table and figure 2 show of a contact at one time.
+/// The results of a contact at one time in the table and in figure 2.
 struct State {
     time: f64,
     radius: f64,
@@ -144,7 +144,7 @@ fn write_differences(
     Ok(())
 }
 
-/// How much radius, peak pressure and approach differ between the gaps at the last time, in per cent.
+/// By how many per cent radius, peak pressure and approach differ between the gaps at the last time.
 fn differences(medium: Medium<f64>, force: f64) -> Result<[f64; 3], ContactError> {
     let second = state(SecondOrder, medium, force, LAST_TIME)?;
     let fourth = state(FourthOrder, medium, force, LAST_TIME)?;

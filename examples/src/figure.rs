@@ -1,4 +1,4 @@
-//! Figures of line plots side by side, as SVG in the size and type of a journal page.
+//! Figures of line plots side by side, as SVG in the width and type size of a journal page.
 
 use std::error::Error;
 use std::fs;
@@ -12,7 +12,7 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// plotters rounds coordinates to whole pixels; with this many nobody sees it.
+/// plotters rounds coordinates to whole pixels; at this resolution the rounding is invisible.
 const PIXELS_PER_MM: f64 = 100.0;
 
 // Lengths on the page, in mm.
@@ -45,14 +45,14 @@ impl Ink {
     }
 }
 
-/// How a line is broken up.
+/// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
 pub enum Dash {
-    /// Not at all.
+    /// Without breaks.
     Solid,
-    /// Into dashes.
+    /// In dashes.
     Dashed,
-    /// Into dots.
+    /// In dots.
     Dotted,
 }
 
@@ -63,13 +63,13 @@ pub struct Curve {
     pub name: String,
     /// Its colour.
     pub ink: Ink,
-    /// How its line is broken up.
+    /// How its line is drawn.
     pub dash: Dash,
     /// The points, joined in this order.
     pub points: Vec<(f64, f64)>,
 }
 
-/// What stands along an axis.
+/// The text along an axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
     /// The quantity with its unit.
@@ -85,7 +85,7 @@ pub struct Panel {
     pub title: Option<String>,
     /// The horizontal axis, which starts at 0.
     pub x: Axis,
-    /// Where it ends.
+    /// The end of the horizontal axis.
     pub x_end: f64,
     /// The vertical axis, with a little room above and below the curves.
     pub y: Axis,
@@ -93,7 +93,7 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
-/// Writes panels side by side under one legend, that of the first panel; the height is in mm.
+/// Writes panels side by side under one legend, the one of the first panel; the height is in mm.
 ///
 /// # Errors
 ///
@@ -102,7 +102,7 @@ pub fn write(path: &Path, height: f64, panels: &[Panel]) -> Result<(), Box<dyn E
     save(path, height, |canvas| draw(canvas, panels))
 }
 
-/// Writes what is drawn on a page of a height in mm; the folder is made if there is none.
+/// Writes the drawing on a page with a height in mm, and creates the folder if there is none.
 pub(crate) fn save(
     path: &Path,
     height: f64,
@@ -142,9 +142,9 @@ fn draw(canvas: &Canvas<'_>, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A sample of the line, and the name of the curve right of it.
+/// A sample of the line, with the name of the curve to its right.
 ///
-/// plotters has legends too, but they guess how wide the text is.
+/// plotters has legends too, but guesses the width of their text.
 fn draw_legend_entry(slot: &Canvas<'_>, curve: &Curve) -> Result<(), Box<dyn Error>> {
     draw_line(slot, &legend_sample(), curve)?;
     draw_legend_name(slot, &curve.name)
@@ -219,7 +219,7 @@ pub(crate) fn plain<'m, 'a, 'b, 'c, X: Ranged, Y: Ranged>(
         .y_label_offset(pixels(0.3))
 }
 
-/// The range of the curves with some room, but none below zero, where the quantities cannot be.
+/// The range of the curves with some room, but none below zero, as the quantities are not negative.
 fn vertical_range(curves: &[Curve]) -> Range<f64> {
     let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
     let (low, high) = values
@@ -251,7 +251,7 @@ where
 }
 
 pub(crate) fn text() -> TextStyle<'static> {
-    // plotters writes a type size of 1/1.24 of what it is given.
+    // plotters divides the given type size by 1.24.
     ("sans-serif", TYPE_SIZE * PIXELS_PER_MM * 1.24).into()
 }
 

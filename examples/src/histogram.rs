@@ -10,10 +10,10 @@ use crate::figure::{Canvas, Ink, frame, plain, save, text, thickness};
 
 /// The height of the page, in mm.
 const HEIGHT: f64 = 80.0;
-/// The part of the plot above the highest bar, where the marks have their names.
+/// The part of the plot above the highest bar, with the names of the marks.
 const HEADROOM: f64 = 0.12;
 
-/// How values are to be drawn.
+/// How to draw values.
 #[derive(Clone, Debug)]
 pub struct Histogram {
     /// The line above the plot.
@@ -26,7 +26,7 @@ pub struct Histogram {
     pub bin: f64,
     /// The end of the axis, which starts at 0; larger values count, but have no bar.
     pub end: f64,
-    /// Values to be marked, with their names.
+    /// Values to mark, with their names.
     pub marks: Vec<(String, f64)>,
 }
 
@@ -41,7 +41,7 @@ impl Histogram {
         save(path, HEIGHT, |canvas| self.draw(canvas, &densities))
     }
 
-    /// The share of all values that a bar has, per length of the axis.
+    /// The share of all values in each bar, per length of the axis.
     fn densities(&self, values: &[f64]) -> Vec<f64> {
         let mut counts = vec![0_u32; (self.end / self.bin).ceil().max(1.0) as usize];
         for value in values {

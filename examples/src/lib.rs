@@ -10,9 +10,9 @@ use std::error::Error;
 use std::io;
 use std::process::ExitCode;
 
-/// Ends a program: an error goes to the standard error in words, and the exit code is 1.
+/// Ends a program: an error is written to the standard error, and the exit code is 1.
 ///
-/// A reader that has seen enough, such as `head`, is no error.
+/// A reader that closes the pipe early, such as `head`, is no error.
 pub fn finish(outcome: Result<(), Box<dyn Error>>) -> ExitCode {
     let Err(error) = outcome else {
         return ExitCode::SUCCESS;

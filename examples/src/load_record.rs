@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use cartcontact::ContactError;
 use cartcontact::load::{LoadError, PiecewiseLinear};
 
-/// A time in s and the force in N at it.
+/// A time in s and the force in N at that time.
 pub type Knot = (f64, f64);
 
 const HEADER: &str = "time_s,force_n";
 
-/// The rows of a record, with the lines of the file that they are from.
+/// The rows of a record, with their lines in the file.
 #[derive(Debug)]
 pub struct LoadRecord {
     path: PathBuf,
@@ -40,7 +40,7 @@ impl LoadRecord {
     /// [`RecordError`] at the first line that is not two numbers.
     pub fn parse(path: &Path, text: &str) -> Result<Self, RecordError> {
         let mut record = Self { path: path.to_owned(), knots: Vec::new(), lines: Vec::new() };
-        // Spreadsheets put a byte order mark in front.
+        // Spreadsheets begin a file with a byte order mark.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let header = text.lines().next().unwrap_or_default().trim();
         if header != HEADER {
@@ -65,7 +65,7 @@ impl LoadRecord {
     ///
     /// # Errors
     ///
-    /// [`RecordError`] with the line of the row that is no knot of a load.
+    /// [`RecordError`] with the line of the row that cannot be a knot of a load.
     pub fn load(&self) -> Result<PiecewiseLinear<f64, &[Knot]>, RecordError> {
         PiecewiseLinear::new(self.knots()).map_err(|error| {
             let row = match error {
@@ -82,7 +82,7 @@ impl LoadRecord {
         })
     }
 
-    /// An error of the contact with the line of the record in which it begins.
+    /// An error of the contact, with the line of the record in which it begins.
     pub fn locate(&self, error: ContactError) -> RecordError {
         let since = match error {
             ContactError::Receding { since, .. } => since,
@@ -94,7 +94,7 @@ impl LoadRecord {
         self.error(self.line(row), Problem::Contact(error))
     }
 
-    /// The line of a row, or else of the header.
+    /// The line of a row, or of the header if there is none.
     fn line(&self, row: Option<usize>) -> usize {
         row.and_then(|row| self.lines.get(row)).copied().unwrap_or(1)
     }
@@ -149,7 +149,7 @@ impl Error for RecordError {}
 mod tests {
     use super::*;
 
-    /// The record of a text, or the message of the error that reading it or making it a load gives.
+    /// The rows of a text, or the message of the error from reading it or making a load of it.
     fn knots(text: &str) -> Result<Vec<Knot>, String> {
         let record = LoadRecord::parse(Path::new("a.csv"), text).map_err(|error| error.to_string())?;
         record.load().map_err(|error| error.to_string())?;

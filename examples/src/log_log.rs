@@ -15,11 +15,11 @@ use crate::figure::{
 
 /// Half the size of a mark, in mm.
 const MARK: f64 = 0.9;
-/// The numbers along the axes are at multiples of these powers of ten.
+/// The numbers along the axes are powers of ten whose exponents are multiples of these.
 const X_STEP: i32 = 4;
 const Y_STEP: i32 = 1;
 
-/// What is drawn at the points of a series.
+/// The symbol at the points of a series.
 #[derive(Clone, Copy, Debug)]
 pub enum Mark {
     /// A filled circle.
@@ -41,7 +41,7 @@ pub enum Mark {
 pub struct Series {
     /// The points, with name and line.
     pub curve: Curve,
-    /// What is drawn at them.
+    /// The symbol at the points.
     pub mark: Mark,
 }
 
@@ -54,12 +54,12 @@ pub struct Panel {
     pub x: &'static str,
     /// The quantity of the vertical axis with its unit.
     pub y: &'static str,
-    /// What is plotted.
+    /// The plotted series.
     pub series: Vec<Series>,
 }
 
-/// Writes panels side by side, on the same axes and under one legend, that of the panel with most series; the
-/// height is in mm.
+/// Writes panels side by side, on the same axes and under one legend, the one of the panel with the most series;
+/// the height is in mm.
 ///
 /// # Errors
 ///
@@ -93,9 +93,9 @@ fn draw(canvas: &Canvas<'_>, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
 /// A logarithmic axis, with half a decade of room on either side.
 #[derive(Clone, Debug)]
 struct Decades {
-    /// The decimal logarithms of its ends.
+    /// The decimal logarithms of the ends.
     exponents: Range<f64>,
-    /// The numbers along it are powers of ten by whole multiples of this.
+    /// The numbers along the axis are powers of ten whose exponents are multiples of this.
     step: i32,
 }
 
@@ -137,7 +137,7 @@ impl ValueFormatter<f64> for Decades {
             '1' => '¹',
             '2' => '²',
             '3' => '³',
-            // The others are in a row.
+            // The other superscript digits are consecutive.
             _ => digit.to_digit(10).and_then(|digit| char::from_u32('⁰' as u32 + digit)).unwrap_or(digit),
         };
         format!("10{}", format!("{:.0}", value.log10()).chars().map(raised).collect::<String>())

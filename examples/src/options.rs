@@ -8,11 +8,11 @@ use std::io::{self, Write};
 /// An option.
 #[derive(Clone, Copy, Debug)]
 pub struct Flag {
-    /// With its dashes.
+    /// The name with its dashes.
     pub name: &'static str,
-    /// What it says, for the help.
+    /// The text in the help.
     pub about: &'static str,
-    /// Its value if it is not given.
+    /// Its default value.
     pub default: u64,
     /// Its smallest value.
     pub least: u64,
@@ -20,12 +20,12 @@ pub struct Flag {
     pub most: u64,
 }
 
-/// The values of the options; none if help was asked for, which is then on the standard output.
+/// The values of the options; none if the arguments ask for help, which is then written to the standard output.
 ///
 /// # Errors
 ///
-/// [`OptionError`] for an argument that is none of the options, and for a value that is none or out of range;
-/// an [`io::Error`] if the help cannot be written.
+/// [`OptionError`] for an unknown option, and for a value that is missing, no number or out of range; an
+/// [`io::Error`] if the help cannot be written.
 pub fn read<const N: usize>(example: &str, flags: [Flag; N]) -> Result<Option<[u64; N]>, Box<dyn Error>> {
     let arguments = env::args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned());
     let values = parse(flags, arguments)?;
@@ -76,9 +76,9 @@ fn number(flag: Flag, value: Option<String>) -> Result<u64, OptionError> {
 /// What is wrong with the command line.
 #[derive(Debug)]
 pub enum OptionError {
-    /// An argument is none of the options.
+    /// An argument that is not an option.
     Unknown(String),
-    /// An option has no value, or one that is no number or out of range.
+    /// An option with no value, or with one that is no number or out of range.
     Value(Flag, Option<String>),
 }
 

@@ -5,14 +5,14 @@ use std::time::{Duration, Instant};
 
 use crate::scenes::{SCENES, Scene};
 
-/// How long one method is repeated.
+/// How long a method is repeated.
 const PATIENCE: Duration = Duration::from_millis(40);
-/// A repetition lasts at least so long, many times what reading the clock takes.
+/// The least duration of a repetition, many times that of reading the clock.
 const SHORTEST: Duration = Duration::from_micros(20);
 
-/// The time per result in ns, a mean over the scenes.
+/// The time per result in ns, as a mean over the scenes.
 ///
-/// It is the shortest of many repetitions: whatever else the machine does can only make one longer.
+/// It is the shortest of many repetitions, because other activity of the machine can only prolong them.
 pub(crate) fn nanoseconds(solve: impl Fn(&Scene) -> f64) -> f64 {
     let repetition = |rounds: u32| {
         let start = Instant::now();

@@ -10,7 +10,7 @@ use gauss_quad::GaussLegendre;
 use crate::Patellofemoral;
 use crate::scenes::{FORCE, RATE, STIFFNESS};
 
-/// The pressure as a sum of positive parts, the memory integral over the radius s of the contact:
+/// The pressure as a sum of positive parts, with the memory integral over the contact radius s:
 ///
 /// ```text
 /// P = m G(a₀, r) e^(−χ t) + (m/4) ∫ δ₀′(s) (s² − r²) e^(−χ (t − τ(s))) ds

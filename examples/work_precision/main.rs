@@ -1,16 +1,16 @@
-//! Work against precision: the time that a radius or a pressure takes, and its error, by several ways to it.
+//! Work against precision: the time that a radius or a pressure takes, and its error, by several methods.
 //!
 //! ```text
 //! cargo run --release --example work_precision
 //! ```
 //!
-//! - The generated solver, in f64 and in f32, and `Polynomial`, which knows the geometry at run time only.
+//! - The generated solver, in f64 and in f32, and `Polynomial`, which knows the geometry only at run time.
 //!   They choose their quadrature themselves, so that each is one point.
 //! - The generated kernels with Gauss-Legendre rules of 4 to 64 nodes for the memory.
 //! - The paper's formulas (14), (25)–(27) as printed, with the crates `roots` and `gauss-quad`.
-//! - The contact equation (5), differentiated in time and followed by a fixed number of steps.
+//! - The contact equation (5), differentiated in time and integrated with a fixed number of steps.
 //!
-//! An error is the largest of those in twelve scenes: the paper's joint, from soon after loading to χ t = 16.
+//! An error is the largest in twelve scenes: the paper's joint, from soon after loading to χ t = 16.
 
 mod clock;
 mod fixed_order;
@@ -40,7 +40,7 @@ const ORDERS: [usize; 8] = [4, 6, 8, 10, 14, 20, 32, 64];
 const STEPS: [u32; 5] = [16, 64, 256, 1024, 4096];
 /// Last steps of the search for a root, in mm.
 const LAST_STEPS: [f64; 4] = [1.0, 1e-1, 1e-4, FULL];
-/// Where the figure goes, below the folder in which the program is run.
+/// The path of the figure, relative to the folder in which the program runs.
 const FIGURE: &str = "target/cartcontact/work_precision.svg";
 
 fn main() -> ExitCode {
@@ -65,7 +65,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A way to a result, with one point for each of its settings.
+/// A method, with one point for each of its settings.
 struct Method {
     name: &'static str,
     look: (Ink, Dash, Mark),
@@ -79,7 +79,7 @@ struct Point {
     nanoseconds: f64,
 }
 
-/// What the results of a method should be.
+/// The exact results for a method.
 type Quantity = fn(&Scene) -> &Exact;
 
 impl Method {
@@ -156,7 +156,7 @@ fn pressure_methods() -> Result<Vec<Method>, Box<dyn Error>> {
     Ok(vec![double, single, run_time, fixed, printed, euler, runge_kutta])
 }
 
-/// The ways that both radius and pressure have.
+/// The methods for both radius and pressure.
 fn common_methods() -> [Method; 6] {
     [
         Method::new("generated, f64", Ink::Blue, Dash::Solid, Mark::Disc),
@@ -171,7 +171,7 @@ fn common_methods() -> [Method; 6] {
 type Held<T, P> = Contact<T, P, load::Constant<T>>;
 type RunTime = Polynomial<f64, [(f64, f64); 2]>;
 
-/// The contact of the library, three times.
+/// The contact in the three forms of the library.
 struct Contacts {
     double: Held<f64, Patellofemoral>,
     single: Held<f32, Patellofemoral>,
@@ -215,7 +215,7 @@ fn write_table(out: &mut impl Write, title: &str, methods: &[Method]) -> io::Res
 mod tests {
     use super::*;
 
-    /// Whatever the time, every way leads to the reference values.
+    /// Times aside, every method gives the reference values.
     #[test]
     fn all_ways_lead_to_the_same_results() -> Result<(), Box<dyn Error>> {
         let generated = Contacts::new()?.double;

@@ -1,4 +1,4 @@
-//! The same equations as rates, followed in time by a fixed number of steps.
+//! The same equations as rates, integrated in time with a fixed number of steps.
 //!
 //! Differentiated in time, Eqs. (14) and (5) are
 //!
@@ -7,7 +7,7 @@
 //! ```
 //!
 //! with Y′ = χ F under a constant force. A march begins when the contact reaches r, with P = 0, or at t = 0
-//! with P = m G(a₀, r): from there on everything is smooth, so that a scheme has its full order.
+//! with P = m G(a₀, r): from then on everything is smooth, so that a scheme has its full order.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -16,12 +16,12 @@ use roots::SearchError;
 use crate::printed::{self, FULL, approach_slope, kernel, time_of_contact};
 use crate::scenes::{FORCE, RATE, STIFFNESS};
 
-/// How a step is made.
+/// The scheme of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Scheme {
-    /// Euler's, explicit and of first order.
+    /// Euler's scheme, explicit and of first order.
     Euler,
-    /// The classical one of Runge and Kutta, of fourth order.
+    /// The classical scheme of Runge and Kutta, of fourth order.
     RungeKutta,
 }
 

@@ -18,8 +18,8 @@ pub(crate) struct Scene {
     pub(crate) pressure: Exact,
 }
 
-/// A number to twice the precision of f64, as an unevaluated sum: one f64 alone could not tell an error of
-/// half a unit in the last place from none.
+/// A number to twice the precision of f64, as an unevaluated sum: one f64 could not tell an error of half a unit
+/// in the last place from none.
 #[derive(Debug)]
 pub(crate) struct Exact {
     nearest: f64,
@@ -42,10 +42,10 @@ const fn scene(time: f64, distance: f64, radius: [f64; 2], pressure: [f64; 2]) -
     }
 }
 
-/// χ t from 0.03 to 16; distances from the axis to 0.84 of the contact radius, two of them covered late.
+/// χ t is from 0.03 to 16; distances from the axis are up to 0.84 of the contact radius, two of them covered late.
 ///
-/// The results are those of 50-digit arithmetic on the gap 0.025 r² + 1.09375e-4 r⁴: the radius is the root
-/// of (14), the pressure Eqs. (25)–(27) as printed, with adaptive quadrature.
+/// The results are from 50-digit arithmetic on the gap 0.025 r² + 1.09375e-4 r⁴: the radius is the root of (14),
+/// the pressure that of Eqs. (25)–(27) as printed, with adaptive quadrature.
 pub(crate) static SCENES: [Scene; 12] = [
     scene(
         16.0,
