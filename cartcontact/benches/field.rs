@@ -1,4 +1,4 @@
-//! Pressure fields: beside filling the same memory, and beside the printed formulas at every point.
+//! Pressure fields, compared with filling the same memory and with the printed formulas at every point.
 
 mod scenes;
 
@@ -8,12 +8,12 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use scenes::printed::Pressure;
 use scenes::{NO_RESULT, Patellofemoral, as_printed, contact};
 
-/// Times × radii.
+/// The numbers of times and radii.
 const SHAPES: [(usize, usize); 3] = [(1000, 1000), (250, 4000), (4000, 250)];
-/// The end of the times, in s, and of the radii, in mm.
+/// The last time, in s, and the last radius, in mm.
 const END: (f64, f64) = (400.0, 9.0);
-/// What is left of the integral of the printed formulas by 8 nodes is 1.9e-16 of it at the most, at 400 s and 7 mm; 7 nodes
-/// leave 1.6e-14, more than rounding does.
+/// With 8 nodes the relative error of the integral in the printed formulas is at most 1.9e-16, at 400 s and 7 mm; with
+/// 7 nodes it is 1.6e-14, more than rounding.
 const NODES: usize = 8;
 
 fn field(criterion: &mut Criterion) {

@@ -1,7 +1,7 @@
-//! Instructions that the hot functions take, counted by valgrind; `.ci/instructions` compares the counts with
-//! those in `instructions.txt`.
+//! Instructions of the hot functions, counted by valgrind; `.ci/instructions` compares the counts with those in
+//! `instructions.txt`.
 //!
-//! Functions of a number are called for 1024 of them, one by one, so that what surrounds the calls hardly counts.
+//! Functions of a number are called for 1024 numbers, one by one, so that the code around the calls hardly counts.
 #![allow(missing_docs, reason = "the modules that the attribute makes have no documentation")]
 
 mod scenes;
@@ -32,7 +32,7 @@ fn radii<P>(profile: P) -> (P, Vec<f64>, Vec<f64>) {
 
 type Given<P, T> = (P, Vec<T>, Vec<T>);
 
-/// The values of a function, which the compiler may not compute several at a time.
+/// The values of a function; the compiler must not compute several of them at a time.
 #[inline(always)]
 fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(&P, T) -> T) -> Given<P, T> {
     for (value, &argument) in values.iter_mut().zip(&arguments) {
@@ -41,7 +41,7 @@ fn each<P, T: Scalar>((profile, arguments, mut values): Given<P, T>, f: impl Fn(
     (profile, arguments, values)
 }
 
-/// Radii are positive where there are any; looked at behind the measurement, which a second call before it might change.
+/// Asserts that all radii are positive, after the measurement, which an extra call before it might change.
 fn assert_solved<P, T: Scalar>((_, _, radii): Given<P, T>) {
     assert!(radii.iter().all(|&radius| radius > T::zero()), "{NO_RESULT}");
 }
@@ -83,7 +83,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
 fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, f64>) -> Given<P, f64> {
-    // Looked at behind the measurement.
+    // `assert_solved` checks the result.
     let _ = profile.radii(&targets, &mut radii);
     (profile, targets, radii)
 }
@@ -100,7 +100,7 @@ fn at_times<L>(contact: Contact<f64, Patellofemoral, L>) -> Given<Contact<f64, P
 fn radii_at_times<P: GapProfile<f64>, L: Load<f64>>(
     (contact, times, mut radii): Given<Contact<f64, P, L>, f64>,
 ) -> Given<Contact<f64, P, L>, f64> {
-    // Looked at behind the measurement.
+    // `assert_solved` checks the result.
     let _ = contact.radii(&times, &mut radii);
     (contact, times, radii)
 }
@@ -152,7 +152,7 @@ struct Field<L> {
     values: Vec<f64>,
 }
 
-/// 100 times and 100 radii in some order, some of them outside the contact.
+/// A field of 100 times and 100 radii in some order, some of them outside the contact.
 fn empty<L>(contact: Contact<f64, Patellofemoral, L>, put_in_order: fn(&mut [f64])) -> Field<L> {
     let steps = |end: f64| (0..100).map(|k| end * f64::from(k) / 99.0).collect();
     let (times, mut radii): (_, Vec<f64>) = (steps(400.0), steps(9.0));
@@ -167,7 +167,7 @@ fn shuffled(radii: &mut [f64]) {
     (0..count).for_each(|k| radii.swap(k, 37 * k % count));
 }
 
-/// On the axis there is a pressure at all times.
+/// Asserts that there is a pressure at all times, as there is on the axis.
 fn assert_filled<L>(field: Field<L>) {
     let mut rows = field.values.chunks(field.radii.len());
     assert!(rows.all(|row| row.iter().any(|&pressure| pressure > 0.0)), "{NO_RESULT}");
@@ -179,7 +179,7 @@ fn assert_filled<L>(field: Field<L>) {
 #[bench::descending_radii(contact(Patellofemoral), <[f64]>::reverse)]
 #[bench::shuffled_radii(contact(Patellofemoral), shuffled)]
 fn field<L: Load<f64>>(mut field: Field<L>) -> Field<L> {
-    // Looked at behind the measurement.
+    // `assert_filled` checks the result.
     let _ = field.contact.pressure_field(&field.times, &field.radii, &mut field.values);
     field
 }

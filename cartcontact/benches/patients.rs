@@ -1,4 +1,4 @@
-//! Many scenes with one question each: another patient is another geometry, other layers and another load.
+//! Many scenes with one question each: every patient has another geometry, other layers and another load.
 
 mod scenes;
 

@@ -1,9 +1,9 @@
-//! The contact radius, in units of `powf`, which is what the closed form (18) of a single power costs.
+//! The contact radius, in units of `powf`, which is the cost of the closed form (18) of a single power.
 //!
-//! Throughput is the time of one of many independent values, latency that of one in a chain where each load
-//! integral waits for the radius before it. All are taken in the same two loops, `powf` too; the library's path
-//! for slices has its own. Beside the generated solvers stand one written by hand for its geometry, the run-time
-//! polynomial, and `roots`.
+//! Throughput is the time of one of many independent values, latency that of one value in a chain where each load
+//! integral waits for the radius before it. All functions are measured in the same two loops, including `powf`; the
+//! library's path for slices has its own. The generated solvers are compared with one written by hand for its
+//! geometry, the run-time polynomial, and `roots`.
 
 mod scenes;
 
@@ -41,7 +41,7 @@ fn radius(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The evaluators beside the same written by hand.
+/// The generated evaluators and the same functions written by hand.
 fn evaluators(criterion: &mut Criterion) {
     let mut group = start(criterion, "evaluators f64");
     let mut radii: Vec<f64> = load_integrals();
@@ -98,7 +98,7 @@ fn function<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: im
             }
         });
     });
-    // So small that it changes no argument.
+    // The link is so small that it changes no argument.
     let link = black_box(T::constant(1e-30));
     group.bench_function(BenchmarkId::new("latency", name), |bencher| {
         bencher.iter(|| {
@@ -122,7 +122,7 @@ fn slice<T: Scalar>(
     });
 }
 
-/// The throughput of a contact under a constant load, asked for many times at once and one by one.
+/// The throughput of the radii of a contact under a constant load, at many times at once and one by one.
 fn at_times(group: &mut Group<'_>, name: &str, profile: impl GapProfile<f64>) {
     let (contact, times) = (contact(profile), times());
     assert!(times.iter().all(|&time| contact.at(time).is_ok()), "{name}: {NO_RESULT}");

@@ -1,5 +1,5 @@
-//! What a scene saves by what it does not need: each pair is a scene without a need, and the same scene in which the
-//! need is there, or cannot be seen not to be.
+//! What a scene saves by the work that it does not need: each pair is a scene without a need, and the same scene with
+//! the need, or without a visible sign that the need is absent.
 
 mod scenes;
 
@@ -11,15 +11,15 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use scenes::{FORCE, NO_RESULT, Paraboloid, Patellofemoral, RATE, contact, loaded, pressure_at};
 
-/// [`Paraboloid`] with a second term that counts for nothing.
+/// [`Paraboloid`] with a negligible second term.
 #[gap_profile(0.025 * r^2 + 1e-40 * r^4)]
 struct HiddenParaboloid;
 
-/// [`Patellofemoral`] with an odd power that counts for nothing.
+/// [`Patellofemoral`] with a negligible odd power.
 #[gap_profile(0.025 * r^2 + 1e-40 * r^3 + 1.09375e-4 * r^4)]
 struct HiddenEven;
 
-/// [`HiddenEven`] with exponents that are just not whole.
+/// [`HiddenEven`] with exponents that are not quite whole.
 #[gap_profile(0.025 * r^2.01 + 1e-40 * r^3.01 + 1.09375e-4 * r^4.01)]
 struct HardlyWhole;
 
@@ -40,7 +40,7 @@ fn pair(group: &mut Group<'_>, name: &str, scenes: [(&str, &dyn Fn() -> f64); 2]
     }
 }
 
-/// What a gap does not need.
+/// Work that a gap does not need.
 fn geometries(group: &mut Group<'_>) {
     let (one, two) = (contact(Paraboloid), contact(HiddenParaboloid));
     pair(
@@ -68,7 +68,7 @@ fn geometries(group: &mut Group<'_>) {
     );
 }
 
-/// What a history does not need.
+/// Work that a history does not need.
 fn histories(group: &mut Group<'_>) {
     let joint = contact(Patellofemoral);
     pair(
@@ -97,7 +97,7 @@ fn histories(group: &mut Group<'_>) {
             ("age by iteration", &|| pressure_at(&unknown, 200.0, 3.0)),
         ],
     );
-    // A medium that forgets in 20 s.
+    // The memory of the medium lasts 20 s.
     let [short, long] = [100, 1000].map(|count| loaded(Patellofemoral, 0.05, rising_load(count)));
     pair(
         group,
@@ -109,7 +109,7 @@ fn histories(group: &mut Group<'_>) {
     );
 }
 
-/// What is not asked for.
+/// Results that are not asked for.
 fn questions(group: &mut Group<'_>) {
     let joint = contact(Patellofemoral);
     pair(
@@ -138,7 +138,7 @@ fn radius_at<P: GapProfile<f64>>(contact: &Contact<f64, P, Constant<f64>>, t: f6
     contact.at(black_box(t)).map_or(f64::NAN, |now| now.radius())
 }
 
-/// A constant load that does not say that it is one.
+/// A constant load that does not say that it is constant.
 struct Unknown(f64);
 
 impl Load<f64> for Unknown {

@@ -1,20 +1,20 @@
-//! The solver of 0.025 r² + 1.09375e-4 r⁴ as one would write it by hand for this geometry alone, in f64 alone.
+//! The solver of 0.025 r² + 1.09375e-4 r⁴ as one would write it by hand, for this geometry and f64 only.
 //!
-//! Radii come from a table of cubics in the fraction of the load integral and one step of Halley's method, or, the
-//! usual way, from Newton's method; the other evaluators are nested polynomials in a². Nothing is shared with the
-//! library, neither code nor tables: what it generates has to be as quick as this.
+//! Radii come from a table of cubics in the fraction of the load integral and one step of Halley's method, or, in the
+//! usual way, from Newton's method; the other evaluators are nested polynomials in a². Neither code nor tables are
+//! shared with the library, whose generated code has to be as quick as this.
 
 /// J(a) = s³ (`J6` + `J8` s) with s = a².
 const J6: f64 = 1.0 / 480.0;
 const J8: f64 = 7.0 / 768_000.0;
 
-/// The table holds load integrals from 2^`FIRST` to 2^(`FIRST` + `OCTAVES`), four rows an octave: 4 KiB.
+/// The table holds load integrals from 2^`FIRST` to 2^(`FIRST` + `OCTAVES`), with four rows per octave: 4 KiB.
 const FIRST: i32 = -42;
 const OCTAVES: usize = 64;
 
 static SEEDS: [[f32; 4]; 4 * OCTAVES] = seeds();
 
-/// The contact radius from the table; what lies outside it is left to Newton's method.
+/// The contact radius from the table, or by Newton's method for load integrals outside it.
 #[inline]
 pub(crate) fn radius(load_integral: f64) -> f64 {
     let (index, fraction) = place(load_integral);
@@ -24,7 +24,7 @@ pub(crate) fn radius(load_integral: f64) -> f64 {
     }
 }
 
-/// Many radii: first the seeds, then the steps, which a compiler turns into vector code.
+/// Many radii: first the seeds, then the steps, which the compiler turns into vector code.
 pub(crate) fn radii(load_integrals: &[f64], radii: &mut [f64]) {
     for (load_integrals, radii) in load_integrals.chunks(64).zip(radii.chunks_mut(64)) {
         let mut seeds = [0.0; 64];
@@ -47,7 +47,7 @@ pub(crate) fn radii(load_integrals: &[f64], radii: &mut [f64]) {
 
 /// The contact radius without a table: Newton's method from the smaller of the two one-term radii.
 ///
-/// It is above the root, from where the method comes down without fail, as J is convex; it ends when a step no
+/// This start is above the root, and as J is convex the method always descends from there; it ends when a step no
 /// longer leads down.
 #[inline]
 pub(crate) fn radius_by_newton(load_integral: f64) -> f64 {
@@ -92,7 +92,7 @@ fn outside(load_integral: f64) -> f64 {
     if load_integral == 0.0 { 0.0 } else { radius_by_newton(load_integral) }
 }
 
-/// The row, from the exponent and the first two digits of the fraction, and the fraction.
+/// The index of the row, from the exponent and the first two bits of the fraction, and the fraction.
 #[inline(always)]
 fn place(load_integral: f64) -> (usize, f32) {
     let bits = load_integral.to_bits();
@@ -100,7 +100,7 @@ fn place(load_integral: f64) -> (usize, f32) {
     (index as usize, f32::from_bits((bits >> 29) as u32 & 0x007f_ffff | 0x3f80_0000))
 }
 
-/// Two halves side by side: a multiplication more than Horner's rule, and a shorter wait.
+/// Two independent halves: one multiplication more than Horner's rule, but a shorter latency.
 #[inline(always)]
 fn cubic(row: &[f32; 4], u: f32) -> f32 {
     (row[0] + u * row[1]) + u * u * (row[2] + u * row[3])
@@ -118,7 +118,7 @@ const fn halley(a: f64, load_integral: f64) -> f64 {
     a - (0.125 * a * first) * surplus / (cube * first * first - surplus * half_second)
 }
 
-/// In every row the cubic through the radius at the four Chebyshev points of its load integrals.
+/// In each row, the cubic through the radii at the four Chebyshev points of the load integrals of the row.
 const fn seeds() -> [[f32; 4]; 4 * OCTAVES] {
     // cos(π/8) and cos(3π/8).
     const POINTS: [f64; 4] = [
@@ -136,7 +136,7 @@ const fn seeds() -> [[f32; 4]; 4 * OCTAVES] {
         let mut k = 0;
         while k < 4 {
             u[k] = 1.0 + 0.25 * (index % 4) as f64 + 0.125 * (1.0 + POINTS[k]);
-            // Halley's method comes up from the last radius, and needs more steps for the first alone.
+            // Halley's method starts from the last radius, and needs more steps only in the first row.
             let mut step = 0;
             while step < if index == 0 { 60 } else { 6 } {
                 a = halley(a, octave * u[k]);

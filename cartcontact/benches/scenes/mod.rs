@@ -1,4 +1,4 @@
-//! The scenes that the benchmarks share, and what to compare with: solvers by hand, and the paper's formulas as printed.
+//! The scenes that the benchmarks share, and the rivals: solvers by hand, and the paper's formulas as printed.
 #![allow(dead_code, reason = "every benchmark uses a part of it")]
 
 pub(crate) mod by_hand;
@@ -63,7 +63,7 @@ pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 /// The profile of [`Patellofemoral`], known at run time only.
 pub(crate) type RunTime<T = f64> = Polynomial<T, [(T, T); 2]>;
 
-/// Why benchmarks look at what they are about to measure.
+/// Why benchmarks check the results that they measure.
 pub(crate) const NO_RESULT: &str = "the time that an error takes is no result";
 
 pub(crate) const FORCE: f64 = 100.0;
@@ -83,7 +83,7 @@ pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::C
     loaded(profile, RATE, load::Constant(FORCE))
 }
 
-/// A contact of the paper's layers with a rate of the memory of its own.
+/// A contact of the paper's layers with another rate of the memory.
 ///
 /// # Panics
 ///
@@ -94,14 +94,14 @@ pub(crate) fn loaded<P: GapProfile<f64>, L: Load<f64>>(profile: P, rate: f64, lo
     Contact::new(profile, medium, load).expect("a valid contact")
 }
 
-/// The paper's joint under a load that rises through 100 knots, every second piece of it level.
+/// The paper's joint under a load that rises through 100 knots; every second piece is level.
 pub(crate) type HundredKnots = Contact<f64, Patellofemoral, PiecewiseLinear<f64, Vec<(f64, f64)>>>;
 
 /// The [`HundredKnots`] in a medium with a rate of the memory.
 ///
 /// # Panics
 ///
-/// Never with rates of up to 2: the other numbers are valid, too.
+/// Never with rates of up to 2: the other numbers are valid too.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
 pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
     let knots =
@@ -109,11 +109,11 @@ pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
     loaded(Patellofemoral, rate, PiecewiseLinear::new(knots).expect("a valid load"))
 }
 
-/// One pressure, cold: nothing is kept from an earlier call.
+/// One cold pressure: nothing is kept from an earlier call.
 ///
 /// # Panics
 ///
-/// If the scene has no solution at that time: the time that an error takes is no result.
+/// If the scene has no solution at that time.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
 pub(crate) fn pressure_at<P: GapProfile<f64>, L: Load<f64>>(
     contact: &Contact<f64, P, L>,
@@ -123,23 +123,23 @@ pub(crate) fn pressure_at<P: GapProfile<f64>, L: Load<f64>>(
     contact.at(black_box(t)).expect("a solution").pressure(black_box(r))
 }
 
-/// Pressures of the paper's scene by the formulas as printed, with a rule of so many nodes.
+/// Pressures of the paper's scene by the formulas as printed, with a rule of `nodes` nodes.
 ///
 /// # Panics
 ///
-/// If there are none.
+/// If there are no nodes.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
 pub(crate) fn as_printed(nodes: usize) -> printed::Pressure {
     printed::Pressure::with_order(nodes).expect("a rule with nodes")
 }
 
-/// 1024 load integrals spread over a load range of 1 : 1000, so that no branch is learnt by heart; they and their
-/// radii fit in the nearest cache.
+/// 1024 load integrals spread over a load range of 1 : 1000, so that no branch is predicted from memory; they and
+/// their radii fit into the nearest cache.
 pub(crate) fn load_integrals<T: Scalar>() -> Vec<T> {
     (0..1024).map(|k| T::constant(10.0 * 1000f64.powf(f64::from(k * 389 % 1024) / 1023.0))).collect()
 }
 
-/// As many times, in s.
+/// 1024 times, in s.
 pub(crate) fn times() -> Vec<f64> {
     (0..1024).map(f64::from).collect()
 }

@@ -1,5 +1,5 @@
-//! The formulas as the paper prints them, with general crates for root and integral; the example `work_precision` has
-//! this file too.
+//! The formulas as the paper prints them, with general crates for root and integral; the example `work_precision`
+//! includes this file too.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -12,7 +12,7 @@ use super::{FORCE, RATE, STIFFNESS};
 
 /// The coefficients of r² and r⁴ in the gap.
 const C: [f64; 2] = [0.025, 1.09375e-4];
-/// The last step, in mm, of a search for a root to the full precision of f64: Newton's method squares errors.
+/// The last step, in mm, of a search for a root to the full precision of f64, as Newton's method squares errors.
 pub(crate) const FULL: f64 = 1e-8;
 
 /// J and J′ by Eq. (14).
@@ -33,7 +33,7 @@ pub(crate) fn radius(time: f64, last: f64) -> Result<f64, SearchError> {
     radius_of(4.0 / (PI * STIFFNESS) * FORCE * (1.0 + RATE * time), last)
 }
 
-/// The radius of a load integral, from that which the first term alone would give, until a step is below `last` mm.
+/// The radius of a load integral, starting from that of the first term alone, until a step is below `last` mm.
 pub(crate) fn radius_of(target: f64, last: f64) -> Result<f64, SearchError> {
     let start = (target * 12.0 / C[0]).powf(1.0 / 6.0);
     find_root_newton_raphson(
@@ -44,7 +44,7 @@ pub(crate) fn radius_of(target: f64, last: f64) -> Result<f64, SearchError> {
     )
 }
 
-/// Ends Newton's method by its step; the ready-made criterion would compare residues in mm⁵ with it too.
+/// Ends Newton's method by its step alone; the ready-made criterion would also compare residues, in mm⁵, with it.
 struct LastStep(f64);
 
 impl Convergency<f64> for LastStep {
@@ -61,7 +61,7 @@ impl Convergency<f64> for LastStep {
     }
 }
 
-/// The time at which the contact reaches a distance from the axis; 0 for the disc it has from the beginning.
+/// The time at which the contact reaches a distance from the axis; 0 within the initial contact.
 pub(crate) fn time_of_contact(r: f64) -> f64 {
     ((PI * STIFFNESS / 4.0 * load_integral(r)[0] / FORCE - 1.0) / RATE).max(0.0)
 }

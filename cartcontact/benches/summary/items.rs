@@ -1,4 +1,4 @@
-//! The ratios: what is divided by what, and what is asked of it.
+//! The ratios: dividends, divisors and targets.
 
 use crate::measurements::Measurements;
 
@@ -6,7 +6,7 @@ use crate::measurements::Measurements;
 pub(crate) struct Item {
     pub(crate) result: String,
     pub(crate) asked: Option<Asked>,
-    /// None if one of the two was not measured.
+    /// None if dividend or divisor was not measured.
     pub(crate) ratio: Option<f64>,
 }
 
@@ -26,13 +26,13 @@ impl Asked {
     }
 }
 
-/// The power function, one of many independent values, in double precision.
+/// The throughput of the power function in double precision.
 const POWF: &str = "radius f64/throughput/powf";
 
-/// Result, what is asked, the measurement, and what it is divided by.
+/// The result, its target, the measurement, and its divisor.
 type Line = (&'static str, Option<Asked>, &'static str, &'static str);
 
-/// Nanoseconds, where a time is asked for and not a ratio.
+/// The divisor where the result is a time in nanoseconds, not a ratio.
 const NANOSECOND: &str = "";
 
 #[rustfmt::skip]
@@ -93,7 +93,7 @@ const LINES: &[Line] = &[
     ("pressure kernel, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/pressure kernel", "evaluators f64/latency/pressure kernel, by hand"),
 ];
 
-/// The lines above, and one for everything that a scene can do without.
+/// The lines above, and one for each pair in the group `skipping`.
 pub(crate) fn items(measurements: &Measurements) -> Vec<Item> {
     let lines = LINES.iter().map(|&(result, asked, measured, unit)| {
         let unit = if unit == NANOSECOND { Some(1.0) } else { measurements.time(unit) };
@@ -103,7 +103,7 @@ pub(crate) fn items(measurements: &Measurements) -> Vec<Item> {
     lines.chain(savings(measurements)).collect()
 }
 
-/// The dearest variant of every scene in the group `skipping` over its cheapest.
+/// The most expensive variant of each scene in the group `skipping`, over its cheapest.
 fn savings(measurements: &Measurements) -> Vec<Item> {
     let mut variants: Vec<(&str, &str, f64)> = measurements
         .below("skipping/")

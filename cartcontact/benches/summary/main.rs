@@ -1,8 +1,8 @@
-//! The ratios that are asked of this crate, from what `cargo bench` has measured: a table at its end.
+//! The ratios and targets of this crate, as a table at the end of `cargo bench`.
 //!
 //! `cargo bench --bench summary` prints it again; `cargo bench --bench summary -- --write [FILE]` also writes it
-//! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`, unless some of what was
-//! measured, perhaps by a benchmark that is no more, is more than an hour older than the rest.
+//! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`, unless some
+//! measurements are more than an hour older than others, perhaps because their benchmark no longer exists.
 
 mod items;
 mod measurements;
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What follows `--write`, if anything; cargo adds options of its own.
+/// The file after `--write`, or the README; cargo adds options of its own.
 fn file_to_write() -> Option<PathBuf> {
     let mut arguments = env::args().skip_while(|argument| argument != "--write").skip(1);
     let readme = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");

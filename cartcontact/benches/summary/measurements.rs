@@ -1,7 +1,7 @@
-//! What criterion has written: for every benchmark the least time of an element.
+//! Criterion's measurements: for each benchmark the least time per element.
 //!
-//! The least, not the mean: what disturbs a measurement only adds to it, so that the least disturbed of a hundred
-//! samples repeats best, and ratios of such times better than ratios of means.
+//! It is the least, not the mean, because disturbances only add to a time: the least of a hundred samples repeats best,
+//! and ratios of such times repeat better than ratios of means.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -14,12 +14,12 @@ use serde_json::Value;
 /// Nanoseconds per element, by the full name of a benchmark.
 pub(crate) struct Measurements {
     times: BTreeMap<String, f64>,
-    /// When the first and the last were taken.
+    /// When the first and the last measurement were taken.
     taken: Option<(SystemTime, SystemTime)>,
 }
 
 impl Measurements {
-    /// All below a folder; files that are not criterion's are passed over.
+    /// All measurements below a folder; files that are not criterion's are skipped.
     pub(crate) fn read(folder: &Path) -> Result<Self, Box<dyn Error>> {
         let mut measurements = Measurements { times: BTreeMap::new(), taken: None };
         measurements.add(folder)?;
@@ -30,12 +30,12 @@ impl Measurements {
         self.times.get(name).copied()
     }
 
-    /// Names that begin with `start`, without it, and their times.
+    /// The benchmarks whose names begin with `start`: the rest of the name, and the time.
     pub(crate) fn below<'a>(&'a self, start: &'a str) -> impl Iterator<Item = (&'a str, f64)> {
         self.times.iter().filter_map(move |(name, &time)| Some((name.strip_prefix(start)?, time)))
     }
 
-    /// How much older the oldest is than the newest.
+    /// How much older the oldest measurement is than the newest.
     pub(crate) fn spread_in_minutes(&self) -> Option<u64> {
         let (first, last) = self.taken?;
         Some(last.duration_since(first).ok()?.as_secs() / 60)
@@ -59,7 +59,7 @@ impl Measurements {
     }
 }
 
-/// The name of a benchmark and the least time of its samples, per element where it says how many it has.
+/// The name of a benchmark and the least time of its samples, per element if it states their number.
 fn measurement(folder: &Path) -> Option<(String, f64)> {
     let json = |file: &str| -> Option<Value> {
         serde_json::from_str(&fs::read_to_string(folder.join(file)).ok()?).ok()
@@ -72,7 +72,7 @@ fn measurement(folder: &Path) -> Option<(String, f64)> {
     Some((benchmark["full_id"].as_str()?.to_owned(), least / elements))
 }
 
-/// Criterion's folder: where the environment says, or beside the folder of this program.
+/// Criterion's folder: the one in the environment, or the one beside the folder of this program.
 pub(crate) fn folder() -> Result<PathBuf, Box<dyn Error>> {
     if let Some(folder) = env::var_os("CRITERION_HOME") {
         return Ok(folder.into());

@@ -7,7 +7,7 @@ use crate::items::{Asked, Item};
 const BEGIN: &str = "<!-- ratios:begin -->\n";
 const END: &str = "<!-- ratios:end -->";
 
-/// A row for every item; what misses its bound is set in bold.
+/// A row for every item; ratios that miss their target are bold.
 pub(crate) fn of(items: &[Item]) -> String {
     let rows: Vec<[String; 3]> = items.iter().map(row).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0).max(8);
@@ -38,7 +38,7 @@ fn row(item: &Item) -> [String; 3] {
     [item.result.clone(), asked, measured]
 }
 
-/// Two or three digits, which is what such measurements repeat to.
+/// Two or three digits, as many as such measurements reproduce.
 fn shown(ratio: f64) -> String {
     match ratio {
         100.0.. => format!("{ratio:.0}"),
