@@ -6,7 +6,7 @@ use cartcontact::{
 };
 use tests::profiles::cases;
 
-use super::{NOT_A_SIZE, paraboloid, refused};
+use super::{NOT_A_SIZE, contact, paraboloid, refused};
 
 #[test]
 fn coefficients_are_finite_and_exponents_positive() {
@@ -173,8 +173,7 @@ fn coefficients_leave_room_for_the_closed_forms() {
             refused(Polynomial::new([(coefficient, n)]), is_expected, "must be a finite number");
         }
         let largest = Polynomial::new([(f64::MAX / 2.1, n)]).unwrap_or_else(|error| unreachable!("{error}"));
-        let contact = Contact::new(largest, *paraboloid().medium(), Constant(100.0));
-        let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = contact(largest, Constant(100.0));
         for time in [0.0, 200.0] {
             let now = contact.at(time).unwrap_or_else(|error| unreachable!("{error}"));
             let results = [now.radius(), now.approach(), now.peak_pressure()];

@@ -4,7 +4,7 @@ use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, Medium};
 use tests::profiles::Paraboloid;
 
-use super::{NOT_AN_AMOUNT, paraboloid, refused};
+use super::{NOT_AN_AMOUNT, contact, paraboloid, refused};
 
 #[test]
 fn forces_are_finite_and_not_negative() {
@@ -37,8 +37,7 @@ fn knots_are_in_the_order_of_time_from_zero() {
 #[test]
 fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     let falling = PiecewiseLinear::new([(0.0, 100.0), (50.0, 100.0), (60.0, 0.0)])?;
-    let contact = Contact::new(Paraboloid, *paraboloid().medium(), falling);
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = contact(Paraboloid, falling);
     assert!(contact.at(50.0).is_ok());
     let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { .. });
     refused(contact.at(55.0), is_receding, "at time 50");
@@ -56,12 +55,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
 /// A noisy record that falls from the start: no time is early enough.
 #[test]
 fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError> {
-    let contact = Contact::new(
-        Paraboloid,
-        *paraboloid().medium(),
-        PiecewiseLinear::new([(0.0, 80.3), (0.01, 79.9), (0.02, 80.1)])?,
-    );
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = contact(Paraboloid, PiecewiseLinear::new([(0.0, 80.3), (0.01, 79.9), (0.02, 80.1)])?);
     let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { since: 0.0, .. });
     refused(contact.at(0.02), is_receding, "does not cover; smooth the load: a force may fall as fast as");
     Ok(())
@@ -99,8 +93,7 @@ fn loads_of_a_users_own_are_checked_when_they_are_used() {
 
 #[test]
 fn an_impulse_belongs_to_its_force() {
-    let contact = Contact::new(Paraboloid, *paraboloid().medium(), Wrong { force: 100.0, impulse: 512.0 });
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = contact(Paraboloid, Wrong { force: 100.0, impulse: 512.0 });
     let is_expected =
         |e: &ContactError| matches!(e, ContactError::Load(LoadError::ContradictoryImpulse { .. }));
     refused(contact.at(10.0), is_expected, "the impulse grows by 512, but the integral of the force is");
@@ -108,8 +101,7 @@ fn an_impulse_belongs_to_its_force() {
 
 #[test]
 fn hereditary_loads_beyond_the_format_are_refused() {
-    let contact = Contact::new(Paraboloid, *paraboloid().medium(), Constant(f64::MAX));
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = contact(Paraboloid, Constant(f64::MAX));
     assert!(matches!(contact.at(1e10), Err(ContactError::Load(_))));
     assert!(matches!(contact.at(0.0), Err(ContactError::Unrepresentable { .. })));
 }
@@ -134,8 +126,7 @@ impl<K: Fn(f64) -> Option<f64>> Load<f64> for Stepped<K> {
 
 /// The pressure under a load with one step.
 fn pressure<L: Load<f64>>(load: L) -> Result<f64, ContactError> {
-    let contact = Contact::new(Paraboloid, *paraboloid().medium(), load)?;
-    contact.at(20.0).map(|now| now.pressure(3.0))
+    contact(Paraboloid, load).at(20.0).map(|now| now.pressure(3.0))
 }
 
 #[test]
@@ -233,8 +224,7 @@ impl Load<f64> for Strict {
 fn a_load_is_never_asked_for_a_time_that_is_none() {
     let is_time = |e: &ContactError| matches!(e, ContactError::InvalidTime { .. });
     for is_linear in [true, false] {
-        let contact = Contact::new(Paraboloid, *paraboloid().medium(), Strict { is_linear });
-        let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+        let contact = contact(Paraboloid, Strict { is_linear });
         for value in NOT_AN_AMOUNT {
             let text = value.to_string();
             refused(contact.at(value), is_time, &text);

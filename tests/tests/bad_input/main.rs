@@ -6,7 +6,7 @@ mod media;
 
 use core::fmt::{Debug, Display};
 
-use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
+use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, MediumError, ProfileError, RadiusError};
 use tests::profiles::{Oblate, Paraboloid, cases};
 
@@ -28,9 +28,14 @@ fn layer() -> Layer<f64> {
     Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 }
 }
 
-fn paraboloid() -> Contact<f64, Paraboloid, Constant<f64>> {
+/// The contact of a geometry between two such layers under a load; neither is refused.
+fn contact<P: GapProfile<f64>, L: Load<f64>>(profile: P, load: L) -> Contact<f64, P, L> {
     let medium = Medium::between(layer(), layer()).unwrap_or_else(|error| unreachable!("{error}"));
-    Contact::new(Paraboloid, medium, Constant(100.0)).unwrap_or_else(|error| unreachable!("{error}"))
+    Contact::new(profile, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
+}
+
+fn paraboloid() -> Contact<f64, Paraboloid, Constant<f64>> {
+    contact(Paraboloid, Constant(100.0))
 }
 
 #[test]
@@ -102,8 +107,7 @@ fn a_pressure_anywhere_is_a_number_or_says_that_the_radius_is_none() -> Result<(
 
 #[test]
 fn a_contact_that_leaves_its_range_says_when() {
-    let contact = Contact::new(Oblate, *paraboloid().medium(), Constant(100.0));
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = contact(Oblate, Constant(100.0));
     assert!(contact.at(0.0).is_ok());
     let Err(ContactError::BeyondRange { leaves_at, max_radius, .. }) = contact.at(1e5) else {
         unreachable!("the range is not left");
@@ -117,7 +121,7 @@ fn a_contact_that_leaves_its_range_says_when() {
 fn a_contact_that_jumps_out_of_its_range_leaves_it_at_the_jump() -> Result<(), ContactError> {
     for jump in [0.1, 5.0, 300.0] {
         let load = PiecewiseLinear::new([(0.0, 50.0), (jump, 50.0), (jump, 500.0)])?;
-        let contact = Contact::new(Oblate, *paraboloid().medium(), load)?;
+        let contact = contact(Oblate, load);
         for time in [jump, 2.0 * jump] {
             let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(time) else {
                 unreachable!("the range is not left");
@@ -127,7 +131,7 @@ fn a_contact_that_jumps_out_of_its_range_leaves_it_at_the_jump() -> Result<(), C
     }
     // The range is left within a ramp, however steep the ramp is.
     let load = PiecewiseLinear::new([(0.0, 50.0), (5.0, 50.0), (5.001, 500.0)])?;
-    let contact = Contact::new(Oblate, *paraboloid().medium(), load)?;
+    let contact = contact(Oblate, load);
     let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(6.0) else {
         unreachable!("the range is not left");
     };
@@ -138,8 +142,7 @@ fn a_contact_that_jumps_out_of_its_range_leaves_it_at_the_jump() -> Result<(), C
 
 #[test]
 fn a_contact_that_begins_beyond_its_range_says_so() {
-    let contact = Contact::new(Oblate, *paraboloid().medium(), Constant(1e6));
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = contact(Oblate, Constant(1e6));
     for t in [0.0, 200.0] {
         refused(
             contact.at(t),
