@@ -3,7 +3,7 @@
 use cartcontact::GapProfile;
 
 /// The terms (C, n) of a geometry, computed in the arithmetic of its scalar, and the geometry.
-pub type Found<T> = (Vec<(T, T)>, Box<dyn GapProfile<T>>);
+pub type Found<T> = (Vec<(f64, f64)>, Box<dyn GapProfile<T>>);
 
 /// A geometry of two fields.
 #[derive(Debug)]
@@ -20,7 +20,9 @@ macro_rules! of_two_fields {
     (|$first:ident, $second:ident| $profile:expr) => {
         $crate::two_fields::OfTwoFields {
             double: |$first, $second| ($profile.terms().to_vec(), Box::new($profile)),
-            single: |$first, $second| ($profile.terms().to_vec(), Box::new($profile)),
+            single: |$first, $second| {
+                ($profile.terms().map(|(c, n)| (c.into(), n.into())).to_vec(), Box::new($profile))
+            },
         }
     };
 }

@@ -69,7 +69,6 @@ fn radii_are_exact_up_to_their_condition() {
             let (terms, profile) = (kind.single)(c.sqrt() as f32, d.sqrt() as f32);
             let load_integral = profile.load_integral(share * profile.max_radius().min(10.0));
             let found = f64::from(profile.radius(load_integral).unwrap_or(f32::NAN));
-            let terms: Vec<(f64, f64)> = terms.into_iter().map(|(c, n)| (c.into(), n.into())).collect();
             let same = Polynomial::new(&terms[..]).unwrap_or_else(|error| unreachable!("{error}"));
             let condition = budget::RADIUS_OF_DIFFERENCES * of_radius(&same, &of_sizes(&terms), found);
             errors_of_single.add(found, exact_radius(&terms, load_integral.into()), condition, &place);

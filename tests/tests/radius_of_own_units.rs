@@ -71,7 +71,6 @@ fn radii_are_exact_for_fields_of_any_size() {
             let (terms, profile) = (kind.single)(k, radius);
             let load_integral = profile.load_integral(size);
             let found = profile.radius(load_integral).unwrap_or(f32::NAN);
-            let terms: Vec<(f64, f64)> = terms.into_iter().map(|(c, n)| (c.into(), n.into())).collect();
             let place = format!("{index}: {k:e}, {radius:e}, {load_integral:e}");
             errors_of_single.add(f64::from(found), exact_radius(&terms, load_integral.into()), 1.0, &place);
         }

@@ -13,6 +13,7 @@ use tests::oracle::{Oracle, Profile, double, rounded};
 use tests::planted;
 use tests::profiles::{DECIMALS, Decimals};
 use tests::random::{magnitude, sum};
+use tests::reference::number;
 
 type Terms = Vec<(f64, f64)>;
 
@@ -140,7 +141,6 @@ fn kernels_of_generated_solvers_are_those_of_the_oracle() {
     let mut errors = kernel::errors();
     for (solver, terms) in SHAPES {
         let oracle = Profile::of_decimals(terms);
-        let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
         let numbers: Terms = terms.iter().map(|(c, n)| (number(c), number(n))).collect();
         let sizes = of_sizes(&numbers);
         let places: Vec<(f64, f64)> = samples(&places(8.0), 40).concat();
