@@ -95,14 +95,15 @@ pub struct Swing {
     pub frequency: f64,
 }
 
-impl Load<f64> for Swing {
-    fn force(&self, t: f64) -> f64 {
-        self.mean + self.amplitude * (self.frequency * t).sin()
+impl<T: Scalar> Load<T> for Swing {
+    fn force(&self, t: T) -> T {
+        T::constant(self.mean) + T::constant(self.amplitude) * (T::constant(self.frequency) * t).sin()
     }
 
-    fn impulse(&self, t: f64) -> f64 {
-        let half = (self.frequency * t / 2.0).sin();
-        self.mean * t + 2.0 * self.amplitude * half * half / self.frequency
+    fn impulse(&self, t: T) -> T {
+        let frequency = T::constant(self.frequency);
+        let half = (frequency * t * T::constant(0.5)).sin();
+        T::constant(self.mean) * t + T::constant(2.0 * self.amplitude) * half * half / frequency
     }
 }
 
