@@ -2,6 +2,7 @@
 
 pub mod budget;
 pub mod condition;
+pub mod joint;
 pub mod kernel;
 pub mod loads;
 pub mod measure;

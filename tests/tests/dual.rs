@@ -9,6 +9,7 @@ use cartcontact::{
 use num_dual::{Dual32, Dual64, DualNum};
 use tests::budget;
 use tests::condition::edge;
+use tests::joint::joint;
 use tests::measure::relative_error;
 
 type Failure = Box<dyn core::error::Error>;
@@ -62,8 +63,7 @@ fn assert_same(dual: [Dual64; 3], plain: [f64; 3]) {
 #[test]
 fn slope_of_a_radius_is_that_of_its_closed_form() -> Result<(), Failure> {
     let profile = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
-    let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
-    let contact = Contact::new(profile, medium, Constant(variable(100.0)))?;
+    let contact = joint(profile, 0.0015, Constant(variable(100.0)));
     for t in [0.0, 200.0] {
         let now = contact.at(Dual64::from(t))?;
         let a = (48.0 * 100.0 * (1.0 + 0.0015 * t) / (PI * 0.375 * 0.025)).powf(1.0 / 6.0);
@@ -152,8 +152,7 @@ fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Plai
 /// The derivatives of a snapshot with respect to time satisfy the equations of the model.
 #[test]
 fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), Failure> {
-    let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
-    let contact = Contact::new(Plain, medium, Constant(Dual64::from(100.0)))?;
+    let contact = joint(Plain, 0.0015, Constant(Dual64::from(100.0)));
     let now = contact.at(variable(200.0))?;
     let a = now.radius();
     // F′ + χ F = (π m/8) a⁴ δ₀′(t).
@@ -166,8 +165,7 @@ fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), 
 /// At the start nothing has drained, but P_t + χ P = (m/4) δ₀′(t) (a² − r²) all the same.
 #[test]
 fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
-    let medium = Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0015))?;
-    let contact = Contact::new(Plain, medium, Constant(Dual64::from(100.0)))?;
+    let contact = joint(Plain, 0.0015, Constant(Dual64::from(100.0)));
     let now = contact.at(variable(0.0))?;
     assert_pressure_follows_edge(&now);
     Ok(())
@@ -176,10 +174,8 @@ fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
 /// At a knot the edge moves with the slope of the load after the knot: F′ + χ F = (π m/8) a⁴ δ₀′(t).
 #[test]
 fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {
-    let [medium_constant, chi] = [0.375, 0.0015].map(Dual64::from);
     let knots = [(0.0, 50.0), (10.0, 100.0), (30.0, 140.0)].map(|(t, f)| (Dual64::from(t), Dual64::from(f)));
-    let contact =
-        Contact::new(Plain, Medium::from_constants(medium_constant, chi)?, PiecewiseLinear::new(knots)?)?;
+    let contact = joint(Plain, 0.0015, PiecewiseLinear::new(knots)?);
     for (time, force, slope) in [(0.0, 50.0, 5.0), (10.0, 100.0, 2.0), (30.0, 140.0, 0.0)] {
         let now = contact.at(variable(time))?;
         let fluid = PI * 0.375 / 8.0 * now.radius().re.powi(4) * now.approach().eps;
@@ -252,9 +248,7 @@ fn pressures<T: Scalar>(
     load: impl Load<T>,
     t: f64,
 ) -> Result<[T; 2], ContactError> {
-    let medium = Medium::from_constants(T::constant(0.375), T::constant(0.0015));
-    let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(profile, medium, load)?;
+    let contact = joint(profile, 0.0015, load);
     let now = contact.at(T::constant(t))?;
     Ok([now.peak_pressure(), now.pressure(T::constant(3.0))])
 }
@@ -364,6 +358,5 @@ fn slopes_are_right_where_the_force_does_not_vary() -> Result<(), Failure> {
 }
 
 fn peak_pressure<T: Scalar>(load: Approaching<T>) -> Result<T, Failure> {
-    let medium = Medium::from_constants(T::constant(0.375), T::constant(0.0015))?;
-    Ok(Contact::new(Plain, medium, load)?.at(T::constant(200.0))?.peak_pressure())
+    Ok(joint(Plain, 0.0015, load).at(T::constant(200.0))?.peak_pressure())
 }

@@ -1,8 +1,9 @@
 //! Derivatives of pressures with respect to forces of a load, where the value of a slope or of a step is zero.
 
 use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
+use cartcontact::{ContactError, GapProfile, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
+use tests::joint::joint;
 use tests::loads::{Announced, Knots};
 use tests::profiles::Patellofemoral;
 
@@ -83,9 +84,7 @@ fn pressures<T: Scalar>(
     load: impl Load<T>,
     time: f64,
 ) -> Result<Vec<T>, ContactError> {
-    let medium = Medium::from_constants(T::constant(0.375), T::constant(chi));
-    let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(profile, medium, load)?;
+    let contact = joint(profile, chi, load);
     let radii = RADII.map(T::constant);
     let [time, before] = [time, 0.9 * time].map(T::constant);
     let now = contact.at(time)?;
@@ -159,7 +158,7 @@ fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure>
     let load = PiecewiseLinear::new([(0.0, 100.0), (200.0, 100.0)].map(|(time, force)| {
         (Dual64::from(time), if time > 0.0 { Dual64::from(force).derivative() } else { Dual64::from(force) })
     }))?;
-    let contact = Contact::new(gap, Medium::from_constants(Dual64::from(0.375), Dual64::from(0.0))?, &load)?;
+    let contact = joint(gap, 0.0, &load);
     let a = contact.at(Dual64::from(200.0))?.radius().re;
     for found in pressures(gap, 0.0, load, 200.0)?.chunks(RADII.len()) {
         for (found, r) in found.iter().zip(RADII) {

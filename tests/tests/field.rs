@@ -7,6 +7,7 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::edge;
+use tests::joint::joint;
 use tests::loads::{Counted, Rise, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
@@ -65,9 +66,8 @@ fn a_field_is_its_snapshots_for_every_geometry_and_load() -> Result<(), ContactE
 /// This holds even where the edge has moved by less than the rounding of its radius.
 #[test]
 fn the_edge_carries_nothing() -> Result<(), ContactError> {
-    let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
     for force in [1.0, 2.0, 3.7, 100.0] {
-        let contact = Contact::new(Patellofemoral, medium, Constant(force))?;
+        let contact = joint(Patellofemoral, 0.0015, Constant(force));
         let radius = contact.at(0.0)?.radius();
         let times = [0.0, 1e-14, 1e-13, 1e-12, 1e-9, 1.0];
         let mut values = [f64::NAN; 6];
@@ -86,8 +86,7 @@ fn a_history_is_searched_twice_for_any_number_of_rows() -> Result<(), ContactErr
     let times: Vec<f64> = (0..1000).map(|k| f64::from(k) * 0.1 / CHI).collect();
     for (name, load) in histories(CHI) {
         let (load, radii) = (Counted::new(load), grid(4));
-        let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
-        let contact = Contact::new(Patellofemoral, medium, &load)?;
+        let contact = joint(Patellofemoral, CHI, &load);
         contact.pressure_field(&times, &radii, &mut vec![0.0; times.len() * radii.len()])?;
         assert_eq!(load.searches(), 2, "{name}");
     }

@@ -1,7 +1,8 @@
 //! The pressures of a field do not depend on the order of its radii, to the last bit.
 
 use cartcontact::load::{Constant, Load};
-use cartcontact::{Contact, ContactError, Medium};
+use cartcontact::{Contact, ContactError};
+use tests::joint::joint;
 use tests::loads::{Rise, through};
 use tests::profiles::Patellofemoral;
 
@@ -38,8 +39,7 @@ fn field<L: Load<f64>>(
 }
 
 fn check(load: impl Load<f64>) -> Result<(), ContactError> {
-    let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(Patellofemoral, medium, load)?;
+    let contact = joint(Patellofemoral, 0.0015, load);
     for (name, radii) in orders() {
         let mut sorted = radii.clone();
         sorted.sort_by(f64::total_cmp);

@@ -5,7 +5,8 @@ use core::cell::Cell;
 use core::f64::consts::LN_2;
 
 use cartcontact::load::{Load, LoadError};
-use cartcontact::{Contact, ContactError, Medium, Polynomial};
+use cartcontact::{Contact, ContactError, Polynomial};
+use tests::joint::joint;
 use tests::random::Stream;
 
 const CHI: f64 = 0.02;
@@ -36,8 +37,7 @@ type Gap = Polynomial<f64, [(f64, f64); 2]>;
 
 fn contact<L: Load<f64>>(chi: f64, load: L) -> Contact<f64, Gap, L> {
     let gap = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)]).unwrap_or_else(|error| unreachable!("{error}"));
-    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
-    Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
+    joint(gap, chi, load)
 }
 
 /// ∫F of a rise from zero to 100.

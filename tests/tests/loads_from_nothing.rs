@@ -5,10 +5,11 @@
 use core::cell::Cell;
 use core::f64::consts::PI;
 
+use cartcontact::ContactError;
 use cartcontact::load::Load;
-use cartcontact::{Contact, ContactError, Medium};
 use tests::budget;
 use tests::condition::edge;
+use tests::joint::joint;
 use tests::profiles::Patellofemoral;
 
 const CHI: f64 = 0.02;
@@ -47,9 +48,8 @@ fn peak(
     (force, impulse): (impl Fn(f64) -> f64, impl Fn(f64) -> f64),
     knot: f64,
 ) -> Result<f64, ContactError> {
-    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
     let load = Formula { force, impulse, knot, forces: Cell::new(0) };
-    Ok(Contact::new(Patellofemoral, medium, load)?.at(t)?.peak_pressure())
+    Ok(joint(Patellofemoral, chi, load).at(t)?.peak_pressure())
 }
 
 fn assert_near(found: f64, expected: f64, tolerance: f64) {
@@ -85,9 +85,8 @@ fn impulses_that_cancel_early_take_few_forces() -> Result<(), ContactError> {
     let impulse = |t: f64| {
         if t < 1e3 { 50.0 * (t - (PI * t / 1e3).sin() * 1e3 / PI) } else { 5e4 + 100.0 * (t - 1e3) }
     };
-    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
     let load = Formula { force: rise, impulse, knot: 1e3, forces: Cell::new(0) };
-    let contact = Contact::new(Patellofemoral, medium, load)?;
+    let contact = joint(Patellofemoral, CHI, load);
     for (t, expected) in [
         (50.0, 4.957_965_873_345_463e-2),
         (300.0, 3.363_193_255_298_72e-1),
@@ -159,9 +158,7 @@ fn smooth_rises_from_nothing_take_few_forces() {
             100.0 * (t - 10.0 * (1.0 - (-t / 10.0).exp()))
         }
     }
-    let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(Patellofemoral, medium, Rise { forces: Cell::new(0) });
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = joint(Patellofemoral, 0.0015, Rise { forces: Cell::new(0) });
     for step in 0..300 {
         let t = 1e-4 * 1.06_f32.powi(step);
         contact.load().forces.set(0);
@@ -176,9 +173,8 @@ fn smooth_rises_from_nothing_take_few_forces() {
 fn rises_behind_a_rest_take_few_forces_off_the_axis() -> Result<(), ContactError> {
     let since = |t: f64| (t - 1.0).max(0.0);
     let (force, impulse) = (move |t: f64| since(t).powf(1.5), move |t: f64| since(t).powf(2.5) / 2.5);
-    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
     let load = Formula { force, impulse, knot: 1.0, forces: Cell::new(0) };
-    let contact = Contact::new(Patellofemoral, medium, load)?;
+    let contact = joint(Patellofemoral, CHI, load);
     let now = contact.at(100.0)?;
     for (r, expected) in [(1.0, 6.284_373_000_716_511), (3.0, 5.709_895_899_363_812)] {
         contact.load().forces.set(0);

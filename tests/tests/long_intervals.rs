@@ -1,37 +1,13 @@
 //! Pressures long after the row before, and after histories so long that an e-folding is only a few roundings of the
 //! time.
 
-use cartcontact::load::Load;
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar};
+use cartcontact::{ContactError, Polynomial};
 use tests::budget;
 use tests::condition::edge;
+use tests::joint::joint;
+use tests::loads::Swing;
 use tests::measure::Errors;
 use tests::profiles::Paraboloid;
-
-/// 100 N plus a swing.
-struct Swing {
-    amplitude: f64,
-    frequency: f64,
-}
-
-impl<T: Scalar> Load<T> for Swing {
-    fn force(&self, t: T) -> T {
-        T::constant(100.0) + T::constant(self.amplitude) * (T::constant(self.frequency) * t).sin()
-    }
-
-    fn impulse(&self, t: T) -> T {
-        let frequency = T::constant(self.frequency);
-        let half = (frequency * t * T::constant(0.5)).sin();
-        T::constant(100.0) * t + T::constant(2.0 * self.amplitude) * half * half / frequency
-    }
-}
-
-/// A scene whose memory fades at the rate `chi`.
-fn scene<T: Scalar, P: GapProfile<T>>(gap: P, chi: f64, load: Swing) -> Contact<T, P, Swing> {
-    let medium = Medium::from_constants(T::constant(0.375), T::constant(chi));
-    let medium = medium.unwrap_or_else(|error| unreachable!("{error}"));
-    Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
-}
 
 #[test]
 fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactError> {
@@ -39,7 +15,7 @@ fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactEr
     let gap = Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)])?;
     let radii = [0.0, 3.0, 7.0, 11.0, 20.0];
     for (chi, frequency, amplitude) in [(1.0, 1.0, 10.0), (0.0015, 0.01, 5.0)] {
-        let contact = scene(&gap, chi, Swing { amplitude, frequency });
+        let contact = joint(&gap, chi, Swing { mean: 100.0, amplitude, frequency });
         for folds in [
             &[0.0, 30.0, 60.0][..],
             &[0.0, 1.0, 1.1, 90.0, 90.1, 1e3, 1e4],
@@ -65,7 +41,7 @@ fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactEr
 #[test]
 fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactError> {
     for (chi, frequency, amplitude) in [(0.0015, 0.01, 5.0), (1.0, 5.0, 1.0), (1.0, 1.0, 10.0)] {
-        let contact = scene::<f32, _>(Paraboloid, chi, Swing { amplitude, frequency });
+        let contact = joint::<f32, _, _>(Paraboloid, chi, Swing { mean: 100.0, amplitude, frequency });
         for sixteenth in 40..100 {
             let folds = 10_f32.powf(sixteenth as f32 / 16.0);
             let now = contact.at(folds / chi as f32)?;

@@ -1,20 +1,12 @@
 //! Radii at many times equal those at single times to the last bit, and so do the faults.
 
 use cartcontact::load::{Constant, Load};
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Scalar};
+use cartcontact::{Contact, ContactError, GapProfile, Scalar};
+use tests::joint::joint;
 use tests::loads::{Counted, histories};
 use tests::profiles::{MixedSign, Oblate, Patellofemoral, RealPowers, SixTerm};
 
 const CHI: f64 = 0.0015;
-
-fn medium<T: Scalar>(m: T) -> Medium<T> {
-    let medium = Medium::from_constants(m, T::constant(CHI));
-    medium.unwrap_or_else(|error| unreachable!("{error}"))
-}
-
-fn contact<T: Scalar, P: GapProfile<T>, L: Load<T>>(profile: P, m: T, load: L) -> Contact<T, P, L> {
-    Contact::new(profile, medium(m), load).unwrap_or_else(|error| unreachable!("{error}"))
-}
 
 /// Less than a block, a block and one more time, and several blocks.
 const LENGTHS: [usize; 4] = [1, 255, 257, 1000];
@@ -34,10 +26,10 @@ fn assert_same<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, 
 #[test]
 fn radii_under_every_history() {
     for (name, load) in histories(CHI) {
-        assert_same(&contact(Patellofemoral, 0.375, &load), name);
-        assert_same(&contact(SixTerm, 0.375, &load), name);
-        assert_same(&contact(RealPowers, 0.375, &load), name);
-        assert_same(&contact(MixedSign, 0.375, &load), name);
+        assert_same(&joint(Patellofemoral, CHI, &load), name);
+        assert_same(&joint(SixTerm, CHI, &load), name);
+        assert_same(&joint(RealPowers, CHI, &load), name);
+        assert_same(&joint(MixedSign, CHI, &load), name);
     }
 }
 
@@ -46,7 +38,7 @@ fn radii_under_every_history() {
 fn a_history_is_searched_once_for_all_times() {
     for (name, load) in histories(CHI) {
         let load = Counted::new(load);
-        let contact = contact(Patellofemoral, 0.375, &load);
+        let contact = joint(Patellofemoral, CHI, &load);
         let times: Vec<f64> = (0..6400).map(|k| f64::from(k) * 0.3).collect();
         assert_eq!(contact.radii(&times, &mut vec![0.0; times.len()]), Ok(()), "{name}");
         assert_eq!(load.searches(), 1, "{name}");
@@ -58,18 +50,18 @@ fn a_history_is_searched_once_for_all_times() {
 fn radii_under_loads_of_every_size() {
     for exponent in (-280..=280).step_by(10) {
         let load = Constant(10f64.powi(exponent));
-        assert_same(&contact(Patellofemoral, 0.375, load), &format!("{load:?}"));
+        assert_same(&joint(Patellofemoral, CHI, load), &format!("{load:?}"));
     }
     for exponent in -30..=30 {
         let load = Constant(10f32.powi(exponent));
-        assert_same(&contact(Patellofemoral, 0.375, load), &format!("{load:?}"));
+        assert_same(&joint(Patellofemoral, CHI, load), &format!("{load:?}"));
     }
 }
 
 #[test]
 fn no_load_makes_no_contact_at_any_time() {
-    assert_same(&contact(Patellofemoral, 0.375, Constant(0.0)), "f64");
-    assert_same(&contact(Patellofemoral, 0.375_f32, Constant(0.0)), "f32");
+    assert_same(&joint(Patellofemoral, CHI, Constant(0.0_f64)), "f64");
+    assert_same(&joint(Patellofemoral, CHI, Constant(0.0_f32)), "f32");
 }
 
 /// The first fault among many times is the one of that time alone.
@@ -87,9 +79,9 @@ fn assert_refused<P: GapProfile<f64>, L: Load<f64>>(contact: &Contact<f64, P, L>
 #[test]
 fn the_first_time_without_a_radius_is_named() {
     for fault in [f64::NAN, f64::INFINITY, -f64::INFINITY, -1e-300] {
-        assert_refused(&contact(Patellofemoral, 0.375, Constant(100.0)), fault);
+        assert_refused(&joint(Patellofemoral, CHI, Constant(100.0)), fault);
     }
-    assert_refused(&contact(Oblate, 0.375, Constant(50.0)), 1e6);
+    assert_refused(&joint(Oblate, CHI, Constant(50.0)), 1e6);
 }
 
 /// A load with an invalid force or impulse at one time.
@@ -115,7 +107,7 @@ impl Load<f64> for Faulty {
 fn loads_that_are_none_are_named() {
     for bad in [f64::NAN, f64::INFINITY, -1.0] {
         let at = 300.5;
-        assert_refused(&contact(Patellofemoral, 0.375, Faulty { force: bad, impulse: 3e4, at }), at);
-        assert_refused(&contact(Patellofemoral, 0.375, Faulty { force: 100.0, impulse: bad, at }), at);
+        assert_refused(&joint(Patellofemoral, CHI, Faulty { force: bad, impulse: 3e4, at }), at);
+        assert_refused(&joint(Patellofemoral, CHI, Faulty { force: 100.0, impulse: bad, at }), at);
     }
 }

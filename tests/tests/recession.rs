@@ -3,17 +3,16 @@
 use core::f64::consts::PI;
 
 use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, Medium, Polynomial, Scalar};
+use cartcontact::{ContactError, Scalar};
+use tests::joint::joint;
 use tests::loads::{Rise, Swing};
+use tests::profiles::Paraboloid;
 
 const CHI: f64 = 0.02;
 
 /// The time since which the edge recedes, as the error at the time `t` reports it.
 fn since(load: &dyn Load<f64>, chi: f64, t: f64) -> Option<f64> {
-    let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
-    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"));
-    match contact.at(t) {
+    match joint(Paraboloid, chi, load).at(t) {
         Ok(_) => None,
         Err(ContactError::Receding { time, since }) => {
             assert!(time == t && since < t, "{time}, {since}");
@@ -234,10 +233,7 @@ fn nothing_may_fall_without_drainage() {
 
 #[test]
 fn many_times_name_the_first_that_is_too_late() {
-    let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
-    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(gap, medium, Gait { frequency: 0.3 });
-    let contact = contact.unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = joint(Paraboloid, CHI, Gait { frequency: 0.3 });
     let turn = 2.0 * (PI - f64::atan2(0.3, CHI)) / 0.3;
     let times: Vec<f64> = (1..400).map(|step| f64::from(step) * 0.1).collect();
     let first = times.iter().copied().find(|&time| time > turn);

@@ -1,9 +1,10 @@
 //! A user-defined load may dip for a moment within a long history, where no sample may hit the dip.
 
 use cartcontact::load::Load;
-use cartcontact::{Contact, ContactError, Medium, Polynomial};
+use cartcontact::{ContactError, Polynomial};
 use tests::budget;
 use tests::condition::edge_at;
+use tests::joint::joint;
 use tests::measure::Errors;
 
 const CHI: f64 = 0.02;
@@ -35,9 +36,7 @@ impl Load<f64> for Dip {
 const SHARES: [f64; 3] = [0.0, 0.5, 0.9];
 
 fn pressures(load: &Dip, t: f64) -> Result<[f64; 3], ContactError> {
-    let gap = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?;
-    let medium = Medium::from_constants(0.375, CHI).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(gap, medium, load)?;
+    let contact = joint(Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?, CHI, load);
     let now = contact.at(t)?;
     Ok(SHARES.map(|share| now.pressure(share * now.radius())))
 }

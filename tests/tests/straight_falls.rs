@@ -4,8 +4,10 @@
 use core::cell::Cell;
 
 use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, Medium, Polynomial, Scalar};
+use cartcontact::{ContactError, Scalar};
+use tests::joint::joint;
 use tests::loads::{Announced, through};
+use tests::profiles::Paraboloid;
 use tests::random::Stream;
 
 const CHI: f64 = 0.02;
@@ -118,14 +120,6 @@ fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> PiecewiseL
     PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-type SingleGap = Polynomial<f32, [(f32, f32); 1]>;
-
-fn single_contact<L: Load<f32>>(chi: f32, load: L) -> Contact<f32, SingleGap, L> {
-    let gap = Polynomial::new([(0.025, 2.0)]).unwrap_or_else(|error| unreachable!("{error}"));
-    let medium = Medium::from_constants(0.375, chi).unwrap_or_else(|error| unreachable!("{error}"));
-    Contact::new(gap, medium, load).unwrap_or_else(|error| unreachable!("{error}"))
-}
-
 /// Each step falls too fast only by rounding, but all of them together do not.
 #[test]
 fn falls_in_small_steps_add_up() {
@@ -135,7 +129,7 @@ fn falls_in_small_steps_add_up() {
             let force = |k: usize| (80.0 * (-f64::from(ratio * chi) * 1e-3 * k as f64).exp()) as f32;
             let knots: Vec<(f32, f32)> = (0..100_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
             let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
-            let contact = single_contact(chi, &load);
+            let contact = joint(Paraboloid, chi.into(), &load);
             // The excess of the fall is found when it is √ε of the force.
             let found_at = f32::EPSILON.sqrt() / ((ratio - 1.0) * chi);
             if found_at < 50.0 {
@@ -259,7 +253,7 @@ fn pressures_fade_with_a_load_at_the_bound() {
         let force = |k: i32| (80.0 * (1.0 + f64::from(chi) * 1e-3).powi(-k)) as f32;
         let knots: Vec<(f32, f32)> = (0..20_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
         let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
-        let contact = single_contact(chi, load);
+        let contact = joint(Paraboloid, chi.into(), load);
         let peak = |t: f32| contact.at(t).map_or(f32::NAN, |now| now.peak_pressure());
         let error = peak(19.999) / peak(0.0) / (force(19_999) / 80.0) - 1.0;
         assert!(error.abs() < 1e-5, "{chi}: {error:e}");
