@@ -50,8 +50,8 @@ const fn allow_as_seen(
     Allowance { quantity, double, single, seen, reason }
 }
 
-/// The bound is 1.5: a constant is off by ε/2 at the most, which is one unit of a result just below a power of two, and
-/// the result is rounded by half a unit. `seen` is the worst in tests.
+/// The error is at most 1.5 ulp: a constant is off by ε/2 at the most, which is one unit of a result just below a power
+/// of two, and the result is rounded by half a unit. `seen` is the worst in tests.
 const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
 
 /// Φ(r).
@@ -69,7 +69,7 @@ pub const LOAD_INTEGRAL_DROP: Allowance = allow_as_seen(
     "drop of the load integral",
     [2.0, f64::NAN],
     [None, None],
-    "the degree of J multiplies the rounding of a − depth by half an ε, here and in the quadrature of the test",
+    "the degree of J multiplies the rounding of a − depth, half an ε, here and in the quadrature of the test",
 );
 /// L(x).
 pub const LOG_KERNEL: Allowance = allow("log kernel", [2.0, 2.0], [1.25, 1.25], ROUNDED_ONCE);
