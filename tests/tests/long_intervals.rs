@@ -48,7 +48,7 @@ fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactE
             let [force, radius, peak] = [now.force(), now.radius(), now.peak_pressure()].map(f64::from);
             let (folds, epsilon) = (f64::from(folds), f64::from(f32::EPSILON));
             let excess = peak * core::f64::consts::PI * radius * radius / (2.0 * force) - 1.0;
-            // The radius is rounded, too.
+            // The radius is rounded too.
             let allowed = 0.05 / folds + (budget::PEAK_PRESSURE.single + 2.0) * epsilon;
             let error = (excess - 1.0 / (3.0 * folds)).abs();
             assert!(error < allowed, "{chi}, {frequency}, {folds}: {error:e} of {allowed:e}");

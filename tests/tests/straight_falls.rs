@@ -221,7 +221,7 @@ fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
                 2 => (1.0 - stream.magnitude(-9.0, -2.0)) / (1.0 + folds),
                 _ => 1.0 / (1.0 + folds),
             };
-            // Only knots tell the force before a jump at the start.
+            // Only knots say from which force a load jumps at the start.
             time += if time > 0.0 && stream.below(10) == 0 { 0.0 } else { folds / CHI };
             if knots.len() < 2 || knots[knots.len() - 2].0 < time {
                 knots.push((time, force));

@@ -128,7 +128,7 @@ fn builds(folder: &Path) -> Result<(), Failure> {
             if target.exists() {
                 fs::remove_dir_all(target)?;
             }
-            // Cargo builds path dependencies incrementally, but those from a registry not.
+            // Cargo builds path dependencies incrementally, but not those from a registry.
             let (own, outcome) = user.cargo(&["build", "--config", "build.incremental=false"])?;
             if !outcome.status.success() {
                 return Err(format!("the crate that uses {name} does not build").into());

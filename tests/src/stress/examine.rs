@@ -176,7 +176,7 @@ impl<T: Precision> Examination<'_, T> {
             of_radius * (1.0 + degree),
         );
         self.kernels(now);
-        // Pressures remember all radii on the way, of which the flattest is the least certain.
+        // Pressures remember all radii of the history, of which the flattest is the least certain.
         let flattest = self.exact.profile.flattest_radius(a);
         let on_the_way = flattest.map_or(1.0, |s| condition::of_radius(&self.exact.profile.kernels(s)));
         let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();

@@ -102,7 +102,7 @@ pub enum Fault {
     Refused,
     /// A radius although the contact has none.
     Accepted,
-    /// A result that changes with units that differ by powers of two.
+    /// A result that depends on the units, although they differ by powers of two.
     NotInvariant,
 }
 

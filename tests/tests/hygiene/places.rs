@@ -18,7 +18,7 @@ mod inner {
     }
 }
 
-/// The crate behind a module of the user's own.
+/// The crate, re-exported by a module of the user.
 mod facade {
     pub(super) use cartcontact::*;
 }
