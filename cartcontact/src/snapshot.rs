@@ -83,6 +83,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
     /// result.
     ///
+    /// In single precision this does not hold for a user-defined load that has fallen for more than ten e-foldings, below
+    /// √ε of what was there: one in some hundred pressures is then off by more, by up to 300 ε.
+    /// [`Contact::pressure_field`] with rows between which the load falls by a few e-foldings keeps the bound.
+    ///
     /// # References
     ///
     /// Eq. (28), doi 10.1016/j.mechrescom.2010.11.006.

@@ -62,6 +62,37 @@ fn rows_fade_with_a_load_at_the_bound() -> Result<(), Failure> {
     Ok(())
 }
 
+/// A record that falls as fast as it may, as the format has it.
+fn at_the_bound<T: Scalar>(count: u32, step: f64, chi: T) -> Vec<(T, T)> {
+    let times = equal_times::<T>(count, step);
+    let mut record = vec![(T::zero(), T::constant(100.0))];
+    for pair in times.windows(2) {
+        let (_, force) = record[record.len() - 1];
+        record.push((pair[1], force / (T::one() + chi * (pair[1] - pair[0]))));
+    }
+    record
+}
+
+#[test]
+fn rows_at_the_knots_of_a_record_at_the_bound_do_not_drift() -> Result<(), Failure> {
+    let record = at_the_bound(3000, 0.01, 1.5e-3_f64);
+    compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(3000, 0.01))?;
+    let record = at_the_bound(3000, 0.01, 1.5e-3_f64);
+    compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(9000, 0.01 / 3.0))
+}
+
+#[test]
+fn rates_may_be_smaller_than_any_number() -> Result<(), Failure> {
+    let (force, second) = (1e-56, 1e300);
+    let load = PiecewiseLinear::new([(0.0, 10.0 * force), (4.0 * second, 20.0 * force)])?;
+    let contact = Contact::new(Ball, Medium::from_constants(0.375 * force, 0.0)?, load)?;
+    let mut field = [0.0; 4];
+    contact.pressure_field(&[0.0, 1.0, 2.0, 3.0].map(|k| k * second), &[0.0], &mut field)?;
+    let error = ulps(field[3], contact.at(3.0 * second)?.peak_pressure().into(), f64::EPSILON);
+    assert!(error <= budget::FIELD.double * 3.0, "{error} ulp");
+    Ok(())
+}
+
 #[test]
 fn rows_may_be_closer_than_anything_drains() -> Result<(), Failure> {
     for rate in [0.5e-3, 0.9e-3, 1e-3_f32] {
@@ -98,5 +129,8 @@ fn a_clamped_record_is_none_too_fast_behind_a_load_of_a_users_own() -> Result<()
             assert_eq!(Announced::curved(&record).recession(chi, end), None, "{step}, {chi}, {count}");
         }
     }
+    // The bound is rounded the same way at all of its knots: in truth it falls too fast.
+    let record = PiecewiseLinear::new(at_the_bound(10_000, 1e-3, 1.5e-3_f32))?;
+    assert_eq!(Announced::curved(&record).recession(1.5e-3, 10.0), None);
     Ok(())
 }

@@ -76,7 +76,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
             return None;
         }
         let force = load.force(start.time);
-        let force_rate = (load.force_before(end) - force) / duration;
+        let rise = load.force_before(end) - force;
+        let force_rate = rise / duration;
+        if !rise.is_zero() && force_rate.abs() < smallest_normal() {
+            return None;
+        }
         let hereditary = force + chi * load.impulse(start.time);
         // q and q (a² − a₁²) at the time z after the start.
         let densities = |x: T| {

@@ -61,7 +61,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     None
 }
 
-/// By how much rounding may make a hereditary load fall between knots; near zero all numbers are rounded alike.
+/// By how much rounding may make a hereditary load fall in a panel; near zero all numbers are rounded alike.
 fn rounding_of<T: Scalar>(hereditary: T) -> T {
     hereditary.max(smallest_normal()) * T::default_epsilon() * T::constant(8.0)
 }
@@ -87,17 +87,17 @@ struct Search<'a, T, L: ?Sized> {
     suspicion: Option<Contradiction<T>>,
 }
 
-/// When the hereditary load was highest, by how much it has fallen since, and how many knots it has passed.
+/// When the hereditary load was highest, by how much it has fallen since, and in how many panels.
 #[derive(Clone, Copy)]
 struct Crest<T> {
     time: T,
     fallen: T,
-    knots: u32,
+    panels: u32,
 }
 
 impl<T: Scalar> Crest<T> {
     fn at(time: T) -> Self {
-        Self { time, fallen: T::zero(), knots: 0 }
+        Self { time, fallen: T::zero(), panels: 0 }
     }
 }
 
@@ -129,7 +129,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
         let mut step = end - self.time;
-        self.crest.knots = self.crest.knots.saturating_add(1);
+        let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
         let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
         let whole = step;
         while self.time < end {
@@ -159,12 +159,17 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 Some(Finding::Falls(since) | Finding::SeemsToFall(since)) => {
                     return Some(Fault::Falls(since));
                 }
-                Some(Finding::Rises(crest) | Finding::Unclear(crest)) => crest,
+                Some(Finding::Rises(crest) | Finding::Unclear(crest)) => {
+                    Crest { panels: crest.panels.saturating_add(1), ..crest }
+                }
             };
             if force.is_unresolved() || force.is_rough() {
                 self.shortest.give_up();
             }
             (self.time, self.impulse) = (stop, impulse);
+            if stop >= end && self.is_bound(start) {
+                self.crest.fallen = self.crest.fallen.min(fallen);
+            }
             // Also where no knot reports a jump.
             if let Some(since) = self.jump() {
                 return Some(Fault::Falls(since));
@@ -198,12 +203,22 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
 
     /// By how much the hereditary load may have fallen since its crest and only be rounded.
     ///
-    /// Forces at knots may be rounded each by itself, so that what is forgiven adds up; it ends where it is too much along
-    /// [straight pieces](super::descent), too.
+    /// The gain of every panel is rounded, so that what is forgiven adds up, to no more than along
+    /// [straight pieces](super::descent).
     fn rounding(&self, force: T, impulse: T) -> T {
         let of_one = rounding_of(force + self.chi * impulse);
-        let of_all = of_one * T::constant(f64::from(self.crest.knots));
-        of_all.min(force * T::default_epsilon().sqrt()).max(of_one)
+        if self.crest.fallen.is_zero() {
+            return of_one;
+        }
+        let of_all = of_one * T::constant(f64::from(self.crest.panels));
+        let most = self.load.force(self.crest.time) * T::default_epsilon().sqrt();
+        of_all.min(most).max(of_one)
+    }
+
+    /// Whether the force now is no less than the bound F/(1 + χ Δt) after a start, as the format has it: along a straight
+    /// piece that is no fall, however often the bound is rounded the same way.
+    fn is_bound(&self, (time, force): (T, T)) -> bool {
+        self.load.force_before(self.time) >= force / (T::one() + self.chi * (self.time - time))
     }
 
     /// The first invalid force of a panel, or the impulse at its end if that is not finite.

@@ -10,15 +10,15 @@ pub(crate) struct Line<T> {
     pub(crate) chi: T,
     /// F′.
     pub(crate) force_rate: T,
-    /// Y′ = F′ + χ F at the end.
+    /// Y′ = F′ + χ F at the end. It is 0 for a load that falls as fast as it may, and then rounding of either sign, which
+    /// adds up to nothing.
     pub(crate) hereditary_rate: T,
 }
 
 impl<T: Scalar> Line<T> {
     /// The line with a slope that ends at a force.
     pub(crate) fn to(force: T, force_rate: T, chi: T) -> Self {
-        // A load that falls as fast as it may has Y′ = 0, which rounding can make negative.
-        Self { chi, force_rate, hereditary_rate: raised_to_zero(force_rate + chi * force) }
+        Self { chi, force_rate, hereditary_rate: force_rate + chi * force }
     }
 
     /// How long before the end Y was smaller than at the end by `deficit`.
@@ -45,33 +45,44 @@ impl<T: Scalar> Line<T> {
         deficit / self.hereditary_rate
     }
 
+    /// Y′ at the end, as ages need it.
+    #[inline(always)]
+    fn rate(self) -> T {
+        raised_to_zero(self.hereditary_rate)
+    }
+
+    /// 2 χ F′ times a deficit, as a product of two numbers of the size of Y′.
+    #[inline(always)]
+    fn bend(self, deficit: T) -> T {
+        (T::constant(2.0) * self.force_rate) * (self.chi * deficit)
+    }
+
     /// The age of a deficit that [has one](Self::has_root) by this formula.
     ///
     /// Y(end) − Y(end − z) = Y′ z − χ F′ z²/2, solved for z in the form without cancellation; the square root in it is
     /// Y′ at the time found.
     #[inline(always)]
     pub(super) fn root(self, deficit: T) -> T {
-        let Self { chi, force_rate, hereditary_rate: rate } = self;
-        let two = T::constant(2.0);
-        let (straight, bend) = (rate * rate, two * chi * force_rate * deficit);
+        let (rate, two) = (self.rate(), T::constant(2.0));
+        let straight = rate * rate;
         // The radicand without its sign: where Y′ vanishes at the end, a deficit that rounding makes negative must not
         // count as a long time after the end.
-        two * deficit / (rate + (straight - bend).abs().sqrt())
+        two * deficit / (rate + (straight - self.bend(deficit)).abs().sqrt())
     }
 
     /// Whether the squares of rates are in range.
     #[inline(always)]
     pub(super) fn has_root(self, deficit: T) -> bool {
-        let Self { chi, force_rate, hereditary_rate: rate } = self;
-        let size = rate * rate + (T::constant(2.0) * chi * force_rate * deficit).abs();
+        let rate = self.rate();
+        let size = rate * rate + self.bend(deficit).abs();
         size.is_finite() & (size * T::default_epsilon() > smallest_normal())
     }
 
     /// The age of a deficit where the squares of rates are out of range: the same root, with all rates in units of a
     /// power of two near the largest, so that not a bit depends on the units of the load.
     fn age_in_units(self, deficit: T) -> T {
-        let Self { chi, force_rate, hereditary_rate: rate } = self;
-        let two = T::constant(2.0);
+        let Self { chi, force_rate, .. } = self;
+        let (rate, two) = (self.rate(), T::constant(2.0));
         let curved = chi.sqrt() * force_rate.abs().sqrt() * deficit.abs().sqrt();
         let largest = rate.max(curved);
         if largest.is_zero() {

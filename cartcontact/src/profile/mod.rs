@@ -38,8 +38,9 @@ use crate::quadrature::Rule;
 /// smallest normal number.
 ///
 /// Coefficients that depend on fields are not rounded, if `T` holds the fields: their products and quotients have twice
-/// the digits, and so have their powers, except those of dual numbers that are not whole. Contact radii take such
-/// coefficients rounded.
+/// the digits, and so have their powers, except those of dual numbers that are not whole. Powers such as a^-1.3 have 19
+/// digits, of which a difference of two that are nearly equal may lose some. Contact radii take such coefficients
+/// rounded. Products and quotients below the smallest normal number, of fields near 1e-160 or 1e160, are not refused.
 ///
 /// # Examples
 ///
