@@ -82,7 +82,7 @@ impl<T: Scalar> Line<T> {
     /// power of two near the largest, so that not a bit depends on the units of the load.
     fn age_in_units(self, deficit: T) -> T {
         let Self { chi, force_rate, .. } = self;
-        let (rate, two) = (self.rate(), T::constant(2.0));
+        let rate = self.rate();
         let curved = chi.sqrt() * force_rate.abs().sqrt() * deficit.abs().sqrt();
         let largest = rate.max(curved);
         if largest.is_zero() {
@@ -90,7 +90,6 @@ impl<T: Scalar> Line<T> {
         }
         let (_, exponent) = split(largest);
         let [rate, force_rate, deficit] = [rate, force_rate, deficit].map(|x| scale(x, -exponent));
-        let then = (rate * rate - two * chi * force_rate * deficit).abs().sqrt();
-        two * deficit / (rate + then)
+        Self { chi, force_rate, hereditary_rate: rate }.root(deficit)
     }
 }

@@ -180,13 +180,26 @@ impl<T: Precision> Examination<'_, T> {
         let flattest = self.exact.profile.flattest_radius(a);
         let on_the_way = flattest.map_or(1.0, |s| condition::of_radius(&self.exact.profile.kernels(s)));
         let kernel = self.exact.profile.pressure_kernel(a, Wide::ZERO).condition();
-        let condition = condition.max(on_the_way) * kernel;
+        let of_fall = self.condition_of_fall(now.force());
+        let condition = condition.max(on_the_way) * kernel * of_fall;
         self.pressures(now, a, condition, depth);
         self.field(now, condition);
         self.units(now);
         if depth.balance && self.scene.knots.len() <= MOST_KNOTS {
-            self.balance(now, on_the_way);
+            self.balance(now, on_the_way * of_fall);
         }
+    }
+
+    /// Y/F under a load that falls, if terms of both signs make the radii on the way uncertain: what they carry is so much
+    /// less than what they carried.
+    fn condition_of_fall(&self, force: T) -> f64 {
+        let (knots, time) = (&self.scene.knots, self.scene.time);
+        let falls = knots.windows(2).any(|pair| pair[1].1 < pair[0].1 && pair[0].0 < time);
+        if !falls || self.scene.terms.iter().all(|(c, _)| *c >= T::zero()) {
+            return 1.0;
+        }
+        let hereditary = self.exact.hereditary(Wide::of(time.value()));
+        (hereditary / Wide::of(force.value())).value().max(1.0)
     }
 
     /// A distance from the axis by its distance from the edge.
