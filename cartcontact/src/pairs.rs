@@ -19,8 +19,8 @@
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not hold pairs of numbers of one type",
     label = "not an array, a slice or a `Vec` of pairs",
-    note = "a gap is pairs (coefficient, exponent), as in `[(0.025, 2.0), (1e-4, 4.0)]`, and a load pairs (time, force), as in \
-            `[(0.0, 20.0), (0.5, 100.0)]`: in parentheses, and with decimal points"
+    note = "a gap is pairs (coefficient, exponent), as in `[(0.025, 2.0), (1e-4, 4.0)]`, and a load pairs (time, force), \
+            as in `[(0.0, 20.0), (0.5, 100.0)]`: in parentheses, and with decimal points"
 )]
 pub trait Pairs<T>: AsRef<[(T, T)]> {}
 

@@ -2,21 +2,20 @@
 //! those that were.
 
 use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, Medium, Scalar, gap_profile};
+use cartcontact::{Contact, Medium, Scalar};
 use tests::budget;
 use tests::condition::edge;
+use tests::joint::joint;
 use tests::loads::{Announced, Fall};
 use tests::measure::ulps;
+use tests::profiles::Paraboloid;
 use tests::random::Stream;
-
-#[gap_profile(0.025 * r^2)]
-struct Ball;
 
 type Failure = Box<dyn core::error::Error>;
 
 /// Compares every 16th row, and the last, with what the time has alone.
-fn compare<T: Scalar, L: Load<T>>(chi: T, load: L, times: &[T]) -> Result<(), Failure> {
-    let contact = Contact::new(Ball, Medium::from_constants(T::constant(0.375), chi)?, load)?;
+fn compare<T: Scalar, L: Load<T>>(chi: f64, load: L, times: &[T]) -> Result<(), Failure> {
+    let contact = joint(Paraboloid, chi, load);
     let radii = [T::zero(), contact.at(T::zero())?.radius() * T::constant(0.5)];
     let mut field = vec![T::zero(); times.len() * radii.len()];
     contact.pressure_field(times, &radii, &mut field)?;
@@ -62,30 +61,34 @@ fn rows_fade_with_a_load_at_the_bound() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A record that falls as fast as it may, as the format has it.
-fn at_the_bound<T: Scalar>(count: u32, step: f64, chi: T) -> Vec<(T, T)> {
-    let times = equal_times::<T>(count, step);
-    let mut record = vec![(T::zero(), T::constant(100.0))];
+/// A record that is clamped to the steepest falls, as the documentation of `PiecewiseLinear` shows.
+fn clamped<T: Scalar>(times: &[T], chi: T, mut wanted: impl FnMut() -> T) -> Vec<(T, T)> {
+    let mut record = vec![(T::zero(), T::constant(80.0))];
     for pair in times.windows(2) {
         let (_, force) = record[record.len() - 1];
-        record.push((pair[1], force / (T::one() + chi * (pair[1] - pair[0]))));
+        record.push((pair[1], wanted().max(force / (T::one() + chi * (pair[1] - pair[0])))));
     }
     record
 }
 
+/// A record that falls as fast as it may, as the format has it.
+fn at_the_bound<T: Scalar>(times: &[T], chi: T) -> Vec<(T, T)> {
+    clamped(times, chi, T::zero)
+}
+
 #[test]
 fn rows_at_the_knots_of_a_record_at_the_bound_do_not_drift() -> Result<(), Failure> {
-    let record = at_the_bound(3000, 0.01, 1.5e-3_f64);
-    compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(3000, 0.01))?;
-    let record = at_the_bound(3000, 0.01, 1.5e-3_f64);
-    compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(9000, 0.01 / 3.0))
+    let times = equal_times::<f64>(3000, 0.01);
+    let load = PiecewiseLinear::new(at_the_bound(&times, 1.5e-3))?;
+    compare(1.5e-3, &load, &times)?;
+    compare(1.5e-3, &load, &equal_times(9000, 0.01 / 3.0))
 }
 
 #[test]
 fn rates_may_be_smaller_than_any_number() -> Result<(), Failure> {
     let (force, second) = (1e-56, 1e300);
     let load = PiecewiseLinear::new([(0.0, 10.0 * force), (4.0 * second, 20.0 * force)])?;
-    let contact = Contact::new(Ball, Medium::from_constants(0.375 * force, 0.0)?, load)?;
+    let contact = Contact::new(Paraboloid, Medium::from_constants(0.375 * force, 0.0)?, load)?;
     let mut field = [0.0; 4];
     contact.pressure_field(&[0.0, 1.0, 2.0, 3.0].map(|k| k * second), &[0.0], &mut field)?;
     let error = ulps(field[3], contact.at(3.0 * second)?.peak_pressure().into(), f64::EPSILON);
@@ -101,20 +104,14 @@ fn rows_may_be_closer_than_anything_drains() -> Result<(), Failure> {
     compare(1e-3, Fall { force: 100.0, rate: 1e-3 }, &equal_times(3000, 1e-7))
 }
 
-/// Noise that is clamped to the steepest falls, as the documentation of `PiecewiseLinear` shows.
-fn clamped(stream: &mut Stream, count: u32, (step, chi): (f32, f32)) -> Vec<(f32, f32)> {
-    let mut record = vec![(0.0, 80.0)];
-    for k in 1..count {
-        let ((before, force), t) = (record[record.len() - 1], k as f32 * step);
-        let noise = stream.between(80.0, 81.0) as f32;
-        record.push((t, noise.max(force / (1.0 + chi * (t - before)))));
-    }
-    record
+fn noise(stream: &mut Stream) -> f32 {
+    stream.between(80.0, 81.0) as f32
 }
 
 #[test]
 fn a_clamped_record_may_have_more_rows_than_knots() -> Result<(), Failure> {
-    let record = clamped(&mut Stream::of_case(7, 0), 1000, (0.01, 1.5e-3));
+    let mut stream = Stream::of_case(7, 0);
+    let record = clamped(&equal_times(999, 0.01), 1.5e-3, || noise(&mut stream));
     compare(1.5e-3, PiecewiseLinear::new(record)?, &equal_times(10_000, 1e-3))
 }
 
@@ -123,14 +120,15 @@ fn a_clamped_record_is_none_too_fast_behind_a_load_of_a_users_own() -> Result<()
     let mut stream = Stream::of_case(7, 1);
     for (step, chi) in [(1e-3, 1e-2), (1e-3, 1.5e-3), (0.01, 1.5e-3)] {
         for count in [30; 40].into_iter().chain([2000]) {
-            let record = PiecewiseLinear::new(clamped(&mut stream, count, (step, chi)))?;
-            let end = (count - 1) as f32 * step;
+            let times = equal_times(count - 1, step);
+            let record = PiecewiseLinear::new(clamped(&times, chi, || noise(&mut stream)))?;
+            let end = times[times.len() - 1];
             assert_eq!(record.recession(chi, end), None, "{step}, {chi}, {count}");
             assert_eq!(Announced::curved(&record).recession(chi, end), None, "{step}, {chi}, {count}");
         }
     }
     // The bound is rounded the same way at all of its knots: in truth it falls too fast.
-    let record = PiecewiseLinear::new(at_the_bound(10_000, 1e-3, 1.5e-3_f32))?;
+    let record = PiecewiseLinear::new(at_the_bound(&equal_times(10_000, 1e-3), 1.5e-3_f32))?;
     assert_eq!(Announced::curved(&record).recession(1.5e-3, 10.0), None);
     Ok(())
 }

@@ -100,10 +100,8 @@ fn repeated(base: &Ident, exponent: u32) -> TokenStream {
 
 #[cfg(test)]
 mod tests {
-    use quote::format_ident;
-
     use super::*;
-    use crate::gap::coefficient::samples::{number, power};
+    use crate::gap::coefficient::samples::{field, number, power};
 
     fn code(of: &Coefficient) -> String {
         let number = |value: &Rational| {
@@ -119,7 +117,7 @@ mod tests {
 
     #[test]
     fn code_uses_the_fields_and_the_given_paths() {
-        let radius = Coefficient::field(format_ident!("radius"));
+        let radius = field("radius");
         assert_eq!(code(&power(&radius, -1, 1).multiply(&number(-1, 2))), "- c (0.5f64) / radius");
         assert_eq!(code(&power(&radius, -1, 2)), "p (radius , c (- 0.5f64))");
         let sum = radius.add(&number(-1, 4));

@@ -59,7 +59,6 @@ impl<T: Scalar> Descent<T> {
         let (folds, half) = (self.chi * piece.duration(), T::constant(0.5));
         // The impulse need not be in range.
         let gain = piece.rise() + folds * (piece.start.1 * half + piece.end.1 * half);
-        let is_bound = || piece.end.1 >= piece.start.1 / (T::one() + folds);
-        if gain < T::zero() && is_bound() { T::zero() } else { gain }
+        if gain < T::zero() && piece.keeps_bound(self.chi) { T::zero() } else { gain }
     }
 }

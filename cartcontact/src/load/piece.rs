@@ -104,6 +104,12 @@ impl<T: Scalar> Piece<T> {
         }
     }
 
+    /// Whether it ends with no less than the bound F/(1 + χ Δt), as the format has it: that is no fall of the hereditary
+    /// load, however often the bound is rounded the same way.
+    pub(super) fn keeps_bound(&self, chi: T) -> bool {
+        self.end.1 >= self.start.1 / (T::one() + chi * self.duration())
+    }
+
     /// The first time within the piece at which F′ + χ F < 0, if it is by more than rounding.
     pub(super) fn recession(&self, chi: T) -> Option<T> {
         // F′ + χ F is least at the end.

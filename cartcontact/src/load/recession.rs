@@ -24,7 +24,7 @@ use super::ForceSeries;
 use super::contradiction::Contradiction;
 use super::fault::{Fault, tolerances};
 use super::straight;
-use super::{Load, Shortest, knot_between};
+use super::{Load, Piece, Shortest, knot_between};
 use crate::Scalar;
 use crate::scalar::smallest_normal;
 
@@ -167,7 +167,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 self.shortest.give_up();
             }
             (self.time, self.impulse) = (stop, impulse);
-            if stop >= end && self.is_bound(start) {
+            if stop >= end && (Piece { start, end: (end, self.load.force_before(end)) }).keeps_bound(self.chi)
+            {
                 self.crest.fallen = self.crest.fallen.min(fallen);
             }
             // Also where no knot reports a jump.
@@ -213,12 +214,6 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         let of_all = of_one * T::constant(f64::from(self.crest.panels));
         let most = self.load.force(self.crest.time) * T::default_epsilon().sqrt();
         of_all.min(most).max(of_one)
-    }
-
-    /// Whether the force now is no less than the bound F/(1 + χ Δt) after a start, as the format has it: along a straight
-    /// piece that is no fall, however often the bound is rounded the same way.
-    fn is_bound(&self, (time, force): (T, T)) -> bool {
-        self.load.force_before(self.time) >= force / (T::one() + self.chi * (self.time - time))
     }
 
     /// The first invalid force of a panel, or the impulse at its end if that is not finite.

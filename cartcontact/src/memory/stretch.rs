@@ -36,7 +36,7 @@ impl<'a, T: Scalar> Course<'a, T> {
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
         let folds = chi * duration;
         if last > first && is_instant(folds) {
-            return Self::Step { age: T::zero(), folds };
+            return Self::at_once(folds);
         }
         Self::Linear { line: Line::to(last, (last - first) / duration, chi), duration }
     }
@@ -44,12 +44,17 @@ impl<'a, T: Scalar> Course<'a, T> {
     /// A load of any other kind.
     pub(super) fn smooth(force: &'a ForceSeries<T>) -> Self {
         let folds = force.folds();
-        if is_instant(folds) { Self::Step { age: T::zero(), folds } } else { Self::Smooth(force) }
+        if is_instant(folds) { Self::at_once(folds) } else { Self::Smooth(force) }
     }
 
     /// A jump of the load, which takes no time.
     pub(super) fn jump() -> Self {
-        Self::Step { age: T::zero(), folds: T::zero() }
+        Self::at_once(T::zero())
+    }
+
+    /// All at the end of so many e-foldings.
+    fn at_once(folds: T) -> Self {
+        Self::Step { age: T::zero(), folds }
     }
 
     /// χ times the duration.

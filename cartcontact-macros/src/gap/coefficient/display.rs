@@ -71,14 +71,11 @@ fn raised(atom: &Atom, exponent: &Rational) -> String {
 
 #[cfg(test)]
 mod tests {
-    use quote::format_ident;
-
-    use super::*;
-    use crate::gap::coefficient::samples::{number, power};
+    use crate::gap::coefficient::samples::{field, number, power};
 
     #[test]
     fn people_read_fractions() {
-        let radius = Coefficient::field(format_ident!("radius"));
+        let radius = field("radius");
         assert_eq!(power(&radius, -1, 1).multiply(&number(1, 2)).to_string(), "1/(2·radius)");
         assert_eq!(power(&radius, 3, 1).multiply(&number(1, 8)).to_string(), "radius^3/8");
         assert_eq!(radius.multiply(&number(7, 64_000)).to_string(), "1.09375e-4·radius");
