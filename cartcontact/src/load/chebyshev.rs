@@ -8,37 +8,74 @@ use crate::scalar::Tabled;
 /// The degree N.
 pub(super) const DEGREE: usize = 16;
 
-/// cos(π j/16), rounded from 40 digits.
-const COSINES: [Tabled; DEGREE / 2 + 1] = [
-    Tabled::of(1.0),
-    Tabled::of(0.980_785_280_403_230_4),
-    Tabled::of(0.923_879_532_511_286_7),
-    Tabled::of(0.831_469_612_302_545_2),
-    Tabled::of(core::f64::consts::FRAC_1_SQRT_2),
-    Tabled::of(0.555_570_233_019_602_2),
-    Tabled::of(0.382_683_432_365_089_8),
-    Tabled::of(0.195_090_322_016_128_28),
-    Tabled::of(0.0),
-];
-
 /// The coefficients of Chebyshev polynomials.
 pub(super) type Coefficients<T> = [T; DEGREE + 1];
 
-/// cos(π k/16).
-pub(super) fn cosine<T: Scalar>(k: usize) -> T {
+/// cos(π k/16), rounded from 40 digits.
+const QUARTER_TURN: [f64; DEGREE / 2 + 1] = [
+    1.0,
+    0.980_785_280_403_230_4,
+    0.923_879_532_511_286_7,
+    0.831_469_612_302_545_2,
+    core::f64::consts::FRAC_1_SQRT_2,
+    0.555_570_233_019_602_2,
+    0.382_683_432_365_089_8,
+    0.195_090_322_016_128_28,
+    0.0,
+];
+
+/// cos(π k/16) of any k.
+const fn any_cosine(k: usize) -> f64 {
     let turn = k % (2 * DEGREE);
-    let half = turn.min(2 * DEGREE - turn);
-    if half <= DEGREE / 2 { COSINES[half].get() } else { -COSINES[DEGREE - half].get::<T>() }
+    let half = if turn > DEGREE { 2 * DEGREE - turn } else { turn };
+    if half <= DEGREE / 2 { QUARTER_TURN[half] } else { -QUARTER_TURN[DEGREE - half] }
 }
 
-/// The coefficients of the polynomial through values at cos(π j/N).
-pub(super) fn interpolate<T: Scalar>(values: Coefficients<T>) -> Coefficients<T> {
-    // The first and the last count half in either sum.
-    let weight = |index: usize| T::constant(if index.is_multiple_of(DEGREE) { 0.5 } else { 1.0 });
-    core::array::from_fn(|k| {
-        let terms = values.iter().enumerate().map(|(j, &value)| value * weight(j) * cosine(j * k));
-        terms.fold(T::zero(), |sum, term| sum + term) * weight(k) * T::constant(2.0 / DEGREE as f64)
-    })
+/// The abscissas cos(π j/N), from 1 to −1.
+const ABSCISSAS: Coefficients<Tabled> = {
+    let mut abscissas = [Tabled::of(0.0); DEGREE + 1];
+    let mut j = 0;
+    while j <= DEGREE {
+        abscissas[j] = Tabled::of(any_cosine(j));
+        j += 1;
+    }
+    abscissas
+};
+
+/// What the coefficient k takes of the values at the abscissas j and N − j, j = 0 to N/2: 2/N cos(π j k/N), half of it
+/// for the first and the last of either, and half where j and N − j are the same.
+const SHARES: [Coefficients<Tabled>; DEGREE / 2 + 1] = {
+    let mut shares = [[Tabled::of(0.0); DEGREE + 1]; DEGREE / 2 + 1];
+    let mut j = 0;
+    while j <= DEGREE / 2 {
+        let mut k = 0;
+        while k <= DEGREE {
+            let of_value = if j == 0 || j == DEGREE / 2 { 0.5 } else { 1.0 };
+            let of_coefficient = if k == 0 || k == DEGREE { 0.5 } else { 1.0 };
+            shares[j][k] = Tabled::of(2.0 / DEGREE as f64 * of_value * of_coefficient * any_cosine(j * k));
+            k += 1;
+        }
+        j += 1;
+    }
+    shares
+};
+
+/// The abscissa cos(π j/N), j from 0 to N.
+pub(super) fn abscissa<T: Scalar>(j: usize) -> T {
+    ABSCISSAS[j].get()
+}
+
+/// The coefficients of the polynomial through values at the [abscissas](abscissa).
+pub(super) fn interpolate<T: Scalar>(values: &Coefficients<T>) -> Coefficients<T> {
+    let mut coefficients = [T::zero(); DEGREE + 1];
+    for (j, shares) in SHARES.iter().enumerate() {
+        // cos(π (N − j) k/N) = (−1)ᵏ cos(π j k/N).
+        let (sum, difference) = (values[j] + values[DEGREE - j], values[j] - values[DEGREE - j]);
+        for (k, (coefficient, share)) in coefficients.iter_mut().zip(shares).enumerate() {
+            *coefficient += if k.is_multiple_of(2) { sum } else { difference } * share.get();
+        }
+    }
+    coefficients
 }
 
 /// The sum at ξ.

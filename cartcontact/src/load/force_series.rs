@@ -14,7 +14,7 @@
 //! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use super::Load;
-use super::chebyshev::{Coefficients, DEGREE, cosine, derivative, interpolate, mean_to_the_end, sum_at};
+use super::chebyshev::{Coefficients, DEGREE, abscissa, derivative, interpolate, mean_to_the_end, sum_at};
 use super::fault::is_force;
 use crate::Scalar;
 use crate::scalar::is_plain;
@@ -63,13 +63,13 @@ impl<T: Scalar> ForceSeries<T> {
     fn through_forces<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
         let duration = end - start;
         let forces = core::array::from_fn(|place| {
-            let before_end = duration * (T::one() - cosine(place)) * T::constant(0.5);
+            let before_end = duration * (T::one() - abscissa(place)) * T::constant(0.5);
             // Exactly the start: the duration is rounded, and a little earlier the load may be another.
             let time = if place == Self::START { start } else { end - before_end };
             if time < end { load.force(time) } else { load.force_before(end) }
         });
         let size = largest(&forces);
-        let mut variation = interpolate(forces.map(|force| force - forces[0]));
+        let mut variation = interpolate(&forces.map(|force| force - forces[0]));
         let rest = variation[DEGREE - 2..].iter().fold(T::zero(), |rest, c| rest + c.abs());
         let length = length_above(&variation, size * T::default_epsilon() * T::constant(0.5));
         let length = leave_out(&mut variation, length);
@@ -184,7 +184,7 @@ impl<T: Scalar> ForceSeries<T> {
     pub(crate) fn growth_since_nodes(&self) -> Coefficients<T> {
         let mean = mean_to_the_end(&self.variation[..self.length]);
         core::array::from_fn(|node| {
-            let x = cosine(node);
+            let x = abscissa(node);
             let since = self.folds * (T::one() - x) * T::constant(0.5);
             (self.last() - self.forces[node]) + since * (self.last() + sum_at(&mean[..self.length], x))
         })
@@ -215,7 +215,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// The time of a node, if the step ends at `end`.
     pub(crate) fn time(&self, node: usize, end: T) -> T {
-        self.time_at(cosine(node), end)
+        self.time_at(abscissa(node), end)
     }
 
     fn time_at(&self, x: T, end: T) -> T {
@@ -225,7 +225,7 @@ impl<T: Scalar> ForceSeries<T> {
     /// The time at which the hereditary load turns, next to the node at which it is highest.
     pub(crate) fn time_of_turn(&self, highest: usize, end: T) -> T {
         let half = T::constant(0.5);
-        let position = |node: usize| cosine(node);
+        let position = |node: usize| abscissa(node);
         let (mut rising, mut falling) =
             (position((highest + 1).min(DEGREE)), position(highest.saturating_sub(1)));
         // The nodes are less than 1/2 apart, so this goes down to the spacing of numbers.

@@ -205,9 +205,16 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
         {
             let end = ends.next().copied().unwrap_or((until, start.1));
             if start.0 < end.0 {
-                pieces[count] = Piece { start, end }.between(from, until);
+                pieces[count] = Piece { start, end };
                 count += 1;
             }
+        }
+        // No other piece begins before that time, or ends after it.
+        if let Some(first) = pieces[..count].first_mut() {
+            *first = first.between(from, until);
+        }
+        if let Some(last) = pieces[..count].last_mut() {
+            *last = last.between(from, until);
         }
         count
     }
