@@ -5,7 +5,7 @@ use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::condition::{degree, of_sizes};
 use tests::measure::{Errors, Exact};
-use tests::oracle::number::whole;
+use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
 use tests::radii::{assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
@@ -44,6 +44,14 @@ struct Fractional<T> {
 struct Hip<T> {
     head: T,
     socket: T,
+}
+
+/// The same with a liner in a shell.
+#[gap_profile((1/head - 1/(shell - liner)) * r^2 / 2 + (head^-3 - (shell - liner)^-3) * r^4 / 8)]
+struct Lined {
+    head: f64,
+    shell: f64,
+    liner: f64,
 }
 
 /// A kind of geometry: its exponents, and its constructors from coefficients.
@@ -115,29 +123,37 @@ fn radii_are_exact_for_coefficients_of_any_size() {
     errors_of_single.check();
 }
 
+/// The radius of two spheres whose gap is expanded to the fourth order.
+fn exact_radius_of_spheres(head: &Real, socket: &Real, load_integral: f64) -> Exact {
+    let curvature = (whole(1) / head - whole(1) / socket) / whole(2);
+    let fourth = (whole(1) / (head * head * head) - whole(1) / (socket * socket * socket)) / whole(8);
+    let profile = Profile::of_numbers(vec![(curvature, whole(2)), (fourth, whole(4))]);
+    Exact::from(&profile.radius(&double(load_integral)))
+}
+
 #[test]
 fn differences_of_quotients_lose_no_digit() {
     let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
-    let exact = |head: f64, socket: f64, load_integral: f64| {
-        let [head, socket] = [head, socket].map(double);
-        let curvature = (whole(1) / &head - whole(1) / &socket) / whole(2);
-        let fourth =
-            (whole(1) / (&head * &head * &head) - whole(1) / (&socket * &socket * &socket)) / whole(8);
-        let profile = Profile::of_numbers(vec![(curvature, whole(2)), (fourth, whole(4))]);
-        Exact::from(&profile.radius(&double(load_integral)))
-    };
     let mut stream = Stream::of_case(4, 0);
     for _ in 0..200 {
         let head = stream.between(10.0, 30.0);
         let load_integral = stream.magnitude(-2.0, 4.0);
         let socket = head * (1.0 + stream.magnitude(-10.0, 0.0));
-        let found = Hip { head, socket }.radius(load_integral).unwrap_or(f64::NAN);
-        errors.add(found, exact(head, socket, load_integral), 1.0, &(head, socket, load_integral));
+        let exact = exact_radius_of_spheres(&double(head), &double(socket), load_integral);
+        let place = (head, socket, load_integral);
+        errors.add(Hip { head, socket }.radius(load_integral).unwrap_or(f64::NAN), exact, 1.0, &place);
+        // The inner radius of a liner is a difference, and the one over it cannot be factored.
+        let liner = stream.between(3.0, 9.0);
+        let shell = socket + liner;
+        let exact = exact_radius_of_spheres(&double(head), &(double(shell) - double(liner)), load_integral);
+        let found = Lined { head, shell, liner }.radius(load_integral).unwrap_or(f64::NAN);
+        errors.add(found, exact, 1.0, &(head, shell, liner, load_integral));
 
         let (head, load_integral) = (head as f32, load_integral as f32);
         let socket = head * (1.0 + stream.magnitude(-4.0, 0.0) as f32);
+        let exact =
+            exact_radius_of_spheres(&double(head.into()), &double(socket.into()), load_integral.into());
         let found = Hip { head, socket }.radius(load_integral).unwrap_or(f32::NAN);
-        let exact = exact(head.into(), socket.into(), load_integral.into());
         errors_of_single.add(found.into(), exact, 1.0, &(head, socket, load_integral));
     }
     errors.check();

@@ -26,6 +26,9 @@ pub(crate) struct Writer<'a> {
 
 impl Writer<'_> {
     fn sum(&self, coefficient: &Coefficient) -> TokenStream {
+        if let Some(factored) = coefficient.factored() {
+            return self.sum(&factored);
+        }
         let mut products = coefficient.products.iter();
         let Some(first) = products.next() else { return (self.number)(&number::integer(0)) };
         let start = self.product(first);

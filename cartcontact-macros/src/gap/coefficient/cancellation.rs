@@ -1,7 +1,8 @@
 //! Whether a coefficient may lose digits that its fields have.
 //!
-//! In 1/a − 1/b the quotients are rounded, and the difference of two that are nearly equal consists of these roundings: the
-//! radii of congruent joint surfaces are such. The difference of two words, such as a − b, loses nothing.
+//! In 1/a − 1/(b + c) the quotients are rounded, and the difference of two that are nearly equal consists of these
+//! roundings: the radii of congruent joint surfaces are such. The difference of two words, such as a − b, loses nothing,
+//! nor does 1/a − 1/b, which is computed as a [product](Coefficient::factored).
 
 use super::{Atom, Coefficient, Product};
 use crate::number::{self, Rational};
@@ -12,6 +13,9 @@ const DIGITS_OF_SINGLE: u64 = 24;
 impl Coefficient {
     /// Whether rounded numbers are added in it that may have different signs.
     pub(crate) fn may_cancel(&self) -> bool {
+        if self.factored().is_some() {
+            return false;
+        }
         let are_rounded = self.products.len() > 2 || !self.products.iter().all(Product::is_word);
         let is_sum = self.products.len() > 1 && self.certain_sign().is_none();
         is_sum && are_rounded || self.sums().any(Coefficient::may_cancel)
@@ -53,7 +57,7 @@ mod tests {
     #[test]
     fn rounded_differences_cancel() {
         let (a, b) = (field("a"), field("b"));
-        let curvatures = inverse(&a).add(&inverse(&b).negated());
+        let curvatures = inverse(&a).add(&inverse(&b).scaled(&fraction(-1, 2)));
         assert!(curvatures.may_cancel());
         assert!(curvatures.scaled(&fraction(1, 2)).multiply(&a).may_cancel());
         assert!(a.add(&b).add(&field("c").negated()).may_cancel());
@@ -70,6 +74,8 @@ mod tests {
         }
         let lengths = ["a", "b"].map(|name| inverse(&Coefficient::positive_field(format_ident!("{name}"))));
         assert!(!lengths[0].add(&lengths[1]).may_cancel());
-        assert!(lengths[0].add(&lengths[1].negated()).may_cancel());
+        assert!(lengths[0].add(&lengths[1].scaled(&fraction(-1, 2))).may_cancel());
+        // This one is computed as (b − a)/(a b).
+        assert!(!lengths[0].add(&lengths[1].negated()).may_cancel());
     }
 }

@@ -9,6 +9,7 @@
 
 mod cancellation;
 mod display;
+mod factoring;
 #[cfg(test)]
 pub(crate) mod samples;
 mod sign;
