@@ -1,22 +1,35 @@
-//! Many scenes with one question each: every patient has another geometry, other layers and another load.
+//! Many scenes with one question each: every patient has another geometry, other layers and another load. The joint is
+//! that of the example `parametric_study`.
 
 mod scenes;
 
 use std::hint::black_box;
 
-use cartcontact::{Contact, Layer, Medium, load::Constant};
+use cartcontact::{Contact, Layer, Medium, gap_profile, load::Constant};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use scenes::{Ball, NO_RESULT};
+use scenes::NO_RESULT;
 
-/// What differs from patient to patient: radius, thickness, shear modulus, permeability and load.
-type Patient = [f64; 5];
+/// A femoral condyle in the hollow of a tibial plateau.
+#[gap_profile(
+    (1/condyle - 1/plateau) * r^2 / 2 + (1/condyle^3 - 1/plateau^3) * r^4 / 8,
+    max_radius = 3/4 * condyle
+)]
+struct Knee {
+    condyle: f64,
+    plateau: f64,
+}
+
+/// What differs from patient to patient: both radii, thickness, shear modulus, permeability and load.
+type Patient = [f64; 6];
 
 fn patients() -> Vec<Patient> {
     let share = |k: u32, stride: u32| f64::from(k * stride % 1024) / 1023.0;
     let patient = |k| {
         let thickness = 0.5 + share(k, 37);
+        let condyle = 20.0 + 20.0 * share(k, 389);
         [
-            10.0 + 30.0 * share(k, 389),
+            condyle,
+            condyle * (1.5 + share(k, 611)),
             thickness,
             0.1 + 0.4 * share(k, 113),
             1e-3,
@@ -26,12 +39,12 @@ fn patients() -> Vec<Patient> {
     (0..1024).map(patient).collect()
 }
 
-type Joint = Contact<f64, Ball<f64>, Constant<f64>>;
+type Joint = Contact<f64, Knee, Constant<f64>>;
 
-fn joint(&[radius, thickness, shear_modulus, permeability, load]: &Patient) -> Option<Joint> {
+fn joint(&[condyle, plateau, thickness, shear_modulus, permeability, load]: &Patient) -> Option<Joint> {
     let layer = Layer { thickness, shear_modulus, permeability };
     let medium = Medium::between(layer, layer).ok()?;
-    Contact::new(Ball { radius }, medium, Constant(load)).ok()
+    Contact::new(Knee { condyle, plateau }, medium, Constant(load)).ok()
 }
 
 /// Radius, approach and peak pressure at one time.
