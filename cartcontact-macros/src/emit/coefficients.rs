@@ -246,6 +246,7 @@ impl<'a> Coefficients<'a> {
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
         coefficient.expression(&Writer {
             variable: field_variable,
+            loses_digits: self.digits == Digits::OfAWord,
             number: &|value| self.number(value),
             power: &|base, exponent| self.power(base, exponent),
         })

@@ -19,6 +19,8 @@ impl Coefficient {
 /// How parts of an expression are written.
 pub(crate) struct Writer<'a> {
     pub(crate) variable: fn(&Ident) -> Ident,
+    /// Whether differences lose digits, so that they are better [factored](Coefficient::factored).
+    pub(crate) loses_digits: bool,
     pub(crate) number: &'a dyn Fn(&Rational) -> TokenStream,
     /// A power whose exponent is not an integer.
     pub(crate) power: &'a dyn Fn(&TokenStream, &Rational) -> TokenStream,
@@ -26,7 +28,9 @@ pub(crate) struct Writer<'a> {
 
 impl Writer<'_> {
     fn sum(&self, coefficient: &Coefficient) -> TokenStream {
-        if let Some(factored) = coefficient.factored() {
+        if self.loses_digits
+            && let Some(factored) = coefficient.factored()
+        {
             return self.sum(&factored);
         }
         let mut products = coefficient.products.iter();
@@ -107,6 +111,10 @@ mod tests {
     use crate::gap::coefficient::samples::{field, number, power};
 
     fn code(of: &Coefficient) -> String {
+        code_in(of, true)
+    }
+
+    fn code_in(of: &Coefficient, loses_digits: bool) -> String {
         let number = |value: &Rational| {
             let literal = number::literal(value);
             quote!(c(#literal))
@@ -115,7 +123,8 @@ mod tests {
             let exponent = number(exponent);
             quote!(p(#base, #exponent))
         };
-        of.expression(&Writer { variable: Ident::clone, number: &number, power: &power }).to_string()
+        of.expression(&Writer { variable: Ident::clone, loses_digits, number: &number, power: &power })
+            .to_string()
     }
 
     #[test]
@@ -125,5 +134,13 @@ mod tests {
         assert_eq!(code(&power(&radius, -1, 2)), "p (radius , c (- 0.5f64))");
         let sum = radius.add(&number(-1, 4));
         assert_eq!(code(&sum.multiply(&radius)), "- radius * (c (0.25f64) - radius)");
+    }
+
+    #[test]
+    fn differences_that_would_lose_digits_are_factored() {
+        let [a, b] = ["a", "b"].map(|name| power(&field(name), -1, 1));
+        let difference = a.add(&b.negated());
+        assert_eq!(code_in(&difference, true), "- (a - b) / (a * b)");
+        assert_eq!(code_in(&difference, false), "c (1.0f64) / a - c (1.0f64) / b");
     }
 }

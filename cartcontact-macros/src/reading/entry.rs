@@ -102,10 +102,14 @@ impl Entry {
         Some(format!("an option has a name, `=` and a value; write it as in `{option} = {value}`"))
     }
 
-    /// What to say about an option right after a gap or another option: `r^2 max_radius = 6`, `order = 4 positive`.
+    /// What to say about an option right after a gap or another option: `r^2 max_radius = 6`, `r^2 max_radius: 6`,
+    /// `order = 4 positive`.
     pub(super) fn without_comma(&self) -> Option<String> {
         let assigned = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
-            [TokenTree::Ident(name), equals] if is_punct(equals, '=') => {
+            // In `crate::path` it is no mistake.
+            [TokenTree::Ident(name), next]
+                if is_punct(next, '=') || is_punct(next, ':') && name != "crate" =>
+            {
                 OPTIONS.into_iter().find(|option| name == option)
             }
             _ => None,

@@ -14,6 +14,7 @@ fn likely_slips_are_understood() {
         ("pi*r^2", "`3.141592653589793`"),
         ("Sphere(10), order = 4", "did you mean `sphere`?"),
         ("r^2, max_radius: 6", "write it as in `max_radius = 6.0`"),
+        ("r^2 max_radius: 6", "a comma is missing before `max_radius`"),
         ("r^2, max_radius 6", "write it as in `max_radius = 6.0`"),
         ("r^2, max-radius = 6", "write it as in `max_radius = 6.0`"),
         ("sphere(radius), order(4)", "write it as in `order = 4`"),

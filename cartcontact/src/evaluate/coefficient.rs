@@ -10,6 +10,7 @@ use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use super::power::{double_term, real_power};
 use crate::Scalar;
+use crate::scalar::is_single;
 
 /// A factor of a power.
 pub trait Coefficient<T>: Copy {
@@ -68,10 +69,13 @@ impl<T: Scalar> Precise<T> {
         Self(DoubleWord::of(word))
     }
 
-    /// The sum of a literal and of what it lacks.
+    /// The sum of a literal and of what it lacks, at most half a unit in its last place.
     #[inline]
     pub fn constant(nearest: f64, rest: f64) -> Self {
         let word = T::constant(nearest);
+        if !is_single::<T>() {
+            return Self(DoubleWord::of_parts(word, T::constant(rest)));
+        }
         Self::checked(DoubleWord::sum(word, T::constant((nearest - word.value()) + rest)), word)
     }
 

@@ -24,6 +24,11 @@ impl<T: Scalar> DoubleWord<T> {
         Self { high, low: T::zero() }
     }
 
+    /// The sum of a word and one that is at most half a unit in the last place of it.
+    pub(crate) fn of_parts(high: T, low: T) -> Self {
+        Self { high, low }
+    }
+
     /// The product of two words, without any error while the product's error is representable.
     pub(crate) fn product(x: T, y: T) -> Self {
         let high = x * y;
