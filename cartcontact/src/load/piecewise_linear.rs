@@ -29,8 +29,9 @@ const CHECKPOINTS: usize = 64;
 /// ```
 ///
 /// The solution holds while the edge of the contact does not recede: from one knot to the next, Δt later, a force F may
-/// fall to F/(1 + χ Δt) and no lower. The noise of a measured record falls faster, and must be clamped (which keeps its
-/// peaks: smooth the record first if that matters):
+/// fall to F/(1 + χ Δt) and no lower. The noise of a measured record falls faster, however well it is smoothed, and must
+/// be clamped. The clamp follows the peaks: noise with a standard deviation σ puts a held load some 2 σ too high. Smooth
+/// such a record first, over as many samples as its ramps allow:
 ///
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
