@@ -13,7 +13,7 @@ use cartcontact::{Contact, GapProfile, Scalar};
 use gungraun::prelude::*;
 use scenes::{
     Ball, Blunt, BluntBall, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE, RoundBall,
-    ThreeFields, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
+    Settling, ThreeFields, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -141,6 +141,7 @@ fn assert_positive(pressure: f64) {
 #[bench::a_field(contact(Ball { radius: 20.0 }))]
 #[bench::polynomial(contact(run_time()))]
 #[bench::hundred_knots(scenes::hundred_knots(RATE))]
+#[bench::curved_load(scenes::loaded(Patellofemoral, RATE, Settling))]
 fn cold_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
     contact.at(black_box(200.0)).map_or(0.0, |now| now.pressure(black_box(3.0)))
 }

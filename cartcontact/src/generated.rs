@@ -6,7 +6,7 @@ pub use crate::admissibility::{
     check_coefficients, check_constants, check_positive, checked_range, inside_surfaces, not_above,
     not_below_zero,
 };
-pub use crate::evaluate::coefficient::{Precise, rounded};
+pub use crate::evaluate::coefficient::{Precise, finite_or, rounded};
 pub use crate::evaluate::exponent::{Exponent, whole_terms};
 pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,

@@ -4,7 +4,7 @@
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::condition::{degree, of_sizes};
-use tests::measure::{Errors, Exact};
+use tests::measure::{Errors, Exact, ulps};
 use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
 use tests::radii::{assert_same_one_by_one, exact_radius};
@@ -158,6 +158,19 @@ fn differences_of_quotients_lose_no_digit() {
     }
     errors.check();
     errors_of_single.check();
+}
+
+#[test]
+fn a_plane_is_a_sphere_of_infinite_radius() {
+    for head in [1e-3, 10.0, 2.5e3] {
+        for load_integral in [1e-3, 1.0, 1e3].map(|share| share * head * head * head * head) {
+            let found = Hip { head, socket: f64::INFINITY }.radius(load_integral);
+            let terms = [(0.5 / head, 2.0), (0.125 / (head * head * head), 4.0)];
+            let error = ulps(found.unwrap_or(f64::NAN), exact_radius(&terms, load_integral), f64::EPSILON);
+            // The coefficients are rounded by up to 3 ε in all, of which the radius takes an eighth at least.
+            assert!(error <= 2.0, "{head}, {load_integral}: {error} ulp");
+        }
+    }
 }
 
 #[test]

@@ -204,7 +204,7 @@ impl<'a> Coefficients<'a> {
 
     /// The operations that compute them, in double words.
     pub(super) fn operations(&self) -> Operations {
-        let values = self.values();
+        let values = self.precise().values();
         let mut operations = Operations::of(&quote!([#(#values),*]));
         operations.is_double = true;
         operations
@@ -244,9 +244,10 @@ impl<'a> Coefficients<'a> {
 
     /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
+        let finite_or = self.names.generated("finite_or");
         coefficient.expression(&Writer {
             variable: field_variable,
-            loses_digits: self.digits == Digits::OfAWord,
+            finite_or: (self.digits == Digits::OfAWord).then_some(&finite_or),
             number: &|value| self.number(value),
             power: &|base, exponent| self.power(base, exponent),
         })

@@ -19,8 +19,9 @@ impl Coefficient {
 /// How parts of an expression are written.
 pub(crate) struct Writer<'a> {
     pub(crate) variable: fn(&Ident) -> Ident,
-    /// Whether differences lose digits, so that they are better [factored](Coefficient::factored).
-    pub(crate) loses_digits: bool,
+    /// Where differences lose digits: a function that returns its first argument, a [factored](Coefficient::factored)
+    /// difference, or the second one if that is not finite.
+    pub(crate) finite_or: Option<&'a TokenStream>,
     pub(crate) number: &'a dyn Fn(&Rational) -> TokenStream,
     /// A power whose exponent is not an integer.
     pub(crate) power: &'a dyn Fn(&TokenStream, &Rational) -> TokenStream,
@@ -28,11 +29,17 @@ pub(crate) struct Writer<'a> {
 
 impl Writer<'_> {
     fn sum(&self, coefficient: &Coefficient) -> TokenStream {
-        if self.loses_digits
-            && let Some(factored) = coefficient.factored()
-        {
-            return self.sum(&factored);
+        let sum = self.unfactored(coefficient);
+        match (self.finite_or, coefficient.factored()) {
+            (Some(finite_or), Some(factored)) => {
+                let factored = self.sum(&factored);
+                quote!(#finite_or(#factored, #sum))
+            }
+            _ => sum,
         }
+    }
+
+    fn unfactored(&self, coefficient: &Coefficient) -> TokenStream {
         let mut products = coefficient.products.iter();
         let Some(first) = products.next() else { return (self.number)(&number::integer(0)) };
         let start = self.product(first);
@@ -111,10 +118,10 @@ mod tests {
     use crate::gap::coefficient::samples::{field, number, power};
 
     fn code(of: &Coefficient) -> String {
-        code_in(of, true)
+        code_with(of, None)
     }
 
-    fn code_in(of: &Coefficient, loses_digits: bool) -> String {
+    fn code_with(of: &Coefficient, finite_or: Option<&TokenStream>) -> String {
         let number = |value: &Rational| {
             let literal = number::literal(value);
             quote!(c(#literal))
@@ -123,7 +130,7 @@ mod tests {
             let exponent = number(exponent);
             quote!(p(#base, #exponent))
         };
-        of.expression(&Writer { variable: Ident::clone, loses_digits, number: &number, power: &power })
+        of.expression(&Writer { variable: Ident::clone, finite_or, number: &number, power: &power })
             .to_string()
     }
 
@@ -140,7 +147,9 @@ mod tests {
     fn differences_that_would_lose_digits_are_factored() {
         let [a, b] = ["a", "b"].map(|name| power(&field(name), -1, 1));
         let difference = a.add(&b.negated());
-        assert_eq!(code_in(&difference, true), "- (a - b) / (a * b)");
-        assert_eq!(code_in(&difference, false), "c (1.0f64) / a - c (1.0f64) / b");
+        let plain = "c (1.0f64) / a - c (1.0f64) / b";
+        assert_eq!(code(&difference), plain);
+        let either = code_with(&difference, Some(&quote!(f)));
+        assert_eq!(either, format!("f (- (a - b) / (a * b) , {plain})"));
     }
 }

@@ -109,6 +109,20 @@ pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
     loaded(Patellofemoral, rate, PiecewiseLinear::new(knots).expect("a valid load"))
 }
 
+/// A user-defined load that settles: 100 N − 80 N/(1 + t/40 s)².
+pub(crate) struct Settling;
+
+impl Load<f64> for Settling {
+    fn force(&self, t: f64) -> f64 {
+        let growth = 1.0 + t / 40.0;
+        if t < 0.0 { 0.0 } else { 100.0 - 80.0 / (growth * growth) }
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        if t < 0.0 { 0.0 } else { 100.0 * t - 80.0 * t / (1.0 + t / 40.0) }
+    }
+}
+
 /// One cold pressure: nothing is kept from an earlier call.
 ///
 /// # Panics
