@@ -9,7 +9,8 @@ use crate::evaluate::bits::nearest_integer;
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
 /// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its exact
-/// derivatives. Exceptions are these derivatives of pressures:
+/// derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
+/// `sensitivities` does. Exceptions are these derivatives of pressures:
 ///
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;
