@@ -83,10 +83,6 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
     /// result.
     ///
-    /// In single precision this does not hold for a user-defined load that has fallen for more than ten e-foldings, below
-    /// √ε of what was there: one in some hundred pressures is then off by more, by up to 300 ε.
-    /// [`Contact::pressure_field`] with rows between which the load falls by a few e-foldings keeps the bound.
-    ///
     /// # References
     ///
     /// Eq. (28), doi 10.1016/j.mechrescom.2010.11.006.
@@ -108,6 +104,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place: a third of the
     /// bound of [`pressure`](Self::pressure) at r = 0.
+    ///
+    /// Under a user-defined load that falls in waves for more than twenty e-foldings, all of whose decays are rounded, it
+    /// is within 16 units in single precision.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }

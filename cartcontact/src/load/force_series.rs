@@ -111,6 +111,11 @@ impl<T: Scalar> ForceSeries<T> {
         self
     }
 
+    /// The duration of the step.
+    pub(crate) fn duration(&self) -> T {
+        self.duration
+    }
+
     /// χ times the duration.
     pub(crate) fn folds(&self) -> T {
         self.folds
@@ -145,6 +150,14 @@ impl<T: Scalar> ForceSeries<T> {
     /// Whether the step is too long for the series.
     pub(crate) fn is_rough(&self) -> bool {
         self.rest > self.size * T::default_epsilon().sqrt()
+    }
+
+    /// Whether the force falls so far that its rounding at the start counts at the end.
+    ///
+    /// A fall by less than e^(−χ t) is that of forces that are rounding themselves.
+    pub(crate) fn falls_far(&self) -> bool {
+        let share = T::constant(1.0 / 16.0);
+        self.last() < self.size * share && self.folds > T::constant(2.0)
     }
 
     /// Whether the coefficients do not decrease, so that the series meets the force only at the nodes.

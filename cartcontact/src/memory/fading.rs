@@ -2,6 +2,7 @@
 
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::evaluate::double_word::DoubleWord;
 
 /// The number of e-foldings after which a pressure is below rounding, with a margin.
 pub(crate) fn faded_folds<T: Scalar>() -> T {
@@ -34,6 +35,17 @@ impl<T: Scalar> Fading<T> {
     pub(super) fn over(folds: T) -> Self {
         let are_few = folds <= T::constant(FEW_FOLDS);
         Self { factor: if are_few { decay_gain(folds) } else { (-folds).exp() }, are_few }
+    }
+
+    /// Over a duration at a rate. What the product of the two loses counts in full where it is of many e-foldings.
+    pub(super) fn over_duration(chi: T, duration: T) -> Self {
+        let product = DoubleWord::product(chi, duration);
+        let (fading, lost) = (Self::over(product.high()), product.low());
+        // The halves of huge numbers overflow.
+        if fading.are_few || !lost.is_finite() {
+            return fading;
+        }
+        Self { factor: fading.factor * (T::one() - lost), ..fading }
     }
 
     /// A value after the e-foldings, with what was gained during them.
@@ -91,6 +103,16 @@ mod tests {
             // For a held load this is 1 − E; near x = 1/8 that is a ninth of the numbers it is the difference of.
             assert!((kept / -(-x).exp_m1() - 1.0).abs() <= 3.0 * f64::EPSILON, "{x}");
             assert!(kept <= sizes && sizes <= 17.0 * kept, "{x}");
+        }
+    }
+
+    #[test]
+    fn many_e_foldings_are_not_rounded() {
+        for k in 1..=1000_u16 {
+            let (chi, duration) = (0.377_f32, 0.1 * f32::from(k));
+            let exact = (-f64::from(chi) * f64::from(duration)).exp();
+            let found = f64::from(Fading::over_duration(chi, duration).after(1.0, 0.0));
+            assert!((found / exact - 1.0).abs() <= 2.0 * f64::from(f32::EPSILON), "{duration}");
         }
     }
 

@@ -1,5 +1,6 @@
 //! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
 
+use super::fading::Fading;
 use super::line::Line;
 use super::{Increment, time_form};
 use crate::contact::Contact;
@@ -63,6 +64,14 @@ impl<'a, T: Scalar> Course<'a, T> {
             Self::Step { folds, .. } => *folds,
             Self::Linear { duration, .. } => chi * *duration,
             Self::Smooth(force) => force.folds(),
+        }
+    }
+
+    /// What is left after the course.
+    pub(super) fn fading(&self, chi: T) -> Fading<T> {
+        match self {
+            Self::Smooth(force) => Fading::over_duration(chi, force.duration()),
+            Self::Step { .. } | Self::Linear { .. } => Fading::over(self.folds(chi)),
         }
     }
 

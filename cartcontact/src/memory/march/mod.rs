@@ -12,7 +12,9 @@
 //!
 //! **The load** that a stretch adds follows from the forces at its ends, and its integral is scaled to that load: then
 //! forces balance, and on the axis most of the rounding cancels. The load is unknown for a cut stretch and where forces
-//! are pure rounding, so nothing is scaled there.
+//! are pure rounding, so nothing is scaled there. Under a load that is not straight the forces within a stretch may hold
+//! less of its growth than their rounding, while those at its ends still tell the load that is kept: if the integral
+//! carries another, that load is laid at one radius.
 //!
 //! **Straight loads.** The load hands out its pieces in order. Short ones are integrated many at once
 //! ([`run`](super::run)), the others one by one.
@@ -242,7 +244,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// gains `gain`.
     fn cover(&mut self, high: T, course: &Course<'_, T>, forces: (T, T), gain: T) {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
-        let fading = Fading::over(course.folds(chi));
+        let fading = course.fading(chi);
         let (depth, is_covered) = (high - self.now.radius, self.is_covered());
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
             self.cover_at_once(high, fading, forces, gain);
@@ -263,8 +265,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 self.leave_strip();
                 fading.after(-self.now.surplus, surplus)
             };
-            if is_straight && has_digits(kept, sizes) || is_left_out && !is_over_time {
-                increment = increment.scaled_to_load((kept - of_strips) * contact.integral_per_load(), low);
+            let laid = kept - of_strips;
+            let load = laid * contact.integral_per_load();
+            if !is_straight {
+                increment = increment
+                    .scaled_if_resolved(load, low)
+                    .unwrap_or_else(|| self.laid_at_once(high, laid, gain));
+            } else if has_digits(kept, sizes) || is_left_out && !is_over_time {
+                increment = increment.scaled_to_load(load, low);
             }
         }
         self.transition.advance(fading, self.quarter_m(), increment, low);
@@ -318,19 +326,33 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     ///
     /// After a long history the layer that still counts is thinner than the spacing of numbers, and no integral over
     /// radii can resolve it. Because Y′ e^(χ τ) = (F e^(χ τ))′, what is left of the gain at the end is F₂ − E F₁,
-    /// whatever the course; one radius for the whole gain puts the pressure off by the share by which the radius grew.
-    /// The gain includes the strip, which is as old as the rest.
+    /// whatever the course; one radius for the whole gain puts the pressure off by less than the share by which the
+    /// radius grew. The gain includes the strip, which is as old as the rest.
     fn cover_at_once(&mut self, high: T, fading: Fading<T>, forces: (T, T), gain: T) {
         self.add_strip();
-        // Half-way is the same place but for rounding, and there second derivatives are those of the gain.
-        let at = if is_plain::<T>() { high } else { high - (high - self.now.radius) * T::constant(0.5) };
         let (kept, _) = fading.kept_of(forces);
-        let kept = Stage { radius: at, surplus: kept, ..self.now };
+        let increment = self.laid_at_once(high, kept, gain);
         let low = self.transition.reach.max(self.now.radius);
-        let increment = Increment::at(at, kept.strip(self.contact.integral_per_load()), low);
         self.transition.advance(fading, self.quarter_m(), increment, low);
         let surplus = surplus_that_counts(self.surplus_at(high, gain), forces.1);
         self.now = Stage { radius: high, surplus, ..self.now };
+    }
+
+    /// The increment of what is `kept` of a gain during a stretch that covers hardly more than now, laid at one radius.
+    fn laid_at_once(&self, high: T, kept: T, gain: T) -> Increment<T> {
+        // The mean place of what is kept: half-way if nothing drains, and next to the edge if nearly all does.
+        let share = if !is_plain::<T>() {
+            // The same place but for rounding, and there second derivatives are those of the gain.
+            T::constant(0.5)
+        } else if T::zero() < kept && kept <= gain {
+            kept / (kept + gain)
+        } else {
+            T::zero()
+        };
+        let at = high - (high - self.now.radius) * share;
+        let laid = Stage { radius: at, surplus: kept, ..self.now };
+        let low = self.transition.reach.max(self.now.radius);
+        Increment::at(at, laid.strip(self.contact.integral_per_load()), low)
     }
 
     /// The contact radius at a time under a force and the impulse so far: not less than now, nor more than at the end.

@@ -105,6 +105,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 }
                 continue;
             }
+            // What a stretch adds that begins within the step is not scaled to forces.
+            if !self.is_covered() && force.falls_far() && pace.is_long() {
+                pace.halve();
+                continue;
+            }
             if doubts > 0 && pace.is_long() && self.misses(&force, stop) {
                 doubts -= 1;
                 pace.halve();
