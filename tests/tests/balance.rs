@@ -86,8 +86,8 @@ fn pressure_carries_loads_that_have_fallen_for_long() {
         let load = Fall { force: 100.0, rate: share * CHI };
         errors_under("exponential", &load, &[0.7, 2.5, 10.0, 30.0, 41.0])
     };
-    [1.0, 0.9, 0.5].into_iter().for_each(|share| errors(share).check());
-    errors(0.999).check_worst();
+    [1.0, 0.999, 0.5].into_iter().for_each(|share| errors(share).check());
+    errors(0.9).check_worst();
     // The fall is as steep as possible at every knot: F₁ = F₀/(1 + χ Δt).
     let falls: Vec<(f64, f64)> = (0..=14).map(|k| (3.0 * f64::from(k) / CHI, 4f64.powi(10 - k))).collect();
     check_load("straight", &through(&falls), &[2.0, 3.0, 7.5, 9.0, 30.0, 41.0, 42.0]);
