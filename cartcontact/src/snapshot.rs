@@ -105,8 +105,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place: a third of the
     /// bound of [`pressure`](Self::pressure) at r = 0.
     ///
-    /// Under a user-defined load that falls in waves for more than twenty e-foldings, all of whose decays are rounded, it
-    /// is within 16 units in single precision.
+    /// In single precision it is within 16 units under a user-defined load that falls for more than twenty e-foldings, step
+    /// by step, because the decay over each step is rounded.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }

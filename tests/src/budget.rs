@@ -132,8 +132,8 @@ pub const CONTACT_APPROACH: Allowance = allow(
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst was seen under a straight load that tells of none of its kinks, between which there are many short steps.
-/// On the axis, where the factor is 3, [`PEAK_PRESSURE`] is up to 2.5 times as much.
+/// The worst was seen under a straight load that tells of none of its kinks. On the axis, where the factor is 3,
+/// [`PEAK_PRESSURE`] is up to 2.5 times as much.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
