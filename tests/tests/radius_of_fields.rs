@@ -46,6 +46,13 @@ struct Hip<T> {
     socket: T,
 }
 
+/// The same with radii of opposite signs, as curvatures are added in the literature.
+#[gap_profile((1/head + 1/socket) * r^2 / 2 + (head^-3 + socket^-3) * r^4 / 8)]
+struct Signed {
+    head: f64,
+    socket: f64,
+}
+
 /// The same with a liner in a shell.
 #[gap_profile((1/head - 1/(shell - liner)) * r^2 / 2 + (head^-3 - (shell - liner)^-3) * r^4 / 8)]
 struct Lined {
@@ -138,16 +145,19 @@ fn differences_of_quotients_lose_no_digit() {
     for _ in 0..200 {
         let head = stream.between(10.0, 30.0);
         let load_integral = stream.magnitude(-2.0, 4.0);
+        let mut add = |profile: &dyn GapProfile<f64>, socket: Real, place: [f64; 3]| {
+            let found = profile.radius(load_integral).unwrap_or(f64::NAN);
+            errors.add(found, exact_radius_of_spheres(&double(head), &socket, load_integral), 1.0, &place);
+        };
         let socket = head * (1.0 + stream.magnitude(-10.0, 0.0));
-        let exact = exact_radius_of_spheres(&double(head), &double(socket), load_integral);
-        let place = (head, socket, load_integral);
-        errors.add(Hip { head, socket }.radius(load_integral).unwrap_or(f64::NAN), exact, 1.0, &place);
-        // The inner radius of a liner is a difference, and the one over it cannot be factored.
+        add(&Hip { head, socket }, double(socket), [head, socket, load_integral]);
+        add(&Signed { head, socket: -socket }, double(socket), [head, -socket, load_integral]);
+        let other = head * stream.magnitude(-0.5, 0.5);
+        add(&Signed { head, socket: other }, double(-other), [head, other, load_integral]);
+        // The inner radius of a liner is a difference, and the sum over it cannot be factored.
         let liner = stream.between(3.0, 9.0);
         let shell = socket + liner;
-        let exact = exact_radius_of_spheres(&double(head), &(double(shell) - double(liner)), load_integral);
-        let found = Lined { head, shell, liner }.radius(load_integral).unwrap_or(f64::NAN);
-        errors.add(found, exact, 1.0, &(head, shell, liner, load_integral));
+        add(&Lined { head, shell, liner }, double(shell) - double(liner), [head, shell, liner]);
 
         let (head, load_integral) = (head as f32, load_integral as f32);
         let socket = head * (1.0 + stream.magnitude(-4.0, 0.0) as f32);

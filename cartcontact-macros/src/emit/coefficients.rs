@@ -204,7 +204,7 @@ impl<'a> Coefficients<'a> {
 
     /// The operations that compute them, in double words.
     pub(super) fn operations(&self) -> Operations {
-        let values = self.precise().values();
+        let values = self.symbolic().map(|(_, coefficient)| self.written(coefficient, None));
         let mut operations = Operations::of(&quote!([#(#values),*]));
         operations.is_double = true;
         operations
@@ -245,11 +245,15 @@ impl<'a> Coefficients<'a> {
     /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
         let finite_or = self.names.generated("finite_or");
+        self.written(coefficient, (self.digits == Digits::OfAWord).then_some(&finite_or))
+    }
+
+    fn written(&self, coefficient: &Coefficient, finite_or: Option<&TokenStream>) -> TokenStream {
         coefficient.expression(&Writer {
             variable: field_variable,
-            finite_or: (self.digits == Digits::OfAWord).then_some(&finite_or),
             number: &|value| self.number(value),
             power: &|base, exponent| self.power(base, exponent),
+            finite_or,
         })
     }
 

@@ -19,8 +19,8 @@ impl Coefficient {
 /// How parts of an expression are written.
 pub(crate) struct Writer<'a> {
     pub(crate) variable: fn(&Ident) -> Ident,
-    /// Where differences lose digits: a function that returns its first argument, a [factored](Coefficient::factored)
-    /// difference, or the second one if that is not finite.
+    /// Where sums lose digits: a function that returns its first argument, a [factored](Coefficient::factored) sum, or
+    /// the second one if that is not finite.
     pub(crate) finite_or: Option<&'a TokenStream>,
     pub(crate) number: &'a dyn Fn(&Rational) -> TokenStream,
     /// A power whose exponent is not an integer.
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn differences_that_would_lose_digits_are_factored() {
+    fn sums_that_would_lose_digits_are_factored() {
         let [a, b] = ["a", "b"].map(|name| power(&field(name), -1, 1));
         let difference = a.add(&b.negated());
         let plain = "c (1.0f64) / a - c (1.0f64) / b";

@@ -58,11 +58,11 @@ pub fn rounded<T, C: Coefficient<T>, const N: usize>(coefficients: [C; N]) -> [T
     coefficients.map(|coefficient| coefficient.parts().0)
 }
 
-/// A difference of powers of fields as a product or, if that is not finite, as it is written: one of the fields may be
-/// infinite, as the radius of a plane is, and the product of all may leave the range.
+/// A sum of powers of two fields as a product or, if that is not finite, as it is written: one of the fields may be
+/// infinite, as the radius of a plane is.
 #[inline(always)]
-pub fn finite_or<T: Scalar>(product: T, difference: T) -> T {
-    if product.is_finite() { product } else { difference }
+pub fn finite_or<T: Scalar>(product: T, sum: T) -> T {
+    if product.is_finite() { product } else { sum }
 }
 
 /// A coefficient with twice the digits of a word, unless the halves of its words overflow.
