@@ -80,7 +80,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         return Err("no scene has a contact that could be summarised; draw more with --scenes".into());
     }
     let peak_pressures = study.write_quantiles(&mut out)?;
-    draw(&peak_pressures)?;
+    draw(&peak_pressures, scenes)?;
     writeln!(out, "\nFigure\n  {FIGURE}")?;
     Ok(())
 }
@@ -247,10 +247,10 @@ fn progress_bar(scenes: u64) -> ProgressBar {
     ProgressBar::new(scenes).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-fn draw(peak_pressures: &[f64]) -> Result<(), Box<dyn Error>> {
+fn draw(peak_pressures: &[f64], scenes: u64) -> Result<(), Box<dyn Error>> {
     let marks = QUANTILES.map(|quantile| (format!("{} %", 100.0 * quantile), at(quantile, peak_pressures)));
     let histogram = Histogram {
-        title: format!("{} scenes, after {TIME} s", peak_pressures.len()),
+        title: format!("{} of {scenes} scenes have a contact; after {TIME} s", peak_pressures.len()),
         label: "peak pressure (MPa)",
         unit: "MPa",
         bin: 0.025,

@@ -12,6 +12,8 @@ use crate::figure::{Canvas, Ink, frame, plain, save, text, thickness};
 const HEIGHT: f64 = 80.0;
 /// The part of the plot above the highest bar, with the names of the marks.
 const HEADROOM: f64 = 0.12;
+/// A light blue, opaque so that it covers the grid.
+const FILL: RGBColor = RGBColor(115, 141, 174);
 
 /// How to draw values.
 #[derive(Clone, Debug)]
@@ -24,7 +26,7 @@ pub struct Histogram {
     pub unit: &'static str,
     /// The width of a bar.
     pub bin: f64,
-    /// The end of the axis, which starts at 0; larger values count, but have no bar.
+    /// The end of the axis, which starts at 0; of larger values only the share is named.
     pub end: f64,
     /// Values to mark, with their names.
     pub marks: Vec<(String, f64)>,
@@ -53,8 +55,17 @@ impl Histogram {
         counts.into_iter().map(|count| f64::from(count) / whole).collect()
     }
 
+    /// The corners of all bars together; single bars would show seams between them.
+    fn outline(&self, densities: &[f64]) -> Vec<(f64, f64)> {
+        let tops = (0_u32..)
+            .zip(densities)
+            .flat_map(|(bar, &density)| [bar, bar + 1].map(|side| (self.bin * f64::from(side), density)));
+        [(0.0, 0.0)].into_iter().chain(tops).chain([(self.bin * densities.len() as f64, 0.0)]).collect()
+    }
+
     fn draw(&self, canvas: &Canvas<'_>, densities: &[f64]) -> Result<(), Box<dyn Error>> {
         let end = self.bin * densities.len() as f64;
+        let beyond = 100.0 * (1.0 - self.bin * densities.iter().sum::<f64>());
         let top = densities.iter().fold(0.0, |top: f64, &density| top.max(density)) / (1.0 - HEADROOM);
         let mut chart = frame(canvas, Some(&self.title))?.build_cartesian_2d(0.0..end, 0.0..top)?;
         plain(&mut chart.configure_mesh())
@@ -63,15 +74,11 @@ impl Histogram {
             .y_labels(6)
             .x_label_formatter(&|value| format!("{value:.1}"))
             .y_label_formatter(&|value| format!("{value:.1}"))
-            .x_desc(self.label)
+            .x_desc(format!("{}; {beyond:.2} % of the values lie beyond the axis", self.label))
             .y_desc(format!("probability density (1/{})", self.unit))
             .draw()?;
 
-        let fill = Ink::Blue.color().mix(0.55).filled();
-        chart.draw_series((0_u32..).zip(densities).map(|(bar, &density)| {
-            let left = self.bin * f64::from(bar);
-            Rectangle::new([(left, 0.0), (left + self.bin, density)], fill)
-        }))?;
+        chart.plotting_area().draw(&Polygon::new(self.outline(densities), FILL.filled()))?;
         let line = Ink::Vermilion.color().stroke_width(thickness(0.4));
         let name = text().pos(Pos::new(HPos::Center, VPos::Bottom));
         let level = top * (1.0 - HEADROOM / 2.0);
