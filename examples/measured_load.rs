@@ -20,6 +20,13 @@ use examples::load_record::LoadRecord;
 
 const DEFAULT_RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/stair_loading.csv");
 
+const HELP: &str = "\
+Usage: cargo run --release --example measured_load -- [record.csv] > contact.csv
+
+  record.csv  times in s and forces in N under the header time_s,force_n;
+              examples/data/stair_loading.csv if not given
+";
+
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
 struct Patellofemoral;
 
@@ -28,15 +35,21 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Box<dyn Error>> {
+    let mut out = io::stdout().lock();
     let path = env::args_os().nth(1).map_or_else(|| PathBuf::from(DEFAULT_RECORD), PathBuf::from);
+    if ["--help", "-h"].iter().any(|help| path.as_os_str() == *help) {
+        write!(out, "{HELP}")?;
+        return Ok(());
+    }
     let record = LoadRecord::read(&path)?;
     let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
     let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, record.load()?)?;
+    // All of them before the first is written, so that a load that falls too fast leaves no part of a table.
+    let states = record.knots().iter().map(|&(time, _)| contact.at(time)).collect::<Result<Vec<_>, _>>();
+    let states = states.map_err(|error| record.locate(error))?;
 
-    let mut out = io::stdout().lock();
     writeln!(out, "time_s,force_n,radius_mm,approach_mm,peak_pressure_mpa")?;
-    for &(time, force) in record.knots() {
-        let now = contact.at(time).map_err(|error| record.locate(error))?;
+    for (&(time, force), now) in record.knots().iter().zip(states) {
         let (radius, approach, peak_pressure) = (now.radius(), now.approach(), now.peak_pressure());
         writeln!(out, "{time},{force},{radius:.5},{approach:.6},{peak_pressure:.6}")?;
     }
