@@ -1,4 +1,4 @@
-//! Options of the command line: `--name N` or `--name=N`, with whole numbers.
+//! Options of the command line: `--name N` or `--name=N`, with whole numbers such as 7 or 1e6.
 
 use std::env;
 use std::error::Error;
@@ -66,11 +66,17 @@ fn parse<const N: usize>(
 }
 
 fn number(flag: Flag, value: Option<String>) -> Result<u64, OptionError> {
-    let number = value.as_ref().and_then(|value| value.parse().ok());
+    let number = value.as_ref().and_then(|value| whole(value));
     match number {
         Some(number) if (flag.least..=flag.most).contains(&number) => Ok(number),
         _ => Err(OptionError::Value(flag, value)),
     }
+}
+
+/// A whole number in digits, or in digits and an exponent.
+fn whole(text: &str) -> Option<u64> {
+    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    digits.parse::<u64>().ok()?.checked_mul(10_u64.checked_pow(exponent.parse().ok()?)?)
 }
 
 /// What is wrong with the command line.
@@ -115,6 +121,7 @@ mod tests {
     fn both_spellings_are_read() {
         assert_eq!(values(""), Ok(Some([10, 0])));
         assert_eq!(values("--seed 7 --scenes=12"), Ok(Some([12, 7])));
+        assert_eq!(values("--seed 25e17 --scenes 1e1"), Ok(Some([10, 2_500_000_000_000_000_000])));
         assert_eq!(values("--seed 7 --help"), Ok(None));
     }
 
@@ -128,6 +135,8 @@ mod tests {
             ("--scenes=0", format!("{range}it is `0`")),
             ("--scenes -1", format!("{range}it is `-1`")),
             ("--scenes 1e6", format!("{range}it is `1e6`")),
+            ("--scenes 1e-1", format!("{range}it is `1e-1`")),
+            ("--scenes 1e20", format!("{range}it is `1e20`")),
         ];
         for (line, message) in faults {
             assert_eq!(values(line), Err(message), "{line}");
