@@ -17,7 +17,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use cartcontact::{Contact, Layer, Medium, gap_profile, load};
-use examples::figure::{self, Axis, Curve, Dash, Ink, Panel};
+use examples::figure::{Curve, Dash, Ink};
+use examples::log_log::{self, Mark, Panel};
 
 /// Patella on the patellar groove, in mm.
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
@@ -51,7 +52,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         let times = series.measure(&contact, &mut out)?;
         panels.push(series.panel(&times));
     }
-    figure::write(Path::new(FIGURE), 62.0, &panels)?;
+    log_log::write(Path::new(FIGURE), 70.0, &panels)?;
     writeln!(out, "\nFigure\n  {FIGURE}")?;
     Ok(())
 }
@@ -61,34 +62,16 @@ type Joint = Contact<f64, Patellofemoral, load::Constant<f64>>;
 /// Fields that grow in one way, shown in one panel of the figure.
 struct Series {
     title: &'static str,
-    label: &'static str,
     /// Times and radii of every field.
     sizes: Vec<(usize, usize)>,
-    /// The position of a size on the axis.
-    x: fn((usize, usize)) -> f64,
 }
 
 fn all_series() -> [Series; 3] {
     let squares = COUNTS.into_iter().filter(|&count| count <= LARGEST_SQUARE);
     [
-        Series {
-            title: "N times × 100 radii",
-            label: "thousand times",
-            sizes: COUNTS.map(|count| (count, FIXED)).to_vec(),
-            x: |(times, _)| times as f64 / 1e3,
-        },
-        Series {
-            title: "100 times × N radii",
-            label: "thousand radii",
-            sizes: COUNTS.map(|count| (FIXED, count)).to_vec(),
-            x: |(_, radii)| radii as f64 / 1e3,
-        },
-        Series {
-            title: "N times × N radii",
-            label: "million values",
-            sizes: squares.map(|count| (count, count)).collect(),
-            x: |(times, radii)| (times * radii) as f64 / 1e6,
-        },
+        Series { title: "N times × 100 radii", sizes: COUNTS.map(|count| (count, FIXED)).to_vec() },
+        Series { title: "100 times × N radii", sizes: COUNTS.map(|count| (FIXED, count)).to_vec() },
+        Series { title: "N times × N radii", sizes: squares.map(|count| (count, count)).collect() },
     ]
 }
 
@@ -105,27 +88,18 @@ impl Series {
     }
 
     fn panel(&self, milliseconds: &[[f64; 2]]) -> Panel {
-        let points = |which: usize| -> Vec<(f64, f64)> {
-            self.sizes.iter().zip(milliseconds).map(|(&size, time)| ((self.x)(size), time[which])).collect()
-        };
-        let curve =
-            |name: &str, ink, dash, which| Curve { name: name.to_owned(), ink, dash, points: points(which) };
-        let longest = milliseconds.iter().fold(0.0, |longest: f64, time| longest.max(time[0]));
-        let decimals = if longest > 4.0 {
-            0
-        } else if longest > 0.4 {
-            1
-        } else {
-            2
+        let series = |name: &str, ink, dash, mark, which: usize| {
+            let values = self.sizes.iter().map(|&(times, radii)| (times * radii) as f64);
+            let points = values.zip(milliseconds.iter().map(|time| time[which])).collect();
+            log_log::Series { curve: Curve { name: name.to_owned(), ink, dash, points }, mark }
         };
         Panel {
-            title: Some(self.title.to_owned()),
-            x: Axis { label: self.label, decimals: 0 },
-            x_end: self.sizes.last().map_or(1.0, |&size| (self.x)(size)),
-            y: Axis { label: "time (ms)", decimals },
-            curves: vec![
-                curve("pressure field", Ink::Blue, Dash::Solid, 0),
-                curve("filling the same memory", Ink::Vermilion, Dash::Dashed, 1),
+            title: self.title.to_owned(),
+            x: "number of values",
+            y: "time (ms)",
+            series: vec![
+                series("pressure field", Ink::Blue, Dash::Solid, Mark::Disc, 0),
+                series("filling the same memory", Ink::Vermilion, Dash::Dashed, Mark::Triangle, 1),
             ],
         }
     }

@@ -15,9 +15,10 @@ use crate::figure::{
 
 /// Half the size of a mark, in mm.
 const MARK: f64 = 0.9;
-/// The numbers along the axes are powers of ten whose exponents are multiples of these.
-const X_STEP: i32 = 4;
-const Y_STEP: i32 = 1;
+/// The room around the points, in decades.
+const ROOM: f64 = 0.7;
+/// Of how many decades each has its number along an axis; of more, every second has one, and so on.
+const NUMBERED: f64 = 9.0;
 
 /// The symbol at the points of a series.
 #[derive(Clone, Copy, Debug)]
@@ -82,15 +83,15 @@ fn draw(canvas: &Canvas<'_>, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
         draw_legend_name(slot, &series.curve.name)?;
     }
     let points = || panels.iter().flat_map(|panel| &panel.series).flat_map(|series| &series.curve.points);
-    let x = Decades::around(points().map(|point| point.0), X_STEP);
-    let y = Decades::around(points().map(|point| point.1), Y_STEP);
+    let x = Decades::around(points().map(|point| point.0));
+    let y = Decades::around(points().map(|point| point.1));
     for (area, panel) in plots.split_evenly((1, panels.len())).iter().zip(panels) {
         draw_panel(area, panel, x.clone(), y.clone())?;
     }
     Ok(())
 }
 
-/// A logarithmic axis, with half a decade of room on either side.
+/// A logarithmic axis.
 #[derive(Clone, Debug)]
 struct Decades {
     /// The decimal logarithms of the ends.
@@ -100,11 +101,13 @@ struct Decades {
 }
 
 impl Decades {
-    fn around(values: impl Iterator<Item = f64>, step: i32) -> Self {
+    fn around(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values
             .map(f64::log10)
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-        Self { exponents: low - 0.5..high + 0.5, step }
+        let exponents = low - ROOM..high + ROOM;
+        let step = ((exponents.end - exponents.start) / NUMBERED).ceil() as i32;
+        Self { exponents, step }
     }
 }
 
@@ -205,9 +208,11 @@ mod tests {
 
     #[test]
     fn numbers_are_powers_of_ten() {
-        let axis = Decades::around([1e-16, 2.0].into_iter(), 4);
-        let numbers: Vec<_> = axis.key_points(5).iter().map(Decades::format).collect();
-        assert_eq!(numbers, ["10⁻¹⁶", "10⁻¹²", "10⁻⁸", "10⁻⁴", "10⁰"]);
+        let numbers = |ends: [f64; 2]| -> Vec<String> {
+            Decades::around(ends.into_iter()).key_points(5).iter().map(Decades::format).collect()
+        };
+        assert_eq!(numbers([1e4, 9e6]), ["10⁴", "10⁵", "10⁶", "10⁷"]);
+        assert_eq!(numbers([1e-12, 0.3]), ["10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰"]);
         assert_eq!(Decades::format(&1e3), "10³");
     }
 }
