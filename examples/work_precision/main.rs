@@ -118,7 +118,7 @@ fn radius_methods() -> Result<Vec<Method>, Box<dyn Error>> {
     single.measure("", exact, |scene| radius(&contacts.single, scene))?;
     run_time.measure("", exact, |scene| radius(&contacts.run_time, scene))?;
     for last in LAST_STEPS {
-        let setting = format!("step < {last:e} mm");
+        let setting = format!("step < {last:?} mm");
         printed.measure(setting, exact, |scene| printed::radius(scene.time, last))?;
     }
     for (method, scheme) in [(&mut euler, Scheme::Euler), (&mut runge_kutta, Scheme::RungeKutta)] {
