@@ -9,7 +9,7 @@
 //! is at least 1/k of its magnitudes, for any x and y; for an even k it has the factor x + y, and is formed without loss
 //! only if it is no more than that.
 
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 use super::{Atom, Coefficient, Powers, Product};
 use crate::number::{Rational, integer};
