@@ -13,12 +13,10 @@ const DIGITS_OF_SINGLE: u64 = 24;
 impl Coefficient {
     /// Whether rounded numbers are added in it that may have different signs.
     pub(crate) fn may_cancel(&self) -> bool {
-        if self.factored().is_some() {
-            return false;
-        }
         let are_rounded = self.products.len() > 2 || !self.products.iter().all(Product::is_word);
         let is_sum = self.products.len() > 1 && self.certain_sign().is_none();
-        is_sum && are_rounded || self.sums().any(Coefficient::may_cancel)
+        let adds_roundings = is_sum && are_rounded && self.factored().is_none();
+        adds_roundings || self.sums().any(Coefficient::may_cancel)
     }
 
     /// The sums that it is made of.
@@ -63,6 +61,11 @@ mod tests {
         assert!(a.add(&b).add(&field("c").negated()).may_cancel());
         assert!(a.add(&number(-1, 10)).may_cancel());
         assert!(a.multiply(&b).add(&number(1, 1)).may_cancel());
+        // A common factor is left as it is.
+        let common = a.multiply(&b).add(&number(-1, 1));
+        let [x, y] = ["x", "y"].map(|name| inverse(&field(name)).multiply(&common));
+        let sum = x.add(&y.negated());
+        assert!(sum.factored().is_some() && sum.may_cancel());
     }
 
     #[test]
