@@ -52,37 +52,33 @@ impl Product {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
-    use num_traits::One;
     use quote::format_ident;
 
     use super::*;
-    use crate::number::{Rational, fraction, integer};
+    use crate::gap::coefficient::samples::{field, number, power};
 
     #[test]
     fn even_powers_decide() {
-        let a = Coefficient::field(format_ident!("a"));
-        let one = Coefficient::constant(Rational::one());
-        let power = |of: &Coefficient, exponent: i64| of.power(&integer(exponent)).unwrap();
-        let sum = power(&a, 2).add(&one);
+        let (a, one) = (field("a"), number(1, 1));
+        let square = power(&a, 2, 1);
+        let sum = square.add(&one);
         assert_eq!(a.certain_sign(), None);
-        assert_eq!(power(&a, -2).certain_sign(), Some(Sign::NotNegative));
-        assert_eq!(power(&a, 2).negated().certain_sign(), Some(Sign::NotPositive));
-        assert_eq!(power(&sum, -3).certain_sign(), Some(Sign::NotNegative));
+        assert_eq!(power(&a, -2, 1).certain_sign(), Some(Sign::NotNegative));
+        assert_eq!(square.negated().certain_sign(), Some(Sign::NotPositive));
+        assert_eq!(power(&sum, -3, 1).certain_sign(), Some(Sign::NotNegative));
         assert_eq!(sum.add(&a).certain_sign(), None);
-        assert_eq!(power(&a, 2).add(&one.negated()).certain_sign(), None);
-        assert_eq!(a.power(&fraction(1, 2)).unwrap().certain_sign(), Some(Sign::NotNegative));
+        assert_eq!(square.add(&one.negated()).certain_sign(), None);
+        assert_eq!(power(&a, 1, 2).certain_sign(), Some(Sign::NotNegative));
     }
 
     #[test]
     fn positive_fields_decide() {
-        let (a, b) =
-            (Coefficient::positive_field(format_ident!("a")), Coefficient::field(format_ident!("b")));
-        let cubed = a.add(&Coefficient::constant(Rational::one())).power(&integer(-3)).unwrap();
+        let (a, b) = (Coefficient::positive_field(format_ident!("a")), field("b"));
+        let cubed = power(&a.add(&number(1, 1)), -3, 1);
         assert_eq!(a.certain_sign(), Some(Sign::NotNegative));
         assert_eq!(cubed.negated().certain_sign(), Some(Sign::NotPositive));
         assert_eq!(a.multiply(&b).certain_sign(), None);
-        assert_eq!(a.add(&Coefficient::constant(-Rational::one())).certain_sign(), None);
+        assert_eq!(a.add(&number(-1, 1)).certain_sign(), None);
         assert_eq!(a.multiply(&b).negated().usual_sign(), Some(Sign::NotPositive));
         assert_eq!(a.add(&b.negated()).usual_sign(), None);
     }
