@@ -1,9 +1,9 @@
-//! Sums of Chebyshev polynomials Σ cₖ Tₖ(ξ) of one degree: interpolation, derivatives and means.
+//! Sums of Chebyshev polynomials Σ cₖ Tₖ(ξ) of one degree: interpolation, truncation, derivatives and means.
 //!
 //! Source: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use crate::Scalar;
-use crate::scalar::Tabled;
+use crate::scalar::{Tabled, is_plain};
 
 /// The degree N.
 pub(super) const DEGREE: usize = 16;
@@ -76,6 +76,20 @@ pub(super) fn interpolate<T: Scalar>(values: &Coefficients<T>) -> Coefficients<T
         }
     }
     coefficients
+}
+
+/// How many coefficients there are up to the last one that is not negligible.
+pub(super) fn length_above<T: Scalar>(coefficients: &[T], negligible: T) -> usize {
+    coefficients.iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1)
+}
+
+/// Leaves out the values of all coefficients from `length` on, and returns how many are left. Derivatives with respect
+/// to a parameter stay: they may count where the force itself hardly varies.
+pub(super) fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usize {
+    for c in &mut coefficients[length..] {
+        *c -= T::constant(c.value());
+    }
+    if is_plain::<T>() { length } else { coefficients.len() }
 }
 
 /// The sum at ξ.

@@ -14,10 +14,11 @@
 //! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use super::Load;
-use super::chebyshev::{Coefficients, DEGREE, abscissa, derivative, interpolate, mean_to_the_end, sum_at};
+use super::chebyshev::{
+    Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end, sum_at,
+};
 use super::fault::is_force;
 use crate::Scalar;
-use crate::scalar::is_plain;
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {
@@ -238,9 +239,8 @@ impl<T: Scalar> ForceSeries<T> {
     /// The time at which the hereditary load turns, next to the node at which it is highest.
     pub(crate) fn time_of_turn(&self, highest: usize, end: T) -> T {
         let half = T::constant(0.5);
-        let position = |node: usize| abscissa(node);
         let (mut rising, mut falling) =
-            (position((highest + 1).min(DEGREE)), position(highest.saturating_sub(1)));
+            (abscissa((highest + 1).min(DEGREE)), abscissa(highest.saturating_sub(1)));
         // The nodes are less than 1/2 apart, so this goes down to the spacing of numbers.
         for _ in 0..60 {
             let middle = (rising + falling) * half;
@@ -323,20 +323,6 @@ impl<T: Scalar> ForceSeries<T> {
 /// The largest magnitude among some numbers.
 fn largest<T: Scalar>(numbers: &[T]) -> T {
     numbers.iter().fold(T::zero(), |largest, x| largest.max(x.abs()))
-}
-
-/// How many coefficients there are up to the last one that is not negligible.
-fn length_above<T: Scalar>(coefficients: &[T], negligible: T) -> usize {
-    coefficients.iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1)
-}
-
-/// Leaves out the values of all coefficients from `length` on, and returns how many are left. Derivatives with respect
-/// to a parameter stay: they may count where the force itself hardly varies.
-fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usize {
-    for c in &mut coefficients[length..] {
-        *c -= T::constant(c.value());
-    }
-    if is_plain::<T>() { length } else { coefficients.len() }
 }
 
 #[cfg(test)]
