@@ -28,7 +28,7 @@
 /// load integral         5 ×, 1 + of double words
 /// log kernel            4 ×, 1 + of double words
 /// pressure kernel       7 ×, 5 + of double words
-/// coefficients          4 ×, 0 + of double words, ÷ among the ×, in addition, and a × for each term at the most
+/// coefficients          3 ×, 0 + of double words, ÷ among the ×, in addition, and a × for each term at the most
 /// ```
 struct Ball {
     radius: f64,
@@ -84,13 +84,17 @@ const _: () = {
         let __field_radius = __cartcontact::generated::Precise::<
             T,
         >::constant(__profile.radius, 0.0);
+        let __inverse_radius = __cartcontact::generated::Precise::<T>::constant(1.0, 0.0)
+            / __field_radius;
         [
-            __cartcontact::generated::Precise::<T>::constant(0.5, 0.0) / __field_radius,
-            __cartcontact::generated::Precise::<T>::constant(0.125, 0.0)
-                / ({
-                    let __base = __field_radius;
+            __cartcontact::generated::Precise::scaled(__inverse_radius, 0.5f64),
+            __cartcontact::generated::Precise::scaled(
+                ({
+                    let __base = __inverse_radius;
                     __base * __base * __base
                 }),
+                0.125f64,
+            ),
         ]
     }
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
@@ -147,7 +151,7 @@ const _: () = {
                 __a,
                 2u32,
                 [
-                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.5, 0.0),
+                    __cartcontact::generated::Precise::scaled(__c0, 0.5f64),
                     __c1
                         * __cartcontact::generated::Precise::<
                             T,
@@ -201,7 +205,7 @@ const _: () = {
                 __x,
                 4u32,
                 [
-                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0),
+                    __cartcontact::generated::Precise::scaled(__c0, 0.0625f64),
                     __c1
                         * __cartcontact::generated::Precise::<
                             T,
@@ -242,7 +246,7 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0),
+                    __cartcontact::generated::Precise::scaled(__c0, 0.0625f64),
                     __c1
                         * __cartcontact::generated::Precise::<
                             T,

@@ -139,8 +139,7 @@ const _: () = {
                 __a,
                 [
                     (
-                        __c0
-                            * __cartcontact::generated::Precise::<S>::constant(0.5, 0.0),
+                        __cartcontact::generated::Precise::scaled(__c0, 0.5f64),
                         __cartcontact::generated::Exponent::whole(2),
                     ),
                     (
@@ -206,10 +205,7 @@ const _: () = {
                 __x,
                 [
                     (
-                        __c0
-                            * __cartcontact::generated::Precise::<
-                                S,
-                            >::constant(0.0625, 0.0),
+                        __cartcontact::generated::Precise::scaled(__c0, 0.0625f64),
                         __cartcontact::generated::Exponent::whole(4),
                     ),
                     (

@@ -126,7 +126,7 @@ const _: () = {
             __cartcontact::generated::precise_even_sum(
                 __a,
                 2u32,
-                [__c0 * __cartcontact::generated::Precise::<T>::constant(0.5, 0.0)],
+                [__cartcontact::generated::Precise::scaled(__c0, 0.5f64)],
             )
         }
         #[inline]
@@ -160,7 +160,7 @@ const _: () = {
             __cartcontact::generated::precise_even_sum(
                 __x,
                 4u32,
-                [__c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0)],
+                [__cartcontact::generated::Precise::scaled(__c0, 0.0625f64)],
             )
         }
         #[inline]
@@ -189,7 +189,7 @@ const _: () = {
             __cartcontact::generated::even_pressure_kernel(
                 __a,
                 __r,
-                [__c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0)],
+                [__cartcontact::generated::Precise::scaled(__c0, 0.0625f64)],
             )
         }
         #[inline(always)]

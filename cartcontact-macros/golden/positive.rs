@@ -150,7 +150,7 @@ const _: () = {
                 __a,
                 2u32,
                 [
-                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.5, 0.0),
+                    __cartcontact::generated::Precise::scaled(__c0, 0.5f64),
                     __c1
                         * __cartcontact::generated::Precise::<
                             T,
@@ -204,7 +204,7 @@ const _: () = {
                 __x,
                 4u32,
                 [
-                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0),
+                    __cartcontact::generated::Precise::scaled(__c0, 0.0625f64),
                     __c1
                         * __cartcontact::generated::Precise::<
                             T,
@@ -245,7 +245,7 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    __c0 * __cartcontact::generated::Precise::<T>::constant(0.0625, 0.0),
+                    __cartcontact::generated::Precise::scaled(__c0, 0.0625f64),
                     __c1
                         * __cartcontact::generated::Precise::<
                             T,

@@ -110,11 +110,19 @@ impl<'a> Coefficients<'a> {
         match &summand.factor {
             Factor::Constant(value) => self.number(value),
             Factor::Weight(weight) if weight.is_one() => quote!(#variable),
-            Factor::Weight(weight) => {
+            Factor::Weight(weight) => self.scaled(weight, &variable).unwrap_or_else(|| {
                 let weight = self.number(weight);
                 quote!(#variable * #weight)
-            }
+            }),
         }
+    }
+
+    /// A product with a power of two, which only scales both words of a coefficient.
+    fn scaled(&self, weight: &Rational, product: &impl ToTokens) -> Option<TokenStream> {
+        (self.digits == Digits::OfTwo && number::is_power_of_two(weight)).then(|| {
+            let (precise, weight) = (self.names.generated("Precise"), number::literal(weight));
+            quote!(#precise::scaled(#product, #weight))
+        })
     }
 
     /// The factor without the weight that `summand` has beside a symbol.
@@ -204,9 +212,11 @@ impl<'a> Coefficients<'a> {
 
     /// The operations that compute them, in double words.
     pub(super) fn operations(&self) -> Operations {
-        let values = self.symbolic().map(|(_, coefficient)| self.written(coefficient, None));
-        let mut operations = Operations::of(&quote!([#(#values),*]));
+        let precise = self.precise();
+        let (inverses, values) = (precise.inverses(), precise.values());
+        let mut operations = Operations::of(&quote!(#inverses [#(#values),*]));
         operations.is_double = true;
+        operations.calls_library = self.symbolic().any(|(_, coefficient)| coefficient.has_root());
         operations
     }
 
@@ -228,7 +238,8 @@ impl<'a> Coefficients<'a> {
             let fields = self.fields(&quote!(#profile), &|field| {
                 self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
             });
-            quote!(#fields [#(#values),*])
+            let inverses = self.inverses();
+            quote!(#fields #inverses [#(#values),*])
         };
         quote! {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
@@ -242,19 +253,37 @@ impl<'a> Coefficients<'a> {
         self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect()
     }
 
-    /// An expression in the fields, over the variables that [`fields`](Self::fields) binds.
+    /// An expression in the fields, over the variables that [`fields`](Self::fields) and [`inverses`](Self::inverses)
+    /// bind.
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
         let finite_or = self.names.generated("finite_or");
-        self.written(coefficient, (self.digits == Digits::OfAWord).then_some(&finite_or))
-    }
-
-    fn written(&self, coefficient: &Coefficient, finite_or: Option<&TokenStream>) -> TokenStream {
         coefficient.expression(&Writer {
             variable: field_variable,
+            inverse: &|field| self.shares_inverse(field).then(|| inverse_variable(field)),
+            scaled: &|weight, product| self.scaled(weight, product),
             number: &|value| self.number(value),
             power: &|base, exponent| self.power(base, exponent),
-            finite_or,
+            finite_or: (self.digits == Digits::OfAWord).then_some(&finite_or),
         })
+    }
+
+    /// Binds the inverses that several quotients share.
+    fn inverses(&self) -> TokenStream {
+        let shared =
+            self.item.fields.iter().map(|field| &field.ident).filter(|field| self.shares_inverse(field));
+        let bindings = shared.map(|field| {
+            let (inverse, one, variable) =
+                (inverse_variable(field), self.number(&Rational::one()), field_variable(field));
+            quote!(let #inverse = #one / #variable;)
+        });
+        quote!(#(#bindings)*)
+    }
+
+    /// Whether the coefficients have several divisions by powers of a field. Its inverse replaces them where its
+    /// rounding does not count: a division of double words takes as much as two products.
+    fn shares_inverse(&self, field: &Ident) -> bool {
+        let divisors = self.symbolic().flat_map(|(_, coefficient)| coefficient.divisors());
+        self.digits == Digits::OfTwo && divisors.filter(|divisor| *divisor == field).count() > 1
     }
 
     /// Binds the needed fields of `profile`, an expression, as scalars ([`field_variable`]).
@@ -303,4 +332,8 @@ fn variable(term: usize) -> Ident {
 /// The variable that holds the value of a field.
 pub(super) fn field_variable(field: &Ident) -> Ident {
     local(&format!("field_{}", unraw(field)))
+}
+
+fn inverse_variable(field: &Ident) -> Ident {
+    local(&format!("inverse_{}", unraw(field)))
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::local;
-use crate::gap::coefficient::{Atom, Coefficient, Product};
+use crate::gap::coefficient::{Atom, Coefficient, Product, is_divisor};
 use crate::number::{self, Rational};
 
 impl Coefficient {
@@ -19,6 +19,10 @@ impl Coefficient {
 /// How parts of an expression are written.
 pub(crate) struct Writer<'a> {
     pub(crate) variable: fn(&Ident) -> Ident,
+    /// The variable that holds the inverse of a field, to multiply with instead of a division.
+    pub(crate) inverse: &'a dyn Fn(&Ident) -> Option<Ident>,
+    /// A product with a number that takes no multiplication.
+    pub(crate) scaled: &'a dyn Fn(&Rational, &TokenStream) -> Option<TokenStream>,
     /// Where sums lose digits: a function that returns its first argument, a [factored](Coefficient::factored) sum, or
     /// the second one if that is not finite.
     pub(crate) finite_or: Option<&'a TokenStream>,
@@ -52,17 +56,18 @@ impl Writer<'_> {
 
     /// The product without the sign of its number.
     fn product(&self, product: &Product) -> TokenStream {
-        let (below, above): (Vec<_>, Vec<_>) =
-            product.powers.iter().partition(|(_, exponent)| exponent.is_integer() && exponent.is_negative());
-        let mut numerator: Vec<TokenStream> =
-            above.into_iter().map(|(atom, exponent)| self.raised(atom, exponent)).collect();
-        if numerator.is_empty() || !product.number.abs().is_one() {
-            numerator.insert(0, (self.number)(&product.number.abs()));
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for (atom, exponent) in product.powers.iter() {
+            if !is_divisor(exponent) {
+                above.push(self.raised(self.base(atom), exponent));
+            } else if let Some(inverse) = self.inverse(atom) {
+                above.push(self.raised(inverse, &exponent.abs()));
+            } else {
+                below.push(self.raised(self.base(atom), &exponent.abs()));
+            }
         }
-        let denominator: Vec<TokenStream> =
-            below.into_iter().map(|(atom, exponent)| self.raised(atom, &exponent.abs())).collect();
-        let above = multiplied(&numerator);
-        match denominator.as_slice() {
+        let above = self.weighted(&product.number.abs(), &above);
+        match below.as_slice() {
             [] => above,
             [only] => quote!(#above / #only),
             several => {
@@ -72,14 +77,38 @@ impl Writer<'_> {
         }
     }
 
-    fn raised(&self, atom: &Atom, exponent: &Rational) -> TokenStream {
-        let base = match atom {
+    fn weighted(&self, number: &Rational, factors: &[TokenStream]) -> TokenStream {
+        let product = multiplied(factors);
+        if factors.is_empty() {
+            (self.number)(number)
+        } else if number.is_one() {
+            product
+        } else if let Some(scaled) = (self.scaled)(number, &product) {
+            scaled
+        } else {
+            let number = (self.number)(number);
+            quote!(#number * #product)
+        }
+    }
+
+    fn base(&self, atom: &Atom) -> TokenStream {
+        match atom {
             Atom::Field { ident, .. } => (self.variable)(ident).to_token_stream(),
             Atom::Sum(inner) => {
                 let inner = self.sum(inner);
                 quote!((#inner))
             }
-        };
+        }
+    }
+
+    fn inverse(&self, atom: &Atom) -> Option<TokenStream> {
+        match atom {
+            Atom::Field { ident, .. } => (self.inverse)(ident).map(ToTokens::into_token_stream),
+            Atom::Sum(_) => None,
+        }
+    }
+
+    fn raised(&self, base: TokenStream, exponent: &Rational) -> TokenStream {
         match (exponent.is_integer(), exponent.to_u32()) {
             (true, Some(1)) => base,
             (true, Some(exponent)) => {
@@ -122,6 +151,14 @@ mod tests {
     }
 
     fn code_with(of: &Coefficient, finite_or: Option<&TokenStream>) -> String {
+        code_dividing(of, finite_or, &|_| None)
+    }
+
+    fn code_dividing(
+        of: &Coefficient,
+        finite_or: Option<&TokenStream>,
+        inverse: &dyn Fn(&Ident) -> Option<Ident>,
+    ) -> String {
         let number = |value: &Rational| {
             let literal = number::literal(value);
             quote!(c(#literal))
@@ -130,8 +167,10 @@ mod tests {
             let exponent = number(exponent);
             quote!(p(#base, #exponent))
         };
-        of.expression(&Writer { variable: Ident::clone, finite_or, number: &number, power: &power })
-            .to_string()
+        let variable = Ident::clone;
+        let writer =
+            Writer { variable, inverse, scaled: &|_, _| None, finite_or, number: &number, power: &power };
+        of.expression(&writer).to_string()
     }
 
     #[test]
@@ -141,6 +180,14 @@ mod tests {
         assert_eq!(code(&power(&radius, -1, 2)), "p (radius , c (- 0.5f64))");
         let sum = radius.add(&number(-1, 4));
         assert_eq!(code(&sum.multiply(&radius)), "- radius * (c (0.25f64) - radius)");
+    }
+
+    #[test]
+    fn inverses_replace_divisions_where_there_are_any() {
+        let quotient = power(&field("b"), -1, 1).multiply(&power(&field("a"), -3, 1)).multiply(&number(1, 2));
+        let of_a = |field: &Ident| (field == "a").then(|| quote::format_ident!("inverse_of_{field}"));
+        let cube = "({ let __base = inverse_of_a ; __base * __base * __base })";
+        assert_eq!(code_dividing(&quotient, None, &of_a), format!("c (0.5f64) * {cube} / b"));
     }
 
     #[test]

@@ -95,6 +95,12 @@ impl<T: Scalar> Precise<T> {
         Self::checked(power.plus_word(lacking), real_power(high, n))
     }
 
+    /// The product with a power of two, which rounds nothing.
+    #[inline]
+    pub fn scaled(self, power_of_two: f64) -> Self {
+        Self(self.0.scaled(T::constant(power_of_two)))
+    }
+
     /// The number, or the result of plain arithmetic where it is not finite.
     #[inline(always)]
     fn checked(number: DoubleWord<T>, plain: T) -> Self {
@@ -183,6 +189,8 @@ mod tests {
         assert_eq!((large * Number::constant(0.1, -5.551_115_123_125_783e-18)).parts().0, 1e305 * 0.1);
         assert_eq!((Number::of(1e305) / Number::of(1e304)).parts().0, 1e305 / 1e304);
         assert_eq!((Number::of(1.0) / (large * large)).parts().0, 0.0);
+        assert_eq!(large.scaled(2f64.powi(20)).parts().0, f64::INFINITY);
+        assert_eq!((Number::of(1.0) / Number::of(f64::INFINITY)).scaled(0.5).parts(), (0.0, Some(0.0)));
         assert_eq!(Precise::<f32>::constant(1e300, 0.0).parts().0, f32::INFINITY);
         assert_eq!(Number::of(0.0).power(Exponent::in_parts(0, 0.5, 0.0)).parts().0, 0.0);
         assert!(Number::of(-1.0).power(Exponent::in_parts(0, 0.5, 0.0)).parts().0.is_nan());

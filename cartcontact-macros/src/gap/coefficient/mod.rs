@@ -100,6 +100,23 @@ impl Coefficient {
         })
     }
 
+    /// The fields whose integer powers are divisors, each as often as it is written.
+    pub(crate) fn divisors(&self) -> Vec<&Ident> {
+        let powers = self.products.iter().flat_map(|product| product.powers.iter());
+        let fields = powers.flat_map(|(atom, exponent)| match atom {
+            Atom::Field { ident, .. } => is_divisor(exponent).then_some(ident).into_iter().collect(),
+            Atom::Sum(inner) => inner.divisors(),
+        });
+        fields.collect()
+    }
+
+    /// Whether it has a power whose exponent is not an integer.
+    pub(crate) fn has_root(&self) -> bool {
+        self.products.iter().flat_map(|product| product.powers.iter()).any(|(atom, exponent)| {
+            !exponent.is_integer() || matches!(atom, Atom::Sum(inner) if inner.has_root())
+        })
+    }
+
     /// The number of fields in it, each counted as often as it is written.
     pub(crate) fn size(&self) -> usize {
         let atoms = self.products.iter().flat_map(|product| product.powers.iter());
@@ -267,6 +284,11 @@ impl From<Product> for Coefficient {
     }
 }
 
+/// Whether a power with that exponent is a quotient.
+pub(crate) fn is_divisor(exponent: &Rational) -> bool {
+    exponent.is_integer() && exponent.is_negative()
+}
+
 const TOO_LARGE: &str =
     "this power is too large or too small to compute with; keep it within the range of an `f64`";
 
@@ -318,6 +340,19 @@ mod tests {
         assert_eq!(root.multiply(&root), doubled);
         let square = power(&field("a"), 2, 1);
         assert_ne!(power(&square, 1, 2), field("a"));
+    }
+
+    #[test]
+    fn divisors_and_roots_are_found_within_sums() {
+        let [a, b] = ["a", "b"].map(field);
+        let difference = inverse(&a).add(&inverse(&b).negated());
+        let quotient = difference.multiply(&power(&a, -3, 1));
+        assert_eq!(
+            quotient.divisors(),
+            ["a", "a", "b"].map(|name| quote::format_ident!("{name}")).iter().collect::<Vec<_>>()
+        );
+        assert!(!quotient.has_root() && power(&quotient, 1, 2).has_root());
+        assert!(power(&a, -1, 2).divisors().is_empty());
     }
 
     #[test]
