@@ -10,8 +10,6 @@
 //! (1 − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits even
 //! where the time to the end is short; and the force enters only through its difference from that at the end, so that
 //! the many small gains of a long history do not round as the force does.
-//!
-//! Source of the recurrences: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use super::Load;
 use super::chebyshev::{
