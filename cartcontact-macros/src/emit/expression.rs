@@ -143,6 +143,8 @@ fn repeated(base: &Ident, exponent: u32) -> TokenStream {
 
 #[cfg(test)]
 mod tests {
+    use quote::format_ident;
+
     use super::*;
     use crate::gap::coefficient::samples::{field, number, power};
 
@@ -185,7 +187,7 @@ mod tests {
     #[test]
     fn inverses_replace_divisions_where_there_are_any() {
         let quotient = power(&field("b"), -1, 1).multiply(&power(&field("a"), -3, 1)).multiply(&number(1, 2));
-        let of_a = |field: &Ident| (field == "a").then(|| quote::format_ident!("inverse_of_{field}"));
+        let of_a = |field: &Ident| (field == "a").then(|| format_ident!("inverse_of_{field}"));
         let cube = "({ let __base = inverse_of_a ; __base * __base * __base })";
         assert_eq!(code_dividing(&quotient, None, &of_a), format!("c (0.5f64) * {cube} / b"));
     }

@@ -18,14 +18,6 @@ impl Coefficient {
         let adds_roundings = is_sum && are_rounded && self.factored().is_none();
         adds_roundings || self.sums().any(Coefficient::may_cancel)
     }
-
-    /// The sums that it is made of.
-    fn sums(&self) -> impl Iterator<Item = &Coefficient> {
-        self.products.iter().flat_map(|product| product.powers.iter()).filter_map(|(atom, _)| match atom {
-            Atom::Field { .. } => None,
-            Atom::Sum(inner) => Some(inner),
-        })
-    }
 }
 
 impl Product {
