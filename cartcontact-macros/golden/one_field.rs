@@ -77,15 +77,15 @@ const _: () = {
         >::constant(__profile.radius, 0.0);
         [__cartcontact::generated::Precise::<T>::constant(0.5, 0.0) / __field_radius]
     }
-    static __TABLE: __cartcontact::generated::Roots = __cartcontact::generated::Roots {
+    static __TABLE: __cartcontact::generated::Roots<8> = __cartcontact::generated::Roots {
         table: __cartcontact::generated::Table {
             quarters: __cartcontact::generated::Quarters {
                 first: 0,
-                count: 24,
+                count: 96,
             },
             single: __cartcontact::generated::Quarters {
                 first: 0,
-                count: 24,
+                count: 96,
             },
             rows: __cartcontact::generated::Rows(
                 *b"...",
@@ -100,10 +100,6 @@ const _: () = {
             0.02908283798201493,
             0.05343761113651374,
             0.024038695617199273,
-            0.04245290849940696,
-            0.02064605344373965,
-            0.03535983584629477,
-            0.018187262198846785,
         ],
     };
     #[automatically_derived]
@@ -212,7 +208,7 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<_, 6, 1>::of(__c0),
+                    __cartcontact::generated::SingleTerm::<_, 6, 1, 4>::of(__c0),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -238,7 +234,7 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<_, 6, 1>::of(__c0),
+                    __cartcontact::generated::SingleTerm::<_, 6, 1, 4>::of(__c0),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -264,7 +260,7 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __cartcontact::generated::SingleTerm::<_, 6, 1>::of(__c0),
+                    __cartcontact::generated::SingleTerm::<_, 6, 1, 4>::of(__c0),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

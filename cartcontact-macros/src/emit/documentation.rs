@@ -224,7 +224,7 @@ fn solution(start: Option<&Start>, gap: &Gap) -> String {
     let step = step_from(Table::size_in_bytes());
     let table = match start {
         Start::Roots(Roots { reach: Reach::Window, table, .. }) => table,
-        Start::Roots(Roots { reach: Reach::Periods(_), .. }) => return format!("{step}."),
+        Start::Roots(Roots { reach: Reach::Periods(..), .. }) => return format!("{step}."),
         Start::Roots(Roots { reach: Reach::Spans(_), .. }) => {
             return format!("{}.", step_from(Table::size_in_bytes() + Spans::size_in_bytes()));
         }

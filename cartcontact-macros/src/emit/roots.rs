@@ -7,12 +7,13 @@ use super::coefficients::Coefficients;
 use super::{Names, local, table};
 use crate::closed_forms::PowerSum;
 use crate::number::code;
-use crate::start::roots::{Power, Reach, Roots};
+use crate::start::roots::{Parts, Power, Reach, Roots};
 
 /// The table with its series, and the spans beyond it.
 pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     let (name, kind) = (table::name(), names.generated("Roots"));
-    let (table, series) = (table::value(&roots.table, names), code(roots.series));
+    let (table, series) = (table::value(&roots.table, names), code(&roots.series));
+    let terms = Literal::usize_unsuffixed(roots.series.len());
     let spans = if let Reach::Spans(spans) = &roots.reach {
         let (name, kind) = (local("SPANS"), names.generated("Spans"));
         let bytes = Literal::byte_string(&spans.in_places());
@@ -20,7 +21,7 @@ pub(super) fn item(roots: &Roots, names: &Names) -> TokenStream {
     } else {
         TokenStream::new()
     };
-    quote!(static #name: #kind = #kind { table: #table, series: #series }; #spans)
+    quote!(static #name: #kind<#terms> = #kind { table: #table, series: #series }; #spans)
 }
 
 /// The radius from the table if it is there, and the radii of a slice, which come from `radius_within` outside the
@@ -50,10 +51,10 @@ fn term(
     let c = load_integral.summands.first().map(|only| coefficients.unweighted(only));
     match &roots.reach {
         Reach::Window => names.generated("OwnTerm"),
-        Reach::Periods(Power { k, q }) => {
+        Reach::Periods(Power { k, q }, Parts { digits, .. }) => {
             let single_term = names.generated("SingleTerm");
-            let (k, q) = (Literal::u32_unsuffixed(*k), Literal::u32_unsuffixed(*q));
-            quote!(#single_term::<_, #k, #q>::of(#c))
+            let [k, q, digits] = [k, q, digits].map(|number| Literal::u32_unsuffixed(*number));
+            quote!(#single_term::<_, #k, #q, #digits>::of(#c))
         }
         Reach::Spans(_) => {
             let (any_power, spans) = (names.generated("AnyPower"), local("SPANS"));

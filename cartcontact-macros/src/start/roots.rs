@@ -10,9 +10,9 @@
 //!
 //! A constant term has its window of y. If C is a symbol, or no length belongs to C r^n, as n ≤ 1, or a window would
 //! hold few radii, the table is one of y/C from 1 to 2^k, p = k/q: over this range the radius becomes 2^q times as
-//! long. If k is above 64, the table goes from 1 to 2⁶⁴, and a second one has the roots of all powers of 2⁶⁴. The
-//! weight w that J has beside a symbol C, j = w C, is contained in the roots, so that the solver need not multiply by
-//! it.
+//! long. If k is at most 16, the rows are sixteenths of octaves instead of quarters, and fewer terms of the series do.
+//! If k is above 64, the table goes from 1 to 2⁶⁴, and a second one has the roots of all powers of 2⁶⁴. The weight w
+//! that J has beside a symbol C, j = w C, is contained in the roots, so that the solver need not multiply by it.
 
 use core::ops::Range;
 
@@ -22,11 +22,12 @@ use crate::closed_forms::Summand;
 use crate::geometry::Geometry;
 use crate::number::float::Float;
 use crate::number::{Rational, fraction, integer, rounded};
-use crate::start::table::{LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Table, top};
+use crate::start::table::{LARGEST_SINGLE, OCTAVES, Table, top};
 
 pub(crate) struct Roots {
     pub(crate) table: Table,
-    pub(crate) series: [f64; 12],
+    /// c₁ and the following coefficients.
+    pub(crate) series: Vec<f64>,
     pub(crate) reach: Reach,
 }
 
@@ -34,8 +35,8 @@ pub(crate) struct Roots {
 pub(crate) enum Reach {
     /// Those in the table.
     Window,
-    /// All, for any coefficient, as the table consists of whole periods of this power.
-    Periods(Power),
+    /// All, for any coefficient, as the table is one whole period of this power.
+    Periods(Power, Parts),
     /// The same, with the factors by which spans of 64 octaves multiply radii.
     Spans(Spans),
 }
@@ -51,6 +52,20 @@ pub(crate) struct Power {
     pub(crate) k: u32,
     pub(crate) q: u32,
 }
+
+/// The parts of octaves that have a row each, and the terms that the series then needs.
+#[derive(Clone, Copy)]
+pub(crate) struct Parts {
+    /// An octave has 2^`digits` of them.
+    pub(crate) digits: u32,
+    terms: u32,
+}
+
+/// Quarters, as in tables of seeds.
+const QUARTERS: Parts = Parts { digits: 2, terms: 12 };
+const SIXTEENTHS: Parts = Parts { digits: 4, terms: 8 };
+/// As many octaves have room for sixteenths.
+const OCTAVES_OF_SIXTEENTHS: i32 = OCTAVES >> (SIXTEENTHS.digits - QUARTERS.digits);
 
 /// Four times the lowest power with a window; slopes of the gap in it then differ by a factor of 2⁷ or more.
 const LOWEST_POWER: i64 = 23;
@@ -74,11 +89,15 @@ pub(crate) fn roots(geometry: &Geometry, only: &Summand) -> Option<Roots> {
     });
     let (octaves, j, reach) = match (window, exponent.numer().to_i32()) {
         (Some((j, bottom)), _) => (bottom..bottom + OCTAVES, Some(j), Reach::Window),
-        (None, Some(k @ ..=OCTAVES)) => (0..k, only.weight(), Reach::Periods(Power::of(exponent)?)),
+        (None, Some(k @ ..=OCTAVES)) => {
+            let parts = if k <= OCTAVES_OF_SIXTEENTHS { SIXTEENTHS } else { QUARTERS };
+            (0..k, only.weight(), Reach::Periods(Power::of(exponent)?, parts))
+        }
         (None, _) => (0..OCTAVES, only.weight(), Reach::Spans(Spans::of(exponent)?)),
     };
-    let table = table(exponent, octaves, j.unwrap_or(&Rational::one()))?;
-    Some(Roots { table, series: series(rounded(&exponent.recip())), reach })
+    let parts = if let Reach::Periods(_, parts) = reach { parts } else { QUARTERS };
+    let table = table(exponent, octaves, parts, j.unwrap_or(&Rational::one()))?;
+    Some(Roots { table, series: series(rounded(&exponent.recip()), parts.terms), reach })
 }
 
 impl Power {
@@ -109,14 +128,14 @@ impl Spans {
 }
 
 /// The rows of these octaves.
-fn table(p: &Rational, octaves: Range<i32>, j: &Rational) -> Option<Table> {
-    let first = octaves.start;
-    let lowest = |quarter: i32| {
-        let middle = fraction(9 + 2 * quarter, 8) * integer(2).pow(first);
-        Float::real_root(&(middle / j), p)
+fn table(p: &Rational, octaves: Range<i32>, parts: Parts, j: &Rational) -> Option<Table> {
+    let (first, rows_per_octave) = (octaves.start, 1 << parts.digits);
+    let lowest = |part: i32| {
+        let middle = integer(1) + fraction(2 * part + 1, 2 * rows_per_octave);
+        Float::real_root(&(middle * integer(2).pow(first) / j), p)
     };
     let octave = Float::real_root(&integer(2), p)?;
-    let mut roots = [lowest(0)?, lowest(1)?, lowest(2)?, lowest(3)?];
+    let mut roots = (0..rows_per_octave).map(lowest).collect::<Option<Vec<_>>>()?;
     let mut rows = Vec::new();
     for at in octaves {
         for root in &mut roots {
@@ -125,18 +144,19 @@ fn table(p: &Rational, octaves: Range<i32>, j: &Rational) -> Option<Table> {
             *root = root.times(octave);
         }
     }
-    Table::of(first * ROWS_PER_OCTAVE, &rows)
+    Table::of(first * rows_per_octave, &rows)
 }
 
 /// c₁ and the following coefficients, for α = 1/p.
-fn series(alpha: f64) -> [f64; 12] {
+fn series(alpha: f64, terms: u32) -> Vec<f64> {
     let (mut before, mut c) = (1.0, 2.0 * alpha);
-    [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|k| {
+    let terms = (1..=terms).map(|k| {
         let k = f64::from(k);
         let next = (2.0 * alpha * c + (k - 1.0) * before) / (k + 1.0);
         (before, c) = (c, next);
         before
-    })
+    });
+    terms.collect()
 }
 
 #[cfg(test)]
@@ -147,11 +167,14 @@ mod tests {
     #[test]
     fn series_are_those_of_powers() {
         for alpha in [0.25, 1.0 / 6.0, 10.0 / 63.0, 1.0 / 68.0] {
-            for s in [-1.0 / 17.0, -0.01, 0.02, 1.0 / 17.0] {
-                let sum = series(alpha).iter().rev().fold(0.0, |sum, c| (sum + c) * s);
-                let power = (alpha * ((1.0 + s) / (1.0 - s)).ln()).exp_m1();
-                let bound = 8.0 * f64::EPSILON * power.abs();
-                assert!((sum - power).abs() < bound, "{alpha}, {s}: {sum}, not {power}");
+            for Parts { digits, terms } in [QUARTERS, SIXTEENTHS] {
+                let most = 1.0 / f64::from((4 << digits) + 1);
+                for s in [-most, -0.17 * most, 0.34 * most, most] {
+                    let sum = series(alpha, terms).iter().rev().fold(0.0, |sum, c| (sum + c) * s);
+                    let power = (2.0 * alpha * s.atanh()).exp_m1();
+                    let bound = 8.0 * f64::EPSILON * power.abs();
+                    assert!((sum - power).abs() < bound, "{alpha}, {s}: {sum}, not {power}");
+                }
             }
         }
     }
@@ -175,11 +198,19 @@ mod tests {
 
     #[test]
     fn rows_are_roots_of_their_middles() {
-        for (k, q) in [(5, 1), (9, 2), (25, 4), (63, 10)] {
-            let p = fraction(k, q);
-            let table = table(&p, -7..57, &fraction(1, 30)).unwrap();
+        let tables = [
+            (5, 1, QUARTERS, -7..57),
+            (9, 2, SIXTEENTHS, 0..9),
+            (16, 3, SIXTEENTHS, 0..16),
+            (25, 4, QUARTERS, -7..57),
+            (63, 10, QUARTERS, -7..57),
+        ];
+        for (k, q, parts, octaves) in tables {
+            let (p, start, per_octave) = (fraction(k, q), octaves.start, 1 << parts.digits);
+            let table = table(&p, octaves, parts, &fraction(1, 30)).unwrap();
             for (row, &[first, third, rest, second]) in (0..).zip(&table.rows) {
-                let middle = integer(2).pow(row / 4 - 7) * fraction(9 + 2 * (row % 4), 8);
+                let part = fraction(2 * (row % per_octave) + 1, 2 * per_octave);
+                let middle = integer(2).pow(row / per_octave + start) * (integer(1) + part);
                 let root = Float::real_root(&(middle * integer(30)), &p).unwrap().in_parts().unwrap();
                 assert_eq!(([first, second], rest), ([root[0], root[1]], 0.0), "{row} of {k}/{q}");
                 assert!((third - root[2]).abs() <= 2f32.powi(-72) * first, "{row} of {k}/{q}: {third:e}");

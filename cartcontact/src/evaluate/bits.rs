@@ -108,15 +108,22 @@ pub(crate) fn fraction<T: Scalar>(x: T) -> T {
     )
 }
 
-/// The quarter of an octave that a positive normal number is in: k = 4 e + ⌊4 (f − 1)⌋ of f · 2^e, 1 ≤ f < 2.
+/// The part of an octave, of 2^`DIGITS` equal ones, that a positive normal number is in: k = 2^`DIGITS` e +
+/// ⌊2^`DIGITS` (f − 1)⌋ of f · 2^e, 1 ≤ f < 2.
 #[inline(always)]
-pub(crate) fn quarter<T: Scalar>(x: T) -> i32 {
+pub(crate) fn part_of_octave<T: Scalar, const DIGITS: u32>(x: T) -> i32 {
     let any: &dyn Any = &x;
     let biased = match any.downcast_ref::<f32>() {
-        Some(single) => single.to_bits() >> 21,
-        None => (x.value().to_bits() >> 50) as u32,
+        Some(single) => single.to_bits() >> (23 - DIGITS),
+        None => (x.value().to_bits() >> (52 - DIGITS)) as u32,
     };
-    biased as i32 - 4 * bias::<T>()
+    biased as i32 - (bias::<T>() << DIGITS)
+}
+
+/// The quarter of an octave that a positive normal number is in.
+#[inline(always)]
+pub(crate) fn quarter<T: Scalar>(x: T) -> i32 {
+    part_of_octave::<T, 2>(x)
 }
 
 /// The least number in the quarter k of an octave, if that has normal numbers.
@@ -130,14 +137,12 @@ pub(crate) fn least_of_quarter<T: Scalar>(k: i32) -> T {
     }
 }
 
-/// The middle of the quarter of an octave that a positive number is in; it has four digits.
+/// The middle of the [part of an octave](part_of_octave) that a positive number is in; it has two digits more than
+/// `DIGITS`.
 #[inline(always)]
-pub(crate) fn middle_of_quarter<T: Scalar>(x: T) -> T {
-    with_bits(
-        x,
-        |bits| bits & !0x001f_ffff | 0x0010_0000,
-        |bits| bits & !0x0003_ffff_ffff_ffff | 0x0002_0000_0000_0000,
-    )
+pub(crate) fn middle_of_part<T: Scalar, const DIGITS: u32>(x: T) -> T {
+    let (single, double) = const { (1_u32 << (22 - DIGITS), 1_u64 << (51 - DIGITS)) };
+    with_bits(x, |bits| bits & !(2 * single - 1) | single, |bits| bits & !(2 * double - 1) | double)
 }
 
 /// The number with half its digits, so that its square is exact. f32, which has no digits to waste, is rounded, f64 is
@@ -192,9 +197,21 @@ mod tests {
     }
 
     #[test]
-    fn quarters_of_octaves_have_their_middle() {
-        for (x, middle) in [(1.0, 1.125), (1.24, 1.125), (1.5, 1.625), (7.99, 7.5)] {
-            assert_eq!((middle_of_quarter(x), middle_of_quarter(x as f32)), (middle, middle as f32));
+    fn parts_of_octaves_have_their_middle() {
+        let parts: [(f64, [f64; 2], i32); 4] = [
+            (1.0, [1.125, 1.03125], 0),
+            (1.24, [1.125, 1.21875], 3),
+            (1.5, [1.625, 1.53125], 8),
+            (7.99, [7.5, 7.875], 2 * 16 + 15),
+        ];
+        for (x, middles, sixteenth) in parts {
+            let single = x as f32;
+            assert_eq!([middle_of_part::<_, 2>(x), middle_of_part::<_, 4>(x)], middles);
+            assert_eq!(
+                [middle_of_part::<_, 2>(single), middle_of_part::<_, 4>(single)].map(f64::from),
+                middles
+            );
+            assert_eq!([part_of_octave::<_, 4>(x), part_of_octave::<_, 4>(single)], [sixteenth; 2]);
             assert_eq!(quarter(x), quarter(x as f32));
             assert_eq!(least_of_quarter::<f64>(quarter(x)), f64::from(least_of_quarter::<f32>(quarter(x))));
             assert!((least_of_quarter(quarter(x))..least_of_quarter(quarter(x) + 1)).contains(&x));

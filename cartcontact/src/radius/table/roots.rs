@@ -1,20 +1,20 @@
 //! The contact radius where the gap is one term: a root from a table, and a short series.
 //!
-//! J = j aᵖ = y has the root a = (y/j)^(1/p), Eq. (18). Let u be the middle of the quarter of an octave in which y
-//! lies, and A = (u/j)^(1/p). Then
+//! J = j aᵖ = y has the root a = (y/j)^(1/p), Eq. (18). Let u be the middle of the part of an octave in which y lies,
+//! a quarter or a sixteenth, and A = (u/j)^(1/p). Then
 //!
 //! ```text
-//! a = A ((1 + s)/(1 − s))^(1/p) = A + A (c₁ s + c₂ s² + …),     s = (y − u)/(y + u),  |s| ≤ 1/17
+//! a = A ((1 + s)/(1 − s))^(1/p) = A + A (c₁ s + c₂ s² + …),     s = (y − u)/(y + u),  |s| ≤ 1/17 or 1/65
 //! ```
 //!
-//! Twelve terms of the series leave 4 · 10⁻¹⁸, and eight 5 · 10⁻¹³ in single precision. No power of a is formed, so
-//! that p need not be whole.
+//! Of quarters, twelve terms of the series leave 4 · 10⁻¹⁸, and eight 5 · 10⁻¹³ in single precision; of sixteenths,
+//! eight leave 3 · 10⁻¹⁸, and four 1 · 10⁻¹⁰. No power of a is formed, so that p need not be whole.
 //!
 //! **Any C.** If j = w C with a symbol C, the table is one of y/C and includes the weight w. With p = k/q in lowest
-//! terms, y/C multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. Powers of two
-//! are taken out of y, C and a, so that nothing leaves the format, and a change of units by a power of two changes no
-//! digit. Where k is above 64, the table has 64 octaves, and a second one has the factors of a for whole spans of
-//! these, see [`spans`](super::spans).
+//! terms, y/C multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. If k is at most
+//! 16, it has sixteenths. Powers of two are taken out of y, C and a, so that nothing leaves the format, and a change of
+//! units by a power of two changes no digit. Where k is above 64, the table has 64 octaves, and a second one has the
+//! factors of a for whole spans of these, see [`spans`](super::spans).
 //!
 //! **Accuracy.** A row has A in three parts of single precision. The first two make an exact sum, and y − u is exact.
 //! The rounded part of the series is less than 1/34 of the sum, whose last addition leaves 1/2 ulp. Two roundings of
@@ -24,19 +24,20 @@
 use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::evaluate::bits::{
-    exponent, fraction, is_normal, least_of_quarter, middle_of_quarter, power_of_two, quarter,
+    exponent, fraction, is_normal, least_of_quarter, middle_of_part, part_of_octave, power_of_two,
 };
 use crate::evaluate::series::four_terms;
 use crate::profile::RadiusError;
 use crate::scalar::{from_single, is};
 
-/// A table of roots, and the series.
+/// A table of roots, and the series of N terms.
 #[derive(Debug)]
-pub struct Roots {
-    /// A in three parts, in the places 0, 3 and 1.
+pub struct Roots<const N: usize> {
+    /// A in three parts, in the places 0, 3 and 1. The k-th part of an octave, a quarter or not, has the row of the k-th
+    /// quarter.
     pub table: Table,
     /// c₁, c₂, …
-    pub series: [f64; 12],
+    pub series: [f64; N],
 }
 
 /// Quotients lie between 2 to minus this and 2 to this.
@@ -45,7 +46,7 @@ const MOST_OCTAVES: u32 = 2100;
 /// less than 0.005, never enough to reach the next integer, and the product before the shift is below 2³².
 const DIGITS_OF_INVERSE: u32 = 20;
 
-impl Roots {
+impl<const N: usize> Roots<N> {
     /// `Table::find` by a root and the series.
     #[inline(always)]
     pub fn radius<T: Scalar>(&self, load_integral: T, limit: T, term: impl Term<T>) -> Option<T> {
@@ -71,9 +72,9 @@ impl Roots {
 
 /// The step from a root in the table.
 #[derive(Clone, Copy)]
-struct Root<D> {
+struct Root<D, const N: usize> {
     term: D,
-    series: [f64; 12],
+    series: [f64; N],
 }
 
 /// y/j in the table, and how it differs from u there.
@@ -95,7 +96,7 @@ pub trait Term<T>: Copy {
     fn with_periods(self, root: (T, T), periods: i32) -> (T, T);
 }
 
-impl<T: Scalar, D: Term<T>> Step<T> for Root<D> {
+impl<T: Scalar, D: Term<T>, const N: usize> Step<T> for Root<D, N> {
     type Start = ();
 
     #[inline(always)]
@@ -128,15 +129,21 @@ impl Row {
     }
 }
 
-/// c₁ + c₂ s + …
+/// c₁ + c₂ s + …, without the last four terms in single precision.
 #[inline(always)]
-fn growth_per_s<T: Scalar>(s: T, series: &[f64; 12]) -> T {
-    let square = s * s;
-    let (rows, _) = series.as_chunks();
+fn growth_per_s<T: Scalar, const N: usize>(s: T, series: &[f64; N]) -> T {
+    let (square, (rows, _)) = (s * s, series.as_chunks());
     let row = |k: usize| four_terms(&rows[k], s, square);
     let fourth = square * square;
-    let eight_terms = row(0) + row(1) * fourth;
-    if is::<T, f32>() { eight_terms } else { eight_terms + row(2) * (fourth * fourth) }
+    let terms = if is::<T, f32>() { N - 4 } else { N };
+    let mut sum = row(0);
+    if terms > 4 {
+        sum += row(1) * fourth;
+    }
+    if terms > 8 {
+        sum += row(2) * (fourth * fourth);
+    }
+    sum
 }
 
 /// A term whose j is in the table.
@@ -146,7 +153,7 @@ pub struct OwnTerm;
 impl<T: Scalar> Term<T> for OwnTerm {
     #[inline(always)]
     fn ratio(self, load_integral: T) -> Ratio<T> {
-        let middle = middle_of_quarter(load_integral);
+        let middle = middle_of_part::<_, 2>(load_integral);
         Ratio {
             in_table: load_integral,
             difference: load_integral - middle,
@@ -175,13 +182,19 @@ impl<T: Scalar> Divisor<T> {
         Self { inverse: fraction(c).recip(), exponent: exponent(c) }
     }
 
-    /// y/C. `fold` turns its quarters of octaves into those in the table and the periods that were taken out.
+    /// y/C in parts of octaves, 2^`DIGITS` of each. `fold` turns these into those in the table and the periods that were
+    /// taken out.
     #[inline(always)]
-    pub(super) fn ratio(self, load_integral: T, fold: impl Fn(i32) -> (i32, i32)) -> Ratio<T> {
+    pub(super) fn ratio<const DIGITS: u32>(
+        self,
+        load_integral: T,
+        fold: impl Fn(i32) -> (i32, i32),
+    ) -> Ratio<T> {
         let exponent_of_load = exponent(load_integral);
         let quotient = fraction(load_integral) * self.inverse;
-        let middle = middle_of_quarter(quotient);
-        let (place, periods) = fold(quarter(quotient) + 4 * (exponent_of_load - self.exponent));
+        let middle = middle_of_part::<_, DIGITS>(quotient);
+        let octaves = exponent_of_load - self.exponent;
+        let (place, periods) = fold(part_of_octave::<_, DIGITS>(quotient) + (octaves << DIGITS));
         // With the sign set, an exponent is not that of a normal number; zero lies in no table.
         let has_place = is_normal::<T>(exponent_of_load) & is_normal::<T>(self.exponent);
         let in_table = if has_place { least_of_quarter(place) } else { T::zero() };
@@ -189,11 +202,11 @@ impl<T: Scalar> Divisor<T> {
     }
 }
 
-/// C w aᵖ with p = `K`/`Q`. One table, which includes w, serves all C.
+/// C w aᵖ with p = `K`/`Q`. One table, which includes w and has 2^`DIGITS` rows per octave, serves all C.
 #[derive(Clone, Copy, Debug)]
-pub struct SingleTerm<T, const K: u32, const Q: i32>(Divisor<T>);
+pub struct SingleTerm<T, const K: u32, const Q: i32, const DIGITS: u32>(Divisor<T>);
 
-impl<T: Scalar, const K: u32, const Q: i32> SingleTerm<T, K, Q> {
+impl<T: Scalar, const K: u32, const Q: i32, const DIGITS: u32> SingleTerm<T, K, Q, DIGITS> {
     /// From C.
     #[inline(always)]
     pub fn of(c: T) -> Self {
@@ -201,19 +214,22 @@ impl<T: Scalar, const K: u32, const Q: i32> SingleTerm<T, K, Q> {
     }
 }
 
-impl<T: Scalar, const K: u32, const Q: i32> Term<T> for SingleTerm<T, K, Q> {
+impl<T: Scalar, const K: u32, const Q: i32, const DIGITS: u32> Term<T> for SingleTerm<T, K, Q, DIGITS> {
     #[inline(always)]
     fn ratio(self, load_integral: T) -> Ratio<T> {
-        self.0.ratio(
+        self.0.ratio::<DIGITS>(
             load_integral,
             #[inline(always)]
-            |quarters| {
+            |parts| {
                 // Whole periods are added so that the number is never negative.
                 let periods_below = const { MOST_OCTAVES.div_ceil(K) };
-                let quarters = (quarters as u32).wrapping_add(periods_below * 4 * K);
+                let parts = (parts as u32).wrapping_add((periods_below * K) << DIGITS);
                 let inverse = const { (1 << DIGITS_OF_INVERSE) / K + 1 };
-                let periods = (quarters >> 2).wrapping_mul(inverse) >> DIGITS_OF_INVERSE;
-                (quarters.wrapping_sub(periods * 4 * K) as i32, periods.wrapping_sub(periods_below) as i32)
+                let periods = (parts >> DIGITS).wrapping_mul(inverse) >> DIGITS_OF_INVERSE;
+                (
+                    parts.wrapping_sub((periods * K) << DIGITS) as i32,
+                    periods.wrapping_sub(periods_below) as i32,
+                )
             },
         )
     }

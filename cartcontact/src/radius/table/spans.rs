@@ -51,7 +51,7 @@ impl<T: Scalar> AnyPower<T> {
 impl<T: Scalar> Term<T> for AnyPower<T> {
     #[inline(always)]
     fn ratio(self, load_integral: T) -> Ratio<T> {
-        self.divisor.ratio(
+        self.divisor.ratio::<2>(
             load_integral,
             #[inline(always)]
             |quarters| ((quarters as u32 % QUARTERS) as i32, quarters.div_euclid(QUARTERS as i32)),
