@@ -208,7 +208,17 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<_, 6, 1, 4>::of(__c0),
+                    __cartcontact::generated::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                        4,
+                    >::of_inverse({
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                    }),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -234,7 +244,17 @@ const _: () = {
                 .radius(
                     __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<_, 6, 1, 4>::of(__c0),
+                    __cartcontact::generated::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                        4,
+                    >::of_inverse({
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                    }),
                 )
             {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
@@ -260,7 +280,17 @@ const _: () = {
                 .radii(
                     (__load_integrals, __radii),
                     __limit,
-                    __cartcontact::generated::SingleTerm::<_, 6, 1, 4>::of(__c0),
+                    __cartcontact::generated::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                        4,
+                    >::of_inverse({
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                    }),
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

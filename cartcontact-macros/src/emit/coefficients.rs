@@ -133,6 +133,14 @@ impl<'a> Coefficients<'a> {
         }
     }
 
+    /// One over that for a symbol, computed from the fields of `self`, if it takes no division.
+    pub(super) fn inverse(&self, summand: &Summand) -> Option<TokenStream> {
+        let inverse = self.geometry.gap.terms[summand.term].coefficient.inverse_of_divisors()?;
+        let fields = self.fields(&quote!(self), &|field| inverse.depends_on(&field.ident));
+        let value = self.expression(&inverse);
+        Some(quote!({ #fields #value }))
+    }
+
     /// An array of such factors, zero where there is no summand.
     pub(super) fn factors(&self, summands: &[Option<&Summand>]) -> TokenStream {
         self.table(summands).unwrap_or_else(|| {

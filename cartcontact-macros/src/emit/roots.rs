@@ -48,13 +48,18 @@ fn term(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    let c = load_integral.summands.first().map(|only| coefficients.unweighted(only));
+    let only = load_integral.summands.first();
+    let c = only.map(|only| coefficients.unweighted(only));
     match &roots.reach {
         Reach::Window => names.generated("OwnTerm"),
         Reach::Periods(Power { k, q }, Parts { digits, .. }) => {
             let single_term = names.generated("SingleTerm");
             let [k, q, digits] = [k, q, digits].map(|number| Literal::u32_unsuffixed(*number));
-            quote!(#single_term::<_, #k, #q, #digits>::of(#c))
+            let single_term = quote!(#single_term::<_, #k, #q, #digits>);
+            match only.and_then(|only| coefficients.inverse(only)) {
+                Some(inverse) => quote!(#single_term::of_inverse(#inverse)),
+                None => quote!(#single_term::of(#c)),
+            }
         }
         Reach::Spans(_) => {
             let (any_power, spans) = (names.generated("AnyPower"), local("SPANS"));

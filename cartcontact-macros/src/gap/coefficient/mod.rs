@@ -93,6 +93,14 @@ impl Coefficient {
         }
     }
 
+    /// One over the coefficient, if that is a number over fields and its inverse takes no division: 2 R for 1/(2 R).
+    pub(crate) fn inverse_of_divisors(&self) -> Option<Self> {
+        let [only] = self.products.as_slice() else { return None };
+        let are_divisors =
+            !only.powers.is_empty() && only.powers.iter().all(|(_, exponent)| is_divisor(exponent));
+        are_divisors.then(|| self.power(&-Rational::one()).ok()).flatten()
+    }
+
     pub(crate) fn depends_on(&self, field: &Ident) -> bool {
         self.powers().any(|(atom, _)| match atom {
             Atom::Field { ident, .. } => ident == field,
@@ -360,6 +368,16 @@ mod tests {
         assert_eq!(names, ["a", "a", "b"]);
         assert!(!quotient.has_root() && power(&quotient, 1, 2).has_root());
         assert!(power(&a, -1, 2).divisors().is_empty());
+    }
+
+    #[test]
+    fn inverses_take_no_division() {
+        let [a, b] = ["a", "b"].map(field);
+        let quotient = number(1, 3).multiply(&power(&a.multiply(&b), -2, 1));
+        let expected = number(3, 1).multiply(&power(&a.multiply(&b), 2, 1));
+        assert_eq!(quotient.inverse_of_divisors(), Some(expected));
+        let others = [number(1, 3), a.clone(), a.multiply(&inverse(&b)), inverse(&a).add(&inverse(&b))];
+        assert!(others.iter().all(|other| other.inverse_of_divisors().is_none()));
     }
 
     #[test]

@@ -171,8 +171,9 @@ impl<T: Scalar> Term<T> for OwnTerm {
 /// A symbol C that load integrals are divided by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Divisor<T> {
-    /// One over the fraction of C.
+    /// One over C, over the power of two of the exponent: between 1/2 and 2.
     inverse: T,
+    /// The exponent of C; that of no normal number if C has no table.
     exponent: i32,
 }
 
@@ -180,6 +181,15 @@ impl<T: Scalar> Divisor<T> {
     #[inline(always)]
     pub(super) fn of(c: T) -> Self {
         Self { inverse: fraction(c).recip(), exponent: exponent(c) }
+    }
+
+    /// From 1/C.
+    #[inline(always)]
+    fn of_inverse(inverse: T) -> Self {
+        let exponent = exponent(inverse);
+        // One that is not of a normal number has to remain so.
+        let exponent = if is_normal::<T>(exponent) { -exponent } else { exponent };
+        Self { inverse: fraction(inverse), exponent }
     }
 
     /// y/C in parts of octaves, 2^`DIGITS` of each. `fold` turns these into those in the table and the periods that were
@@ -212,6 +222,12 @@ impl<T: Scalar, const K: u32, const Q: i32, const DIGITS: u32> SingleTerm<T, K, 
     pub fn of(c: T) -> Self {
         Self(Divisor::of(c))
     }
+
+    /// From 1/C.
+    #[inline(always)]
+    pub fn of_inverse(inverse: T) -> Self {
+        Self(Divisor::of_inverse(inverse))
+    }
 }
 
 impl<T: Scalar, const K: u32, const Q: i32, const DIGITS: u32> Term<T> for SingleTerm<T, K, Q, DIGITS> {
@@ -238,5 +254,37 @@ impl<T: Scalar, const K: u32, const Q: i32, const DIGITS: u32> Term<T> for Singl
     fn with_periods(self, (root, rest): (T, T), periods: i32) -> (T, T) {
         let unit = power_of_two::<T>(periods * Q);
         (root * unit, rest * unit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where a quotient is in a table of all quarters, and how it differs from the middle there.
+    fn place_and_share(divisor: Divisor<f64>, load_integral: f64) -> (f64, f64) {
+        let Ratio { in_table, difference, sum, .. } = divisor.ratio::<2>(load_integral, |place| (place, 0));
+        (in_table, difference / sum)
+    }
+
+    #[test]
+    fn a_divisor_may_be_given_by_its_inverse() {
+        for (c, inverse) in [(0.125, 8.0), (1024.0, 2f64.powi(-10)), (0.4, 2.5), (6.25, 0.16)] {
+            for load_integral in [0.03, 1.0, 1.7, 3e8] {
+                let (place, share) = place_and_share(Divisor::of(c), load_integral);
+                let (same_place, same_share) = place_and_share(Divisor::of_inverse(inverse), load_integral);
+                assert_eq!(same_place, place, "{load_integral}/{c}");
+                assert!((same_share - share).abs() < f64::EPSILON, "{load_integral}/{c}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_positive_normal_number_divides_nothing() {
+        for c in [0.0, f64::MIN_POSITIVE / 2.0, -2.0, f64::INFINITY, f64::NAN] {
+            for divisor in [Divisor::of(c), Divisor::of_inverse(c)] {
+                assert_eq!(place_and_share(divisor, 1.0).0, 0.0, "{c}");
+            }
+        }
     }
 }
