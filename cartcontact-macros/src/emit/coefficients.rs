@@ -136,9 +136,7 @@ impl<'a> Coefficients<'a> {
     /// One over that for a symbol, computed from the fields of `self`, if it takes no division.
     pub(super) fn inverse(&self, summand: &Summand) -> Option<TokenStream> {
         let inverse = self.geometry.gap.terms[summand.term].coefficient.inverse_of_divisors()?;
-        let fields = self.fields(&quote!(self), &|field| inverse.depends_on(&field.ident));
-        let value = self.expression(&inverse);
-        Some(quote!({ #fields #value }))
+        Some(self.in_fields(&inverse))
     }
 
     /// An array of such factors, zero where there is no summand.
@@ -259,6 +257,13 @@ impl<'a> Coefficients<'a> {
 
     fn values(&self) -> Vec<TokenStream> {
         self.symbolic().map(|(_, coefficient)| self.expression(coefficient)).collect()
+    }
+
+    /// The value of an expression in the fields of `self`.
+    pub(super) fn in_fields(&self, value: &Coefficient) -> TokenStream {
+        let fields = self.fields(&quote!(self), &|field| value.depends_on(&field.ident));
+        let value_of_fields = self.expression(value);
+        if fields.is_empty() { value_of_fields } else { quote!({ #fields #value_of_fields }) }
     }
 
     /// An expression in the fields, over the variables that [`fields`](Self::fields) and [`inverses`](Self::inverses)

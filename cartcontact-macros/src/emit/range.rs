@@ -7,7 +7,6 @@ use quote::quote;
 use super::coefficients::{Coefficients, field_variable};
 use super::{Names, local};
 use crate::gap::Term;
-use crate::gap::coefficient::Coefficient;
 use crate::gap::range::Range;
 use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
@@ -78,7 +77,7 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
         (Range::Unbounded, _) => Some(quote!(<#scalar as #krate::Scalar>::infinity())),
         (Range::Symbolic(_), Proof::OnRange) => None,
         (Range::Symbolic(end), Proof::AllRadii { .. }) => {
-            let (end, not_below_zero) = (in_fields(end, coefficients), names.generated("not_below_zero"));
+            let (end, not_below_zero) = (coefficients.in_fields(end), names.generated("not_below_zero"));
             Some(quote!(#not_below_zero(#end)))
         }
     }
@@ -87,13 +86,6 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
 /// The surfaces for which the values of fields decide whether the range ends inside.
 fn unchecked(geometry: &Geometry) -> &[Surface] {
     geometry.truncation.as_ref().map_or(&[], |truncation| &truncation.unchecked)
-}
-
-/// The value of an expression in the fields.
-fn in_fields(value: &Coefficient, coefficients: &Coefficients<'_>) -> TokenStream {
-    let fields = coefficients.fields(&quote!(self), &|field| value.depends_on(&field.ident));
-    let value_of_fields = coefficients.expression(value);
-    if fields.is_empty() { value_of_fields } else { quote!({ #fields #value_of_fields }) }
 }
 
 /// What depends on the values of the fields.
@@ -148,15 +140,15 @@ impl Checked<'_> {
                 quote!(::core::option::Option::Some(#constant(#end)))
             }
             Range::Symbolic(end) => {
-                let end = in_fields(end, self.coefficients);
+                let end = self.coefficients.in_fields(end);
                 quote!(::core::option::Option::Some(#end))
             }
         };
         let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
         let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
         let surfaces = unchecked(self.geometry).iter().map(|surface| {
-            let radius = in_fields(&surface.radius, self.coefficients);
-            let shape = in_fields(&surface.shape, self.coefficients);
+            let radius = self.coefficients.in_fields(&surface.radius);
+            let shape = self.coefficients.in_fields(&surface.shape);
             quote!((#radius, #shape))
         });
         let surfaces: Vec<TokenStream> = surfaces.collect();
