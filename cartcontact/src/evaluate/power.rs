@@ -84,14 +84,15 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
 /// are constants, which leaves only products.
 #[inline(always)]
 pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
-    let (ratio, inverse, order) = (c / d, d / c, q - p);
+    let per_low = c.recip();
+    let (ratio, inverse, order) = (c / d, d * per_low, q - p);
     let Exponent { whole, fraction, .. } = Exponent::of(p);
     let is_whole = fraction.is_zero();
     if order == T::one() && is_whole {
-        return (ratio, c.recip() * integer_power(inverse, whole as u32));
+        return (ratio, per_low * integer_power(inverse, whole as u32));
     }
     if order == T::constant(2.0) && is_whole {
-        let even = c.recip() * integer_power(inverse, whole as u32 / 2);
+        let even = per_low * integer_power(inverse, whole as u32 / 2);
         return (ratio.sqrt(), if whole & 1 == 1 { even * inverse.sqrt() } else { even });
     }
     let x = if order == T::constant(4.0) { ratio.sqrt().sqrt() } else { root(ratio, order) };
