@@ -232,23 +232,23 @@ impl<T: Scalar> Increment<T> {
     /// in the stretch it is laid: the roundings of m cancel, and so do those of δ₀′ and of ages that all nodes have in
     /// common. After a long history the rounding of radii counts beside the layer's thickness, but not beside its load.
     fn scaled_to_load(self, load: T, low: T) -> Self {
-        let carried = self.load(low);
-        if load > T::zero() && carried > T::zero() { self.times(load / carried) } else { self }
+        let carried = self.doubled_load(low);
+        if load > T::zero() && carried > T::zero() { self.times((load + load) / carried) } else { self }
     }
 
     /// The increment [scaled](Self::scaled_to_load) to a load, unless it is rounding: then it carries another load.
     fn scaled_if_resolved(self, load: T, low: T) -> Option<Self> {
-        let (carried, two) = (self.load(low), T::constant(2.0));
-        let is_resolved = load > T::zero() && carried <= load * two && load <= carried * two;
-        is_resolved.then(|| self.times(load / carried))
+        let (carried, doubled) = (self.doubled_load(low), load + load);
+        let is_resolved = load > T::zero() && carried <= doubled + doubled && load <= carried;
+        is_resolved.then(|| self.times(doubled / carried))
     }
 
-    /// The load that the increment carries.
-    fn load(&self, low: T) -> T {
-        let (two, square) = (T::constant(2.0), low * low);
+    /// Twice the load that the increment carries.
+    fn doubled_load(&self, low: T) -> T {
+        let square = low * low;
         // s⁴ = low⁴ + 2 low² (s² − low²) + (s² − low²)²: in a thin layer the first term counts, and cancels against the
         // slope.
-        ((self.slope * square + two * self.offset) * square + self.spread) * T::constant(0.5)
+        self.slope * (square * square) + (self.offset * (square + square) + self.spread)
     }
 }
 

@@ -162,28 +162,31 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// Multiplies each weight, laid at a radius whose J is smaller by a drop, by e^(−χ age), the share left at the end.
     #[inline(always)]
     pub(super) fn fade(&self, weights: &mut [T], drops: &[T]) {
+        let chi = self.contact.medium().chi();
         // Ages that one formula gives are computed in vectors.
         match *self.course {
-            Course::Linear { line, .. } if line.is_held() => self.fade_by(
-                #[inline(always)]
-                |deficit| line.age_while_held(deficit),
-                (weights, drops),
-            ),
+            Course::Linear { line, .. } if line.is_held() => {
+                let folds_per_deficit = chi / line.hereditary_rate;
+                self.fade_by(
+                    #[inline(always)]
+                    |deficit| deficit * folds_per_deficit,
+                    (weights, drops),
+                );
+            }
             Course::Linear { line, .. } if self.have_roots(line, drops) => self.fade_by(
                 #[inline(always)]
-                |deficit| line.root(deficit),
+                |deficit| chi * line.root(deficit),
                 (weights, drops),
             ),
-            _ => self.fade_by(|deficit| self.course.age(deficit), (weights, drops)),
+            _ => self.fade_by(|deficit| chi * self.course.age(deficit), (weights, drops)),
         }
     }
 
-    /// [`fade`](Self::fade) with ages of deficits by a function.
+    /// [`fade`](Self::fade) with the e-foldings since a deficit by a function.
     #[inline(always)]
-    fn fade_by(&self, age: impl Fn(T) -> T, (weights, drops): (&mut [T], &[T])) {
-        let chi = self.contact.medium().chi();
+    fn fade_by(&self, folds: impl Fn(T) -> T, (weights, drops): (&mut [T], &[T])) {
         for (weight, &drop) in weights.iter_mut().zip(drops) {
-            *weight *= decay(chi * age(self.deficit(drop)));
+            *weight *= decay(folds(self.deficit(drop)));
         }
     }
 
