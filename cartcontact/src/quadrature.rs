@@ -47,8 +47,8 @@ impl<F: Copy> Tables<F> {
     }
 }
 
-/// The rules to choose from. Their nodes fill vectors of up to eight numbers, so that fewer would take as long.
-const RULES: [&Rule; 3] = [Rule::EIGHT, Rule::SIXTEEN, Rule::FINEST];
+/// The rules to choose from. Their nodes fill vectors of four numbers, so that fewer would take as long.
+const RULES: [&Rule; 4] = [Rule::EIGHT, Rule::TWELVE, Rule::SIXTEEN, Rule::FINEST];
 
 impl Rule {
     pub(crate) const FOUR: &'static Self = &Self::of(NODES_4, (0.1321, 1.512));

@@ -12,7 +12,7 @@
 use super::Increment;
 use super::nodes::{Node, Nodes};
 use super::stretch::Stretch;
-use crate::dispatch::wide;
+use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::quadrature::Rule;
 use crate::{GapProfile, Scalar};
@@ -102,7 +102,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// side of it, 12 nodes are needed instead of 8. The finest rule leaves 1e-16 for all c that its panels allow, on
     /// either side or on both.
     fn increment_of_panel(&self, rule: &Rule, (start, end): (T, T)) -> (Increment<T>, bool) {
-        wide(
+        half_wide(
             #[inline(always)]
             || {
                 let (mut nodes, edge) = (Nodes::none(), self.high);
@@ -140,7 +140,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     fn increment_of_core(&self, top: T) -> Increment<T> {
         let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
         let ends = (fourth_root(self.low), fourth_root(top));
-        wide(
+        half_wide(
             #[inline(always)]
             || {
                 let mut nodes = Nodes::none();

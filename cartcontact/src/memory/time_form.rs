@@ -21,7 +21,7 @@
 use super::Increment;
 use super::stretch::Stretch;
 use crate::contact::Contact;
-use crate::dispatch::wide;
+use crate::dispatch::half_wide;
 use crate::evaluate::exponential::decay;
 use crate::load::Load;
 use crate::quadrature::{MOST_NODES, Rule};
@@ -114,12 +114,12 @@ where
         let count = rule.len();
         let (load_integrals, weights) = (&mut load_integrals[..count], &mut weights[..count]);
         let radii = &mut radii[..count];
-        wide(
+        half_wide(
             #[inline(always)]
             || self.fill(rule.nodes(start, end), load_integrals, weights),
         );
         self.find_radii(load_integrals, radii);
-        wide(
+        half_wide(
             #[inline(always)]
             || {
                 let increment = Increment::over_time(radii, weights, self.low);

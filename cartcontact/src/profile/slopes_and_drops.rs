@@ -6,7 +6,7 @@
 //! which is at most 0.37, and at most once in a drop. The powers at a are formed once for all radii; for each radius
 //! one logarithm is left, and two exponentials for each term, in vector code.
 
-use crate::dispatch::wide;
+use crate::dispatch::half_wide;
 use crate::evaluate::exponent::Exponent;
 use crate::evaluate::exponential::{decay, loss};
 use crate::evaluate::logarithm::log_of_ratio;
@@ -91,7 +91,7 @@ fn fill_by_powers<T: Scalar, P: GapProfile<T> + ?Sized>(
     let places = radii.chunks(BLOCK).zip(depths.chunks(BLOCK));
     let values = slopes.chunks_mut(BLOCK).zip(drops.chunks_mut(BLOCK));
     for ((radii, depths), (slopes, drops)) in places.zip(values) {
-        wide(
+        half_wide(
             #[inline(always)]
             || fill_block(a, (radii, depths), (slopes, drops), terms.clone()),
         );
