@@ -274,11 +274,11 @@ const _: () = {
         fn quick_approach(&self, __a: T) -> T {
             __cartcontact::generated::even_sum(
                 __a,
+                2u32,
                 __cartcontact::generated::constants::<
                     T,
                     _,
                 >([
-                    0.0,
                     0.0375,
                     4.6875e-5,
                     1.611328125e-7,
@@ -298,6 +298,7 @@ const _: () = {
         fn quick_approach_slope(&self, __a: T) -> T {
             __cartcontact::generated::even_sum(
                 __a,
+                1u32,
                 __cartcontact::generated::constants::<
                     T,
                     _,
@@ -315,7 +316,7 @@ const _: () = {
                     1.4683094668271224e-23,
                     1.2937547318642829e-25,
                 ]),
-            ) * __a
+            )
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {

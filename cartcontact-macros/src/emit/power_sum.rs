@@ -117,10 +117,9 @@ pub(super) fn quick_value(
     match Whole::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients, names),
         Some(whole) if whole.is_low_in_square() => {
-            let odd = whole.lowest() % 2;
-            let (even_sum, dense) = (names.generated("even_sum"), whole.dense((odd, 2), sum, coefficients));
-            let even = quote!(#even_sum(#x, #dense));
-            if odd == 1 { quote!(#even * #x) } else { even }
+            let (even_sum, lowest) = (names.generated("even_sum"), whole.lowest());
+            let dense = whole.dense((lowest, 2), sum, coefficients);
+            quote!(#even_sum(#x, #lowest, #dense))
         }
         _ => by_powers("quick_power_sum", sum, x, coefficients, names),
     }
