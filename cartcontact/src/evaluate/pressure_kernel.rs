@@ -31,7 +31,7 @@ use crate::scalar::{floor, is_plain, smallest_normal};
 const LONGEST_TENT: u32 = 72;
 
 /// Up to this many even powers repeat the rounding of a² too little to matter.
-const FEW: usize = 2;
+const FEW: usize = 3;
 
 /// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
 #[inline]
