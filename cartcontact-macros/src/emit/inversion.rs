@@ -250,12 +250,12 @@ fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>, nam
 fn dense_drop(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
     let sum = &forms.load_integral;
     let [a, s, depth] = ["a", "s", "depth"].map(local);
-    let whole = Whole::of(sum).filter(|whole| {
-        whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP && (whole.stride() == 1 || whole.lowest() % 2 == 0)
-    })?;
+    let whole = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP)?;
+    let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
+    let step = if is_even { 2 } else { 1 };
     let (function, dense) =
-        (names.generated("divided_difference"), whole.dense((0, whole.stride()), sum, coefficients));
-    let quotient = if whole.stride() == 2 {
+        (names.generated("divided_difference"), whole.dense((0, step), sum, coefficients));
+    let quotient = if is_even {
         quote!((#a + #s) * #function(#a * #a, #s * #s, #dense))
     } else {
         quote!(#function(#a, #s, #dense))
