@@ -132,22 +132,23 @@ pub const CONTACT_APPROACH: Allowance = allow(
 );
 /// P(r, t), to be multiplied by 1 + 2a/(a − r).
 ///
-/// The worst was seen under a straight load that tells of none of its kinks. On the axis, where the factor is 3,
+/// The worst was seen where a load dips for a short time that it does not tell of. On the axis, where the factor is 3,
 /// [`PEAK_PRESSURE`] is up to 2.5 times as much.
 pub const PRESSURE: Allowance = allow(
     "pressure",
     [8.0, 8.0],
-    [2.08, 1.0],
+    [1.67, 1.0],
     "dozens of nodes, whose ages are rounded before they enter exponentials; the factor is how far the rounding of a \
      moves the edge",
 );
 /// P(0, t).
 ///
-/// The worst of 54 000 random scenes in `f64`, and of 12 million in `f32`.
+/// Of 8000 random scenes in `f64` the worst was off by 4.82, of 12 million in `f32` by 7.36. Of 200 million in `f32` three
+/// were above 8, the worst at 9.02, of four terms under a held load.
 pub const PEAK_PRESSURE: Allowance = allow(
     "peak pressure",
     [8.0, 8.0],
-    [6.76, 7.36],
+    [5.57, 7.36],
     "as the pressure, but scaled to the load that it carries: of the errors that all nodes share, only those of the \
      radius and of the kernel of the initial pressure are left",
 );
@@ -165,7 +166,7 @@ pub const BALANCE: Allowance = allow_as_seen(
 pub const BALANCE_OF_OTHER_LOADS: Allowance = allow_as_seen(
     "force balance of other loads",
     [45.0, f64::NAN],
-    [Some(6.0), None],
+    [Some(5.0), None],
     "as the balance, and the forces of dozens of steps are rounded",
 );
 

@@ -96,7 +96,7 @@ fn jumps_and_kinks_are_found_where_no_knot_tells_of_them() -> Result<(), Contact
             }
         }
     }
-    errors.check_worst();
+    errors.check();
     Ok(())
 }
 

@@ -62,6 +62,6 @@ fn a_short_dip_counts_whether_or_not_its_time_is_told() -> Result<(), ContactErr
             }
         }
     }
-    errors.check();
+    errors.check_worst();
     Ok(())
 }
