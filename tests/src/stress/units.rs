@@ -55,6 +55,7 @@ impl<T: Precision> Examination<'_, T> {
         let least = forces.fold(T::infinity(), |least, force| least.min(force * self.scene.chi));
         let load_integral = self.contact.profile().load_integral(radius);
         let (impulse, last) = (self.least_impulse(), self.contact.load().impulse(self.scene.time));
+        let (steepest, slope_unit) = (self.steepest_slope(), T::power_of_two(force - time));
         let impulse_unit = T::power_of_two(force + time);
         let intermediate = [
             least,
@@ -64,9 +65,18 @@ impl<T: Precision> Examination<'_, T> {
             impulse * impulse_unit,
             last,
             last * impulse_unit,
+            steepest,
+            steepest * slope_unit,
         ];
         intermediate.iter().all(has_room)
             && inputs.all(|(x, y)| has_room(&x) && has_room(&y) && x.is_zero() == y.is_zero())
+    }
+
+    /// The largest size of a slope between two knots.
+    fn steepest_slope(&self) -> T {
+        let pairs = self.scene.knots.windows(2).filter(|pair| pair[0].0 < pair[1].0);
+        let slopes = pairs.map(|pair| ((pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0)).abs());
+        slopes.fold(T::zero(), T::max)
     }
 
     /// Twice the least impulse between two knots that is not zero; zero if there is none.
