@@ -68,17 +68,33 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let shortest = (self.high - self.low) * T::constant(1.0 / 4096.0);
         let (of_powers, of_fading) = self.folds_per_length(depth, age);
         let rate = of_powers + of_fading;
-        let end = if rate * (core - depth) <= most {
-            core
-        } else {
-            (depth + (most / rate).max(shortest)).min(core)
-        };
+        let mut end = core;
+        if rate * (core - depth) > most {
+            let least = if is_steepest_at_edge { self.folds_of_held_load(depth, of_fading) } else { rate };
+            end = (depth + (most / rate.min(least)).max(shortest)).min(core);
+        }
         if is_steepest_at_edge {
             return (end, Rule::for_folds(rate * (end - depth)));
         }
         let (end, fading) = self.end_of_panel((depth, age), end, shortest);
         let length = end - depth;
         (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
+    }
+
+    /// How fast the integrand changes at a depth, in e-foldings per length, for the finest rule under a held load and
+    /// positive terms, whose ages grow slower and slower.
+    ///
+    /// The rule leaves less than ε/4 of (1 − κ u)^(p−5) e^(−X (1 − (1 − κ u)^p)) {1, (1 − κ u)² − (1 − κ)²}, 0 ≤ u ≤ 1,
+    /// if p κ X + 9.5 p κ ≤ 47: computed in 40 digits for p from 5 to 68 and κ from 0.01 to 0.8. Of sums, the highest p counts.
+    fn folds_of_held_load(&self, depth: T, of_fading: T) -> T {
+        let profile = self.contact.profile();
+        if !profile.is_smooth_at_centre() {
+            return T::infinity();
+        }
+        let degree = profile.highest_exponent() + T::constant(4.0);
+        let fading = of_fading * T::constant(1.0 / MARGIN);
+        let share = Rule::FINEST.folds::<T>() * T::constant(1.0 / 47.0);
+        (fading + T::constant(9.5) * degree / (self.high - depth)) * share
     }
 
     /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
