@@ -6,7 +6,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use scenes::{
-    Ball, Blunt, NO_RESULT, Patellofemoral, RATE, as_printed, contact, hundred_knots, pressure_at, run_time,
+    Ball, Blunt, Cone, NO_RESULT, Patellofemoral, RATE, ThreeTerm, as_printed, contact, hundred_knots,
+    pressure_at, run_time,
 };
 
 /// With 6 nodes the relative error of the integral at t = 200 s and r = 3 mm is 3.5e-18; with 5 nodes it is 1.2e-15,
@@ -18,6 +19,14 @@ fn pressure(criterion: &mut Criterion) {
     group.bench_function("powf", |b| b.iter(|| black_box(3.7_f64).powf(black_box(1.0 / 6.0))));
     let generated = contact(Patellofemoral);
     group.bench_function("generated, constant load", |b| b.iter(|| pressure_at(&generated, 200.0, 3.0)));
+    // χ t = 30, nearly as much as is not faded.
+    group.bench_function("constant load, after 30 e-foldings", |b| {
+        b.iter(|| pressure_at(&generated, 20_000.0, 3.0));
+    });
+    let three = contact(ThreeTerm);
+    group.bench_function("three terms", |b| b.iter(|| pressure_at(&three, 200.0, 3.0)));
+    let cone = contact(Cone);
+    group.bench_function("a cone", |b| b.iter(|| pressure_at(&cone, 200.0, 3.0)));
     let of_a_field = contact(Ball { radius: 20.0 });
     group.bench_function("two terms with a field", |b| b.iter(|| pressure_at(&of_a_field, 200.0, 3.0)));
     let fractional = contact(Blunt);
