@@ -143,8 +143,8 @@ pub const PRESSURE: Allowance = allow(
 );
 /// P(0, t).
 ///
-/// Of 15 000 random scenes in `f64` the worst was off by 5.63, of 12 million in `f32` by 7.36. Of 80 million in `f32` three
-/// were off by more than 8: 9.02 at the most, of four terms under a held load.
+/// Of 15 000 random scenes in `f64` the worst was off by 5.63, of 12 million in `f32` by 7.36. Of 80 million in `f32`
+/// three were off by more than 8: 9.02 at the most, of four terms under a held load.
 pub const PEAK_PRESSURE: Allowance = allow(
     "peak pressure",
     [8.0, 8.0],

@@ -1,5 +1,5 @@
-//! The scenes with the largest errors of contact radii and peak pressures, of millions of random scenes in single
-//! precision and tens of thousands in double precision.
+//! The scenes with the largest errors of contact radii and, in single precision, of peak pressures, of millions of random
+//! scenes in single precision and tens of thousands in double precision.
 
 use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};

@@ -25,6 +25,11 @@ const MARGIN: f64 = 1.5;
 /// length), or of 31 folds.
 const FOLDS_AT_DISTANCE: f64 = 14.4;
 
+/// The most e-foldings in a panel of the finest rule at its edge, and for how many of these each power over its length
+/// counts: see `folds_of_held_load`.
+const FOLDS_OF_HELD_LOAD: f64 = 47.0;
+const FOLDS_PER_POWER: f64 = 9.5;
+
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// What the stretch adds to the pressure, up to the rounded radius at its end.
     pub(super) fn increment_over_radius(&self) -> Increment<T> {
@@ -85,7 +90,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// positive terms, whose ages grow slower and slower.
     ///
     /// The rule leaves less than ε/4 of (1 − κ u)^(p−5) e^(−X (1 − (1 − κ u)^p)) {1, (1 − κ u)² − (1 − κ)²}, 0 ≤ u ≤ 1,
-    /// if p κ X + 9.5 p κ ≤ 47: computed in 40 digits for p from 5 to 68 and κ from 0.01 to 0.8. Of sums, the highest p counts.
+    /// if p κ X, the e-foldings at the rate of the edge, and [`FOLDS_PER_POWER`] p κ add up to no more than
+    /// [`FOLDS_OF_HELD_LOAD`]: computed in 40 digits for p from 5 to 68 and κ from 0.01 to 0.8, and for sums of such
+    /// terms, of which the highest p counts.
     fn folds_of_held_load(&self, depth: T, of_fading: T) -> T {
         let profile = self.contact.profile();
         if !profile.is_smooth_at_centre() {
@@ -93,8 +100,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         }
         let degree = profile.highest_exponent() + T::constant(4.0);
         let fading = of_fading * T::constant(1.0 / MARGIN);
-        let share = Rule::FINEST.folds::<T>() * T::constant(1.0 / 47.0);
-        (fading + T::constant(9.5) * degree / (self.high - depth)) * share
+        let of_powers = T::constant(FOLDS_PER_POWER) * degree / (self.high - depth);
+        (fading + of_powers) * Rule::FINEST.folds() * T::constant(1.0 / FOLDS_OF_HELD_LOAD)
     }
 
     /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
