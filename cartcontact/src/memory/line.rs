@@ -25,7 +25,7 @@ impl<T: Scalar> Line<T> {
     #[inline]
     pub(crate) fn age(self, deficit: T) -> T {
         if self.is_held() {
-            self.age_while_held(deficit)
+            deficit / self.hereditary_rate
         } else if self.has_root(deficit) {
             self.root(deficit)
         } else {
@@ -37,12 +37,6 @@ impl<T: Scalar> Line<T> {
     #[inline(always)]
     pub(super) fn is_held(self) -> bool {
         is_nothing(self.force_rate)
-    }
-
-    /// The age of a deficit where F′ = 0.
-    #[inline(always)]
-    pub(super) fn age_while_held(self, deficit: T) -> T {
-        deficit / self.hereditary_rate
     }
 
     /// Y′ at the end, as ages need it.

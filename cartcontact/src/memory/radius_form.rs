@@ -73,11 +73,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let shortest = (self.high - self.low) * T::constant(1.0 / 4096.0);
         let (of_powers, of_fading) = self.folds_per_length(depth, age);
         let rate = of_powers + of_fading;
-        let mut end = core;
-        if rate * (core - depth) > most {
-            let least = if is_steepest_at_edge { self.folds_of_held_load(depth, of_fading) } else { rate };
-            end = (depth + (most / rate.min(least)).max(shortest)).min(core);
-        }
+        let end = if rate * (core - depth) <= most {
+            core
+        } else {
+            let rate =
+                if is_steepest_at_edge { rate.min(self.folds_of_held_load(depth, of_fading)) } else { rate };
+            (depth + (most / rate).max(shortest)).min(core)
+        };
         if is_steepest_at_edge {
             return (end, Rule::for_folds(rate * (end - depth)));
         }
@@ -99,9 +101,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             return T::infinity();
         }
         let degree = profile.highest_exponent() + T::constant(4.0);
-        let fading = of_fading * T::constant(1.0 / MARGIN);
-        let of_powers = T::constant(FOLDS_PER_POWER) * degree / (self.high - depth);
-        (fading + of_powers) * Rule::FINEST.folds() * T::constant(1.0 / FOLDS_OF_HELD_LOAD)
+        // With the margin that the rate of fading has.
+        let of_powers = T::constant(MARGIN * FOLDS_PER_POWER) * degree / (self.high - depth);
+        (of_fading + of_powers) * Rule::FINEST.folds() * T::constant(1.0 / (MARGIN * FOLDS_OF_HELD_LOAD))
     }
 
     /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
