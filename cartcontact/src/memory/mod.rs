@@ -17,6 +17,7 @@
 //! | `march` | goes from one time to another, knot by knot; `march::steps`: where the load is not straight |
 //! | `run` | many short straight pieces of the load at once |
 //! | `stretch` | one stretch without a knot: by `radius_form` (held or rising loads) or `time_form` (all others) |
+//! | `held` | the integral over the radius of a held load, in one panel |
 //! | `nodes` | the nodes of an integral over the radius |
 //! | `line`, `fading` | how long ago Y was smaller, along a straight load; what is left after some e-foldings |
 //!
@@ -27,6 +28,7 @@
 //! that it holds for.
 
 mod fading;
+mod held;
 mod line;
 mod march;
 mod nodes;

@@ -1,9 +1,9 @@
 //! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {s² − low², 1} ds.
 //!
 //! The variable is the depth below the edge: after a long history the integrand is a thin layer there, for which
-//! rounded radii would be too coarse. The integral is taken in panels as long as the finest rule integrates to full
-//! accuracy, usually one. What lies below a panel adds at most e^(−χ age) (δ₀(s) − δ₀(low)), because ages only grow
-//! inwards; the integral ends when that no longer counts.
+//! rounded radii would be too coarse. Most held loads take one panel, see [`held`](super::held). All others take panels
+//! as long as the finest rule integrates to full accuracy, usually one. What lies below a panel adds at most
+//! e^(−χ age) (δ₀(s) − δ₀(low)), because ages only grow inwards; the integral ends when that no longer counts.
 //!
 //! Under a profile with fractional exponents the innermost quarter, [`increment_of_core`], is integrated over s^(1/4)
 //! instead. That makes multiples of 1/4 whole and leaves other powers s^n a singularity of order 4 (n+2) − 1, at least
@@ -25,11 +25,6 @@ const MARGIN: f64 = 1.5;
 /// length), or of 31 folds.
 const FOLDS_AT_DISTANCE: f64 = 14.4;
 
-/// The most e-foldings in a panel of the finest rule at its edge, and for how many of these each power over its length
-/// counts: see `folds_of_held_load`.
-const FOLDS_OF_HELD_LOAD: f64 = 47.0;
-const FOLDS_PER_POWER: f64 = 9.5;
-
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// What the stretch adds to the pressure, up to the rounded radius at its end.
     pub(super) fn increment_over_radius(&self) -> Increment<T> {
@@ -40,6 +35,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         if is_steepest_at_edge && self.changes_little() {
             return self.increment_of_panel(Rule::EIGHT, (T::zero(), deepest)).0;
         }
+        if let Some(increment) = self.increment_of_held_load() {
+            return increment;
+        }
+        self.increment_of_panels(is_steepest_at_edge)
+    }
+
+    /// What the stretch adds, in as many panels as it takes.
+    fn increment_of_panels(&self, is_steepest_at_edge: bool) -> Increment<T> {
+        let (profile, deepest) = (self.contact.profile(), self.high - self.low);
         let quarter_left = self.high * T::constant(0.75);
         let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(quarter_left) };
         let mut sum = Increment::zero();
@@ -76,8 +80,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let end = if rate * (core - depth) <= most {
             core
         } else {
-            let rate =
-                if is_steepest_at_edge { rate.min(self.folds_of_held_load(depth, of_fading)) } else { rate };
             (depth + (most / rate).max(shortest)).min(core)
         };
         if is_steepest_at_edge {
@@ -86,24 +88,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let (end, fading) = self.end_of_panel((depth, age), end, shortest);
         let length = end - depth;
         (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
-    }
-
-    /// How fast the integrand changes at a depth, in e-foldings per length, for the finest rule under a held load and
-    /// positive terms, whose ages grow slower and slower.
-    ///
-    /// The rule leaves less than ε/4 of (1 − κ u)^(p−5) e^(−X (1 − (1 − κ u)^p)) {1, (1 − κ u)² − (1 − κ)²}, 0 ≤ u ≤ 1,
-    /// if p κ X, the e-foldings at the rate of the edge, and [`FOLDS_PER_POWER`] p κ add up to no more than
-    /// [`FOLDS_OF_HELD_LOAD`]: computed in 40 digits for p from 5 to 68 and κ from 0.01 to 0.8, and for sums of such
-    /// terms, of which the highest p counts.
-    fn folds_of_held_load(&self, depth: T, of_fading: T) -> T {
-        let profile = self.contact.profile();
-        if !profile.is_smooth_at_centre() {
-            return T::infinity();
-        }
-        let degree = profile.highest_exponent() + T::constant(4.0);
-        // With the margin that the rate of fading has.
-        let of_powers = T::constant(MARGIN * FOLDS_PER_POWER) * degree / (self.high - depth);
-        (of_fading + of_powers) * Rule::FINEST.folds() * T::constant(1.0 / (MARGIN * FOLDS_OF_HELD_LOAD))
     }
 
     /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
