@@ -21,7 +21,7 @@
 //! Otherwise it may be anything, and the stretch is left to shorter panels.
 
 use super::Increment;
-use super::nodes::{Node, Nodes};
+use super::nodes::Node;
 use super::stretch::{Course, Stretch};
 use crate::dispatch::half_wide;
 use crate::load::Load;
@@ -54,10 +54,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         half_wide(
             #[inline(always)]
             || {
-                let mut nodes = Nodes::none();
                 let (most, per_length) = (T::one() + bend, bend / length);
-                nodes.take(
-                    self,
+                let (increment, is_steady) = self.integrate(
                     rule,
                     (T::zero(), length),
                     #[inline(always)]
@@ -67,8 +65,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                         Node { s: self.high - depth, depth, weight: dx * (most * (share * share)) }
                     },
                 );
-                let is_resolved = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
-                is_resolved.then(|| nodes.increment(self.low))
+                is_steady.then_some(increment)
             },
         )
     }

@@ -21,6 +21,23 @@ pub(super) struct Node<T> {
 #[repr(align(64))]
 struct Row<T>([T; MOST_NODES]);
 
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
+    /// The increment by a rule for a variable between `ends`, and whether s δ₀′ rises with the radius from node to node,
+    /// as it does for positive terms; `place` makes a node of a value of the variable and its weight.
+    #[inline(always)]
+    pub(super) fn integrate(
+        &self,
+        rule: &Rule,
+        ends: (T, T),
+        place: impl Fn(T, T) -> Node<T>,
+    ) -> (Increment<T>, bool) {
+        let mut nodes = Nodes::none();
+        nodes.take(self, rule, ends, place);
+        let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
+        (nodes.increment(self.low), is_steady)
+    }
+}
+
 /// All nodes, with the integrand at each.
 pub(super) struct Nodes<T> {
     count: usize,

@@ -114,10 +114,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         half_wide(
             #[inline(always)]
             || {
-                let (mut nodes, edge) = (Nodes::none(), self.high);
-                nodes.take(self, rule, (start, end), |depth, weight| Node { s: edge - depth, depth, weight });
-                let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
-                (nodes.increment(self.low), is_steady)
+                let edge = self.high;
+                self.integrate(
+                    rule,
+                    (start, end),
+                    #[inline(always)]
+                    |depth, weight| Node { s: edge - depth, depth, weight },
+                )
             },
         )
     }
