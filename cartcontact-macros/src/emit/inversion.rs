@@ -40,7 +40,7 @@ pub(super) fn methods(
         None => general,
     };
     let radii_within = radii.flatten().map(|radii| radii_within(&radii, coefficients, names));
-    let inline = inlining(gap, start);
+    let inline = inlining(gap, forms, start);
     let dense = dense_drop(forms, coefficients, names);
     let drops = slopes_and_drops(forms, dense.as_ref(), coefficients, names);
     let drop = dense.unwrap_or_else(|| drop_by_powers(forms, coefficients, names));
@@ -89,12 +89,13 @@ fn from_start(
     }
 }
 
-/// How a radius is compiled into its callers. A radius from a table is just long enough for compilers to hesitate: left
-/// to them, it is a call with its result in memory in one program and not in the next, which makes up to half of its
-/// time.
-fn inlining(gap: &Gap, start: Option<&Start>) -> TokenStream {
+/// How a radius is compiled into its callers. A radius from a table, or from a leading term with whole powers, is just
+/// long enough for compilers to hesitate: left to them, it is a call with its result in memory in one program and not
+/// in the next, which makes up to half of its time.
+fn inlining(gap: &Gap, forms: &ClosedForms, start: Option<&Start>) -> TokenStream {
     match start {
         Some(Start::Roots(_)) => quote!(#[inline(always)]),
+        Some(Start::LeadingTerm) if leading_term::has_whole_powers(forms) => quote!(#[inline(always)]),
         Some(Start::Seeds(_)) if !gap.is_constant() => quote!(#[inline(always)]),
         _ => quote!(#[inline]),
     }

@@ -85,6 +85,11 @@ fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names)
     })
 }
 
+/// Whether the steps from the leading term have whole powers.
+pub(super) fn has_whole_powers(forms: &ClosedForms) -> bool {
+    whole(&forms.stepped.load_integral).is_some()
+}
+
 fn whole(sum: &PowerSum) -> Option<Whole> {
     Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_POWER)
 }
