@@ -41,8 +41,8 @@ pub(crate) enum Reach {
     Spans(Spans),
 }
 
-/// 2^(64 h/p) at index h modulo 64: its fraction in three parts in places 0, 3 and 1, its exponent in place 2.
-pub(crate) struct Spans(Vec<[f32; 4]>);
+/// 2^(64 h/p) at index h modulo 64: three parts of its fraction, and its exponent.
+pub(crate) struct Spans(Vec<([f32; 3], i32)>);
 
 /// This many spans hold the quotients of all normal numbers.
 const SPANS: i32 = 64;
@@ -108,22 +108,24 @@ impl Power {
 
 impl Spans {
     fn of(p: &Rational) -> Option<Self> {
-        let mut rows = vec![[0.0; 4]; SPANS as usize];
+        let mut rows = vec![([0.0; 3], 0); SPANS as usize];
         for span in -SPANS / 2..SPANS / 2 {
             let (fraction, octave) = Float::real_root(&integer(2).pow(span * OCTAVES), p)?.split();
-            let [first, second, third] = fraction.in_parts()?;
-            rows[span.rem_euclid(SPANS) as usize] = [first, third, octave as f32, second];
+            rows[span.rem_euclid(SPANS) as usize] = (fraction.in_parts()?, i32::try_from(octave).ok()?);
         }
         Some(Self(rows))
     }
 
     /// The bytes of the rows in the places where the solver looks for them.
     pub(crate) fn in_places(&self) -> Vec<u8> {
-        self.0.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect()
+        let row = |&([first, second, third], octave): &([f32; 3], i32)| {
+            [first.to_le_bytes(), third.to_le_bytes(), octave.to_le_bytes(), second.to_le_bytes()]
+        };
+        self.0.iter().flat_map(row).flatten().collect()
     }
 
     pub(crate) const fn size_in_bytes() -> usize {
-        size_of::<[[f32; 4]; SPANS as usize]>()
+        size_of::<[([f32; 3], i32); SPANS as usize]>()
     }
 }
 
@@ -183,10 +185,10 @@ mod tests {
     fn spans_are_powers_of_the_first() {
         let Spans(rows) = Spans::of(&fraction(637, 100)).unwrap();
         let root = |span: i32| {
-            let [first, third, octave, second] = rows[span.rem_euclid(SPANS) as usize].map(f64::from);
-            (first + second + third).ln() + octave * core::f64::consts::LN_2
+            let (parts, octave) = rows[span.rem_euclid(SPANS) as usize];
+            parts.map(f64::from).iter().sum::<f64>().ln() + f64::from(octave) * core::f64::consts::LN_2
         };
-        assert_eq!(rows[0], [1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(rows[0], ([1.0, 0.0, 0.0], 0));
         for span in -32..32 {
             // The logarithms go up to 450 and are rounded in sums and products.
             let error = root(span) - f64::from(span) * root(1);

@@ -105,12 +105,12 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
 
     #[inline(always)]
     fn solve_blocks<const N: usize>(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
-        let mut rows = [Row([0; 16]); N];
+        let (mut rows, mut starts) = ([Row::default(); N], [S::Start::default(); N]);
         leading_blocks(
             load_integrals,
             radii,
             #[inline(always)]
-            |load_integrals, radii| self.block(load_integrals, &mut rows, radii),
+            |load_integrals, radii| self.block(load_integrals, (&mut rows, &mut starts), radii),
         )
     }
 
@@ -121,27 +121,28 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
     fn block<const N: usize>(
         &self,
         load_integrals: &[T; N],
-        rows: &mut [Row; N],
+        (rows, starts): (&mut [Row; N], &mut [S::Start; N]),
         radii: &mut [T; N],
     ) -> bool {
         // Copies, which cannot alias what is written: otherwise they would be read again for every radius.
         let (Self { table, limit, .. }, step) = (self, self.step);
         let [from, to] = table.ends::<T>();
         let mut found = true;
-        let mut all_digits = [0; N];
-        for (all_digits, &load_integral) in all_digits.iter_mut().zip(load_integrals) {
-            let y = step.in_table(load_integral);
-            *all_digits = digits(y);
+        let (mut all_digits, mut all_periods) = ([0; N], [0; N]);
+        let places = all_digits.iter_mut().zip(&mut all_periods);
+        for ((all_digits, all_periods), &load_integral) in places.zip(load_integrals) {
+            let (y, periods) = step.in_table(load_integral);
+            (*all_digits, *all_periods) = (digits(y), periods);
             found &= (from <= y) & (y < to);
         }
         for (row, &digits) in rows.iter_mut().zip(&all_digits) {
             *row = table.row(digits);
         }
-        let mut starts = [S::Start::default(); N];
-        for ((start, row), &digits) in starts.iter_mut().zip(&*rows).zip(&all_digits) {
-            *start = S::start(row, digits);
+        let places = all_digits.iter().zip(&all_periods);
+        for ((start, row), (&digits, &periods)) in starts.iter_mut().zip(&*rows).zip(places) {
+            *start = step.start(row, digits, periods);
         }
-        let places = rows.iter().zip(&starts).zip(load_integrals);
+        let places = rows.iter().zip(&*starts).zip(load_integrals);
         for (radius, ((row, &start), &load_integral)) in radii.iter_mut().zip(places) {
             *radius = step.radius(row, start, load_integral);
         }

@@ -49,14 +49,14 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
     type Start = f32;
 
     #[inline(always)]
-    fn in_table(self, load_integral: T) -> T {
-        self.units.in_table(load_integral)
+    fn in_table(self, load_integral: T) -> (T, i32) {
+        (self.units.in_table(load_integral), 0)
     }
 
     /// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ where u is 1 plus the last 23 bits as a fraction. A row has the order c₀,
     /// c₂, c₁, c₃.
     #[inline(always)]
-    fn start(row: &Row, digits: u32) -> f32 {
+    fn start(self, row: &Row, digits: u32, _periods: i32) -> f32 {
         let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
         (row.at(0) + row.at(2) * u) + (row.at(1) + row.at(3) * u) * (u * u)
     }

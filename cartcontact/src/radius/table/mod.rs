@@ -62,19 +62,19 @@ pub struct Quarters {
 pub struct Rows(pub [u8; 4096]);
 
 /// Four numbers in single precision, the low byte first.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row(pub(super) [u8; 16]);
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Row(pub(super) [u8; 16]);
 
 /// How a radius follows from its row of the table.
 pub(super) trait Step<T>: Copy {
     /// What is read from all rows of a block first, if that makes quicker vector code.
     type Start: Copy + Default;
 
-    /// The load integral that is looked up in the table.
-    fn in_table(self, load_integral: T) -> T;
+    /// The load integral that is looked up in the table, and how many periods of the table were taken out of it.
+    fn in_table(self, load_integral: T) -> (T, i32);
 
-    /// What a row gives for the [`digits`] of a load integral.
-    fn start(row: &Row, digits: u32) -> Self::Start;
+    /// What a row gives for the [`digits`] of a load integral and its periods.
+    fn start(self, row: &Row, digits: u32, periods: i32) -> Self::Start;
 
     fn radius(self, row: &Row, start: Self::Start, load_integral: T) -> T;
 }
@@ -84,13 +84,13 @@ impl Table {
     /// f32 and f64.
     #[inline(always)]
     pub(super) fn find<T: Scalar, S: Step<T>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
-        let y = step.in_table(load_integral);
+        let (y, periods) = step.in_table(load_integral);
         if !(self.holds::<T>() && self.contains(y)) {
             return None;
         }
         let digits = digits(y);
         let row = self.row(digits);
-        let radius = step.radius(&row, S::start(&row, digits), load_integral);
+        let radius = step.radius(&row, step.start(&row, digits, periods), load_integral);
         // Without the second condition a limit that is infinite at compile time would still be compared, as the radius
         // may be NaN. One that is infinite at run time takes one comparison.
         let is_within = radius <= limit || limit == T::infinity();
@@ -131,8 +131,19 @@ impl Row {
     /// The number at a place from 0 to 3.
     #[inline(always)]
     pub(super) fn at(&self, place: usize) -> f32 {
+        f32::from_le_bytes(self.bytes_at(place))
+    }
+
+    /// The integer at a place from 0 to 3.
+    #[inline(always)]
+    fn integer_at(&self, place: usize) -> i32 {
+        i32::from_le_bytes(self.bytes_at(place))
+    }
+
+    #[inline(always)]
+    fn bytes_at(&self, place: usize) -> [u8; 4] {
         let (places, _) = self.0.as_chunks();
-        f32::from_le_bytes(places[place])
+        places[place]
     }
 }
 

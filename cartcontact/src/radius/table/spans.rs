@@ -7,14 +7,15 @@
 //! (y/j)^(1/p) = (f/w)^(1/p) · 2^(64 h/p)
 //! ```
 //!
-//! Both factors have three parts in single precision, see [`roots`](super::roots), and their product loses nothing of
-//! the size of a rounding.
+//! Both factors have three parts in single precision, see [`roots`](super::roots). The product of the first two is exact
+//! in double precision, and the product of all loses nothing of the size of a rounding.
 
 use super::Row;
-use super::roots::{Divisor, Ratio, Term};
+use super::roots::{Divisor, Term};
 use crate::Scalar;
 use crate::evaluate::bits::power_of_two;
 use crate::evaluate::halved::Halved;
+use crate::scalar::is;
 
 /// Quarters of octaves in a span: as many as a table has rows.
 const QUARTERS: u32 = 256;
@@ -49,9 +50,11 @@ impl<T: Scalar> AnyPower<T> {
 }
 
 impl<T: Scalar> Term<T> for AnyPower<T> {
+    type Periods = Row;
+
     #[inline(always)]
-    fn ratio(self, load_integral: T) -> Ratio<T> {
-        self.divisor.ratio::<2>(
+    fn in_table(self, load_integral: T) -> (T, i32) {
+        self.divisor.in_table::<2>(
             load_integral,
             #[inline(always)]
             |quarters| ((quarters as u32 % QUARTERS) as i32, quarters.div_euclid(QUARTERS as i32)),
@@ -59,11 +62,27 @@ impl<T: Scalar> Term<T> for AnyPower<T> {
     }
 
     #[inline(always)]
-    fn with_periods(self, (root, rest): (T, T), periods: i32) -> (T, T) {
-        let row = self.spans.row(periods);
-        let (factor, lacking) = row.root::<T>();
-        let (product, lost) = Halved::of(root).times(Halved::of(factor)).word_and_lost();
-        let unit = power_of_two::<T>(row.at(2) as i32);
-        (product * unit, (lost + (root * lacking + rest * factor)) * unit)
+    fn share(self, load_integral: T) -> T {
+        self.divisor.share::<2>(load_integral)
     }
+
+    #[inline(always)]
+    fn periods(self, periods: i32) -> Row {
+        self.spans.row(periods)
+    }
+
+    #[inline(always)]
+    fn with_periods(self, (root, rest): (T, T), row: Row) -> (T, T) {
+        let (factor, lacking) = row.root::<T>();
+        let (product, lost) = product_of_parts(root, factor);
+        let lost = lost + (root * lacking + rest * (factor + lacking));
+        let unit = power_of_two::<T>(row.integer_at(2));
+        (product * unit, lost * unit)
+    }
+}
+
+/// The product of two numbers of single precision, and what it lacks: nothing in double precision.
+#[inline(always)]
+fn product_of_parts<T: Scalar>(x: T, y: T) -> (T, T) {
+    if is::<T, f32>() { Halved::of(x).times(Halved::of(y)).word_and_lost() } else { (x * y, T::zero()) }
 }
