@@ -221,62 +221,41 @@ const _: () = {
         #[inline]
         fn quick_approach(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        __c0 * <S as __cartcontact::Scalar>::constant(0.5f64),
-                        __cartcontact::generated::Exponent::whole(2),
-                    ),
-                    (
-                        __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.4444444444444444f64,
-                            ),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __beside = {
+                let __s = __a * __a;
+                (__c1 * <S as __cartcontact::Scalar>::constant(0.4444444444444444f64))
+                    * __s
+            };
+            let __value = {
+                let __s = __a * __a;
+                (__c0 * <S as __cartcontact::Scalar>::constant(0.5f64)) * __s
+            };
+            __value + __cartcontact::generated::square_root(__a) * __beside
         }
         #[inline]
         fn quick_approach_slope(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (__c0, __cartcontact::generated::Exponent::whole(1)),
-                    (
-                        __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                1.1111111111111112f64,
-                            ),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __beside = {
+                (__c1 * <S as __cartcontact::Scalar>::constant(1.1111111111111112f64))
+                    * __a
+            };
+            let __value = { (__c0) * __a };
+            __value + __cartcontact::generated::square_root(__a) * __beside
         }
         #[inline]
         fn quick_load_integral(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        __c0
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.08333333333333333f64,
-                            ),
-                        __cartcontact::generated::Exponent::whole(6),
-                    ),
-                    (
-                        __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.08547008547008547f64,
-                            ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __beside = {
+                let __s = __a * __a;
+                (__c1 * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64))
+                    * __s * __s * __s
+            };
+            let __value = {
+                let __s = __a * __a;
+                (__c0 * <S as __cartcontact::Scalar>::constant(0.08333333333333333f64))
+                    * __s * __s * __s
+            };
+            __value + __cartcontact::generated::square_root(__a) * __beside
         }
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
@@ -295,9 +274,17 @@ const _: () = {
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_pressure_kernel(
+            __cartcontact::generated::quick_half_pressure_kernel(
                 __a,
                 __r,
+                [
+                    <S as __cartcontact::Scalar>::constant(0.0f64),
+                    <S as __cartcontact::Scalar>::constant(0.0f64),
+                    <S as __cartcontact::Scalar>::constant(0.0f64),
+                    __c0 * <S as __cartcontact::Scalar>::constant(0.015625f64),
+                    __c1
+                        * <S as __cartcontact::Scalar>::constant(0.012345679012345678f64),
+                ],
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
                     (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
@@ -547,9 +534,35 @@ const _: () = {
         #[inline]
         fn load_integral_drop(&self, __a: S, __depth: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::power_sum_drop(
+            __cartcontact::generated::drop_by_roots(
                 __a,
                 __depth,
+                (
+                    [
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        __c0
+                            * <S as __cartcontact::Scalar>::constant(
+                                0.08333333333333333f64,
+                            ),
+                    ],
+                    [
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        __c1
+                            * <S as __cartcontact::Scalar>::constant(
+                                0.08547008547008547f64,
+                            ),
+                    ],
+                ),
                 [
                     (
                         __c0
@@ -568,7 +581,7 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn fill_slopes_and_drops(
             &self,
             __a: S,
@@ -576,27 +589,47 @@ const _: () = {
             __values: (&mut [S], &mut [S]),
         ) {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::fill_slopes_and_drops(
+            __cartcontact::generated::fill_by_roots(
                 self,
                 __a,
                 __places,
                 __values,
-                [
-                    (
+                |__r| {
+                    let __beside = {
+                        (__c1
+                            * <S as __cartcontact::Scalar>::constant(
+                                1.1111111111111112f64,
+                            )) * __r
+                    };
+                    let __value = { (__c0) * __r };
+                    __value + __cartcontact::generated::square_root(__r) * __beside
+                },
+                (
+                    [
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
                         __c0
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::whole(6),
-                    ),
-                    (
+                    ],
+                    [
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(0.0f64),
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                ],
+                    ],
+                ),
             )
         }
         #[inline]

@@ -147,51 +147,30 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0013333333333333333f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __beside = {
+                (<T as __cartcontact::Scalar>::constant(0.005714285714285714f64)
+                    + (<T as __cartcontact::Scalar>::constant(0.0013333333333333333f64))
+                        * __a) * __a
+            };
+            __cartcontact::generated::square_root(__a) * __beside
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0033333333333333335f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __beside = {
+                (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64)
+                    + (<T as __cartcontact::Scalar>::constant(0.0033333333333333335f64))
+                        * __a)
+            };
+            __cartcontact::generated::square_root(__a) * __beside
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __beside = {
+                (<T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)
+                    + (<T as __cartcontact::Scalar>::constant(0.0002564102564102564f64))
+                        * __a) * __a * __a * __a * __a * __a
+            };
+            __cartcontact::generated::square_root(__a) * __beside
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
@@ -212,9 +191,16 @@ const _: () = {
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_pressure_kernel(
+            __cartcontact::generated::quick_half_pressure_kernel(
                 __a,
                 __r,
+                [
+                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                    <T as __cartcontact::Scalar>::constant(0.00020408163265306123f64),
+                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                    <T as __cartcontact::Scalar>::constant(3.7037037037037037e-5f64),
+                ],
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
@@ -392,9 +378,21 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
-            __cartcontact::generated::power_sum_drop(
+            __cartcontact::generated::drop_by_roots(
                 __a,
                 __depth,
+                (
+                    [<T as __cartcontact::Scalar>::constant(0.0f64)],
+                    [
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                        <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
+                    ],
+                ),
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
@@ -407,28 +405,39 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn fill_slopes_and_drops(
             &self,
             __a: T,
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            __cartcontact::generated::fill_slopes_and_drops(
+            __cartcontact::generated::fill_by_roots(
                 self,
                 __a,
                 __places,
                 __values,
-                [
-                    (
+                |__r| {
+                    let __beside = {
+                        (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64)
+                            + (<T as __cartcontact::Scalar>::constant(
+                                0.0033333333333333335f64,
+                            )) * __r)
+                    };
+                    __cartcontact::generated::square_root(__r) * __beside
+                },
+                (
+                    [<T as __cartcontact::Scalar>::constant(0.0f64)],
+                    [
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                    ),
-                    (
                         <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                ],
+                    ],
+                ),
             )
         }
         #[inline]

@@ -8,7 +8,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
-use crate::number::{Rational, common_denominator, integer};
+use crate::number::{Rational, common_denominator, fraction, integer};
 
 /// A shortener has at most this many binary digits: half of the 53 of an `f64`.
 const MOST_DIGITS: u64 = 26;
@@ -129,6 +129,22 @@ impl PowerSum {
         Self { summands: summands.collect() }
     }
 
+    /// W and H, if the sum is W(x) + √x H(x) with whole powers, some of them in H.
+    pub(crate) fn whole_and_halves(&self) -> Option<[Self; 2]> {
+        let half = fraction(1, 2);
+        let [mut whole, mut halves] = [(); 2].map(|()| Self { summands: Vec::new() });
+        for mut summand in self.weighted(|_| Rational::one()).summands {
+            if summand.exponent.is_integer() {
+                whole.summands.push(summand);
+            } else {
+                summand.exponent -= &half;
+                halves.summands.push(summand);
+            }
+        }
+        let are_whole = halves.summands.iter().all(|summand| summand.exponent.is_integer());
+        (are_whole && !halves.summands.is_empty()).then_some([whole, halves])
+    }
+
     /// The least index of a root of x in which all powers are whole, if it is not too high.
     fn root_of_whole_powers(&self) -> Option<u32> {
         let index = common_denominator(self.summands.iter().map(|summand| &summand.exponent));
@@ -136,7 +152,7 @@ impl PowerSum {
     }
 
     /// The sum with all exponents multiplied by the index: a sum of powers of that root of x.
-    fn in_root(&self, index: u32) -> Self {
+    pub(crate) fn in_root(&self, index: u32) -> Self {
         let mut sum = self.weighted(|_| Rational::one());
         for summand in &mut sum.summands {
             summand.exponent = &summand.exponent * integer(index);

@@ -13,15 +13,16 @@ pub use crate::evaluate::horner::{
 };
 pub use crate::evaluate::power::{
     integer_power, power_of_half_digits, power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum,
-    real_power,
+    real_power, square_root,
 };
 pub use crate::evaluate::pressure_kernel::{
-    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
-    quick_whole_pressure_kernel,
+    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_half_pressure_kernel,
+    quick_pressure_kernel, quick_whole_pressure_kernel,
 };
 pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
 };
+pub use crate::profile::by_roots::{drop_by_roots, fill_by_roots};
 pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
 pub use crate::radius::leading_term::radius_of_real_powers;

@@ -119,12 +119,23 @@ mod shapes {
     pub(super) struct Decimal;
     #[gap_profile(1e-7 * r^17.3)]
     pub(super) struct HighDecimal;
+    // Multiples of 1/2: alone, beside whole powers, with a negative term, and with a slope that is no polynomial.
+    #[gap_profile(0.03 * r^2.5)]
+    pub(super) struct Hertzian52;
+    #[gap_profile(0.02 * r^2.5 + 1e-4 * r^4)]
+    pub(super) struct Half;
+    #[gap_profile(0.02 * r^1.5 + 1e-3 * r^2 + 2e-5 * r^5.5)]
+    pub(super) struct Halves;
+    #[gap_profile(0.02 * r^2 - 1e-3 * r^2.5 + 2e-5 * r^4)]
+    pub(super) struct NegativeHalf;
+    #[gap_profile(0.2 * r^0.5 + 0.01 * r^2)]
+    pub(super) struct Root;
 }
 
 /// A generated solver and the terms of its geometry as decimals.
 type Shape = (&'static dyn GapProfile<f64>, &'static [(&'static str, &'static str)]);
 
-const SHAPES: [Shape; 9] = [
+const SHAPES: [Shape; 14] = [
     (&shapes::Needle, &[("0.3", "0.25"), ("0.01", "2")]),
     (&shapes::OddPowers, &[("0.02", "7"), ("1e-3", "9")]),
     (&shapes::Dense, &[("0.1", "2"), ("1e-3", "3"), ("1e-4", "4"), ("1e-5", "5"), ("1e-6", "6")]),
@@ -134,6 +145,11 @@ const SHAPES: [Shape; 9] = [
     (&shapes::Decimal, &[("0.03", "2.3")]),
     (&Decimals, &DECIMALS),
     (&shapes::HighDecimal, &[("1e-7", "17.3")]),
+    (&shapes::Hertzian52, &[("0.03", "2.5")]),
+    (&shapes::Half, &[("0.02", "2.5"), ("1e-4", "4")]),
+    (&shapes::Halves, &[("0.02", "1.5"), ("1e-3", "2"), ("2e-5", "5.5")]),
+    (&shapes::NegativeHalf, &[("0.02", "2"), ("-1e-3", "2.5"), ("2e-5", "4")]),
+    (&shapes::Root, &[("0.2", "0.5"), ("0.01", "2")]),
 ];
 
 #[test]
@@ -195,16 +211,16 @@ impl Scene {
     }
 }
 
-fn check_contacts(scenes: Vec<Scene>) {
+/// Compares the contacts of solvers for the geometries of scenes.
+fn check_contacts(scenes: impl IntoIterator<Item = (Scene, Box<dyn GapProfile<f64>>, Profile)>) {
     let mut radius = Errors::of(budget::CONTACT_RADIUS);
     let mut approach = Errors::of(budget::CONTACT_APPROACH);
     let (mut pressure, mut peak) = (Errors::of(budget::PRESSURE), Errors::of(budget::PEAK_PRESSURE));
-    for scene in scenes {
-        let profile = sum(scene.terms.clone());
-        let (m, r) = (scene.m(&profile), scene.radius * (1.0 - scene.depth));
-        let oracle = Oracle::new(Profile::of(&scene.terms), m, scene.chi, &scene.knots);
+    for (scene, profile, exact) in scenes {
+        let (m, r) = (scene.m(&*profile), scene.radius * (1.0 - scene.depth));
+        let oracle = Oracle::new(exact, m, scene.chi, &scene.knots);
         let found = || {
-            let contact = Contact::new(&profile, Medium::from_constants(m, scene.chi)?, scene.load())?;
+            let contact = Contact::new(&*profile, Medium::from_constants(m, scene.chi)?, scene.load())?;
             let now = contact.at(scene.time)?;
             Ok((now.radius(), now.approach(), now.pressure(r), now.peak_pressure()))
         };
@@ -212,8 +228,8 @@ fn check_contacts(scenes: Vec<Scene>) {
             found().unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{scene:?}: {error}"));
         let exact_radius = oracle.radius(scene.time);
         let a = rounded(&exact_radius);
-        let condition = condition::of_radius(&profile, &of_sizes(&scene.terms), a);
-        let degree = condition::degree_of_approach(&profile, a);
+        let condition = condition::of_radius(&*profile, &of_sizes(&scene.terms), a);
+        let degree = condition::degree_of_approach(&*profile, a);
         radius.add(found.0, &exact_radius, condition, &scene);
         approach.add(found.1, &oracle.approach(scene.time), condition * (1.0 + degree), &scene);
         let [exact_pressure, exact_peak] = oracle.pressures([r, 0.0], scene.time);
@@ -231,10 +247,31 @@ fn check_contacts(scenes: Vec<Scene>) {
 
 #[test]
 fn contacts_of_random_profiles_are_those_of_the_oracle() {
-    check_contacts(samples(&scenes(geometries(quarters(), 6)), 24));
+    check_contacts(at_run_time(samples(&scenes(geometries(quarters(), 6)), 24)));
 }
 
 #[test]
 fn contacts_of_powers_without_roots_are_those_of_the_oracle() {
-    check_contacts(samples(&scenes(geometries(0.25..8.0, 2)), 2));
+    check_contacts(at_run_time(samples(&scenes(geometries(0.25..8.0, 2)), 2)));
+}
+
+/// Scenes with run-time polynomials.
+fn at_run_time(scenes: Vec<Scene>) -> impl Iterator<Item = (Scene, Box<dyn GapProfile<f64>>, Profile)> {
+    scenes.into_iter().map(|scene| {
+        let (solver, exact) = (sum(scene.terms.clone()), Profile::of(&scene.terms));
+        (scene, Box::new(solver) as Box<dyn GapProfile<f64>>, exact)
+    })
+}
+
+#[test]
+fn contacts_of_generated_solvers_are_those_of_the_oracle() {
+    let all = SHAPES.iter().filter(|(_, terms)| terms.iter().any(|(_, n)| n.ends_with(".5")));
+    let scenes = all.flat_map(|&(solver, terms)| {
+        let numbers: Terms = terms.iter().map(|(c, n)| (number(c), number(n))).collect();
+        let scenes = samples(&scenes(Just((numbers, 8.0))), 6);
+        scenes.into_iter().map(move |scene| {
+            (scene, Box::new(solver) as Box<dyn GapProfile<f64>>, Profile::of_decimals(terms))
+        })
+    });
+    check_contacts(scenes);
 }

@@ -1,4 +1,4 @@
-//! The contact radius from the load integral, and what else the solver needs from J.
+//! The contact radius from the load integral.
 
 use num_traits::Zero;
 use proc_macro2::TokenStream;
@@ -18,10 +18,7 @@ use crate::start::{Start, may_have_leading_term};
 /// The highest power of a dense polynomial; beyond it, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
 
-/// The same for the drop of J, on which everything between two times depends; its error is half the power times ε.
-const HIGHEST_DENSE_POWER_OF_DROP: u32 = 24;
-
-/// The methods that invert J, and the other methods that concern J: drops, and slopes with them.
+/// The methods that invert J.
 pub(super) fn methods(
     geometry: &Geometry,
     forms: &ClosedForms,
@@ -29,8 +26,8 @@ pub(super) fn methods(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
-    let (gap, Names { krate, scalar, load_integral, limit, .. }) = (&geometry.gap, names);
-    let (preamble, [a, depth]) = (coefficients.preamble(), ["a", "depth"].map(local));
+    let (gap, preamble) = (&geometry.gap, coefficients.preamble());
+    let Names { krate, scalar, load_integral, limit, .. } = names;
     let general = outside_table(gap, forms, start, coefficients, names);
     let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
     let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
@@ -41,9 +38,6 @@ pub(super) fn methods(
     };
     let radii_within = radii.flatten().map(|radii| radii_within(&radii, coefficients, names));
     let inline = inlining(gap, forms, start);
-    let dense = dense_drop(forms, coefficients, names);
-    let drops = slopes_and_drops(forms, dense.as_ref(), coefficients, names);
-    let drop = dense.unwrap_or_else(|| drop_by_powers(forms, coefficients, names));
     quote! {
         #inline
         fn radius_within(
@@ -58,11 +52,6 @@ pub(super) fn methods(
         #unlimited
 
         #radii_within
-
-        #[inline]
-        fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }
-
-        #drops
     }
 }
 
@@ -245,66 +234,4 @@ fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>, nam
         let #log_slope = #constant(#lowest) * #value + #constant(#stride) * #x * #slope;
         (#value #scale, #log_slope #scale)
     }
-}
-
-/// J(a) − J(a − depth) for low whole powers, with the depth as a factor.
-fn dense_drop(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
-    let sum = &forms.load_integral;
-    let [a, s, depth] = ["a", "s", "depth"].map(local);
-    let whole = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER_OF_DROP)?;
-    let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
-    let step = if is_even { 2 } else { 1 };
-    let (function, dense) =
-        (names.generated("divided_difference"), whole.dense((0, step), sum, coefficients));
-    let quotient = if is_even {
-        quote!((#a + #s) * #function(#a * #a, #s * #s, #dense))
-    } else {
-        quote!(#function(#a, #s, #dense))
-    };
-    Some(quote!(let #s = #a - #depth; #depth * (#quotient)))
-}
-
-/// J(a) − J(a − depth) for any powers.
-fn drop_by_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let [a, depth] = ["a", "depth"].map(local);
-    let (function, terms) =
-        (names.generated("power_sum_drop"), terms(&forms.load_integral, coefficients, names));
-    quote!(#function(#a, #depth, #terms))
-}
-
-/// The method for slices of slopes and drops, generated where something is the same for all of them: the coefficients
-/// if they depend on fields, and the powers at a if the sum is not `dense`.
-fn slopes_and_drops(
-    forms: &ClosedForms,
-    dense: Option<&TokenStream>,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> Option<TokenStream> {
-    let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
-    let [a, r, depth, places, values] = ["a", "r", "depth", "places", "values"].map(local);
-    let fill = match dense {
-        Some(_) if preamble.is_empty() => return None,
-        Some(drop) => {
-            let function = names.generated("fill_by_functions");
-            let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
-            quote!(#function(#places, #values, |#r| { #slope }, |#depth| { #drop }))
-        }
-        None => {
-            let (function, terms) =
-                (names.generated("fill_slopes_and_drops"), terms(&forms.load_integral, coefficients, names));
-            quote!(#function(self, #a, #places, #values, #terms))
-        }
-    };
-    Some(quote! {
-        #[inline]
-        fn fill_slopes_and_drops(
-            &self,
-            #a: #scalar,
-            #places: (&[#scalar], &[#scalar]),
-            #values: (&mut [#scalar], &mut [#scalar]),
-        ) {
-            #preamble
-            #fill
-        }
-    })
 }

@@ -2,6 +2,7 @@
 
 mod coefficients;
 mod documentation;
+mod drops;
 mod expression;
 mod inherent;
 mod inversion;
@@ -106,6 +107,7 @@ pub(crate) fn solver(
     let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
     let start = Start::of(geometry, &forms);
     let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients, &names);
+    let drops = drops::methods(&forms, &coefficients, &names);
     let beside_inversion = beside_inversion(&forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
@@ -126,6 +128,7 @@ pub(crate) fn solver(
             #header {
                 #evaluators
                 #inversion
+            #drops
                 #range
                 #quadrature_hints
             }

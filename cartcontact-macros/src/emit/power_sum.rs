@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | low: whole, up to 8, or of both parities, up to 16 | Horner's rule in double words | Horner's rule, written out |
 //! | low in r²: all even or all odd, up to 24 | the same in r² | Horner's rule in r², corrected for its rounding |
+//! | low multiples of 1/2 | as all others | Horner's rule for whole powers, and for the root times whole powers |
 //! | all others | every power in double words | the same, rounded before they are added |
 //!
 //! Beyond the 8th power, no two consecutive powers of those that the rule goes through may be missing.
@@ -21,6 +22,9 @@ use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
 use crate::number::{Rational, code, nearest_and_rest, rounded};
+
+/// The highest whole power beside a root whose product stays below 4 ε.
+const HIGHEST_BESIDE_ROOT: u32 = 6;
 
 /// The highest power that is written out as a product.
 const LONGEST_PRODUCT: u32 = 3;
@@ -64,7 +68,7 @@ impl Whole {
         self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
     }
 
-    fn is_low(&self) -> bool {
+    pub(super) fn is_low(&self) -> bool {
         let highest = self.highest();
         highest <= 8 || (self.stride() == 1 && self.largest_gap() <= 2 && highest <= 16)
     }
@@ -121,8 +125,26 @@ pub(super) fn quick_value(
             let dense = whole.dense((lowest, 2), sum, coefficients);
             quote!(#even_sum(#x, #lowest, #dense))
         }
-        _ => by_powers("quick_power_sum", sum, x, coefficients, names),
+        _ => halves(sum, x, coefficients, names)
+            .unwrap_or_else(|| by_powers("quick_power_sum", sum, x, coefficients, names)),
     }
+}
+
+/// W(x) + √x H(x), where both have low powers. The root and the product with it are two more roundings.
+fn halves(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
+    let [whole, halves] = sum.whole_and_halves()?;
+    let [of_whole, of_halves] = [Whole::of(&whole)?, Whole::of(&halves)?];
+    if !of_whole.is_low() || of_halves.highest() > HIGHEST_BESIDE_ROOT {
+        return None;
+    }
+    let (square_root, [beside, value]) = (names.generated("square_root"), ["beside", "value"].map(local));
+    let of_halves = horner(&halves, &of_halves, x, coefficients, names);
+    let halves = quote!(let #beside = { #of_halves };);
+    if whole.summands.is_empty() {
+        return Some(quote!(#halves #square_root(#x) * #beside));
+    }
+    let of_whole = horner(&whole, &of_whole, x, coefficients, names);
+    Some(quote!(#halves let #value = { #of_whole }; #value + #square_root(#x) * #beside))
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.

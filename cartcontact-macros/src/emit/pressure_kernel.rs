@@ -1,7 +1,7 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! Low even exponents have kernels of their own, without a division; so have low whole exponents where a kernel is one
-//! of many that are summed. All others go through one whose time grows more slowly with the exponent. All kernels are
+//! Low even exponents have kernels of their own, without a division; so have low whole exponents, and low multiples of
+//! 1/2, where a kernel is one of many that are summed. All others go through one whose time grows more slowly with the exponent. All kernels are
 //! part of the run-time crate: those that are asked for themselves carry the rounding error of every operation along,
 //! which is too long to be written out.
 
@@ -17,10 +17,11 @@ use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
 /// The highest even exponent of a kernel that is rounded once, and of a quick kernel; the highest of a quick kernel for
-/// all whole exponents. For a single higher power the general kernel rounds less.
+/// all whole exponents, and for multiples of 1/2. For a single higher power the general kernel rounds less.
 const HIGHEST_EVEN: u32 = 8;
 const HIGHEST_QUICK_EVEN: u32 = 24;
 const HIGHEST_QUICK_WHOLE: u32 = 12;
+const HIGHEST_QUICK_HALF: u32 = 6;
 const HIGHEST_ALONE: u32 = 8;
 
 /// The kernel for callers, and the quick one that pressures are summed from.
@@ -38,6 +39,9 @@ pub(super) fn methods(
         ("quick_even_pressure_kernel", weights(2))
     } else if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
         ("quick_whole_pressure_kernel", weights(1))
+    } else if let Some(weights) = half_weights(forms, coefficients) {
+        let terms = terms();
+        ("quick_half_pressure_kernel", quote!(#weights, #terms))
     } else {
         ("quick_pressure_kernel", terms())
     };
@@ -99,4 +103,12 @@ fn weights(step: u32, log_kernel: &PowerSum, coefficients: &Coefficients<'_>) ->
     let halved = log_kernel.weighted(|_| fraction(step, 2));
     let dense = |whole: Whole| whole.dense((step + 2, step), &halved, coefficients);
     Whole::of(&halved).map(dense).unwrap_or_default()
+}
+
+/// C/(4 (n+2)²) for all multiples n of 1/2 up to the highest, zero where there is no term.
+fn half_weights(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    // The power n + 2 of the radius is 2 n + 4 in its root.
+    let quartered = forms.log_kernel.in_root(2).weighted(|_| fraction(1, 4));
+    let whole = Whole::of(&quartered).filter(|whole| whole.highest() <= 2 * HIGHEST_QUICK_HALF + 4)?;
+    Some(whole.dense((5, 1), &quartered, coefficients))
 }

@@ -222,6 +222,12 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     }
 }
 
+/// √x, with the derivatives that a power has.
+#[inline(always)]
+pub fn square_root<T: Scalar>(x: T) -> T {
+    if is_plain::<T>() { x.sqrt() } else { real_fractional_power(x, T::constant(0.5)) }
+}
+
 /// [`fractional_power`] in twice the working precision, or to a few digits more than a word has.
 fn double_fractional_power<T: Scalar>(x: T, n: Exponent<T>) -> DoubleWord<T> {
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {

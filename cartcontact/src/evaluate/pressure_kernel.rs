@@ -24,6 +24,7 @@ use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
+use super::power::quick_whole_term;
 use crate::Scalar;
 use crate::scalar::{floor, is_plain, smallest_normal};
 
@@ -79,6 +80,18 @@ pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights
 pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
     let sum: Word<T> = sum_of_whole_kernels(a, r, &weights);
     sum.rounded()
+}
+
+/// G(a, r) of a gap of low multiples of 1/2 in plain arithmetic, zero for r ≥ a, within 8 ε: `weights[2 n − 1]` is
+/// C/(4 (n+2)²). With derivatives, which roots lose at r = 0, as [`quick_pressure_kernel`] of the terms.
+#[inline(always)]
+pub fn quick_half_pressure_kernel<T: Scalar, const N: usize>(
+    a: T,
+    r: T,
+    weights: [T; N],
+    terms: impl IntoIterator<Item = (T, Exponent<T>)>,
+) -> T {
+    if is_plain::<T>() { sum_of_half_kernels(a, r, weights) } else { quick_pressure_kernel(a, r, terms) }
 }
 
 /// The order in which a coefficient is multiplied by the power of a radius and by K, which has the zero at the edge.
@@ -153,6 +166,32 @@ fn sum_of_whole_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[T]) -> A {
         }
         _ => A::of(T::zero()),
     }
+}
+
+/// (1 − p)² Σ_k v_k U_k for whole k = 2 n, with p = √q, v_k = w_k a^(n+2) and (1 − p)² U_k = 2 K. The differences are
+///
+/// ```text
+/// U_k − U_{k−1} = H_{k+2} + p H_{k+1} + p² H_k + p³ H_{k−1},    H_k = Σ_{j≤k} p^j,
+/// ```
+///
+/// in which H_{k+j} = p^(j+1) H_{k−1} + H_j, so that the sum is (1 + 2 p + 3 p²) D_0 + 4 p³ Σ p^j D_j with sums D_j of
+/// sums of weights, D_j = E_j + D_{j+1} and E_j = v_{j+1} + E_{j+1}.
+#[inline(always)]
+fn sum_of_half_kernels<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
+    let (root_of_a, ratio) = (a.sqrt(), r / a);
+    let p = ratio.sqrt();
+    let inset = (a - r) / (a * (p + T::one()));
+    let [mut e, mut d, mut sum] = [T::zero(); 3];
+    for (index, &weight) in weights.iter().enumerate().rev() {
+        let k = index as u32 + 1;
+        let power = quick_whole_term(weight, a, 2 + k / 2);
+        e += if k & 1 == 1 { power * root_of_a } else { power };
+        d += e;
+        sum = sum * p + d;
+    }
+    let [two, three, four] = [2.0, 3.0, 4.0].map(T::constant);
+    let rest = (T::one() + p * (two + three * p)) * d + four * (p * ratio) * sum;
+    if r < a { inset * rest * inset } else { T::zero() }
 }
 
 /// D_0 and Σ_j r^j D_j, with D_j = E_j + a D_{j+1} and E_j = w_{j+1} + a E_{j+1}.
@@ -278,10 +317,14 @@ mod tests {
             even_weights[(n as usize - 1) / 2] = 2.0;
             for x in 0..100 {
                 let expected = exact(n, x, 100);
+                let mut half_weights = [0.0; 24];
+                half_weights[2 * n as usize - 1] = 0.5;
                 let whole = quick_whole_pressure_kernel(1.0, x as f64 / 100.0, weights);
+                let half = quick_half_pressure_kernel(1.0, x as f64 / 100.0, half_weights, []);
                 // x/100 is rounded, and K changes by 2/(1 − q) of that.
                 let bound = (8.0 + 200.0 / (100 - x) as f64) * f64::EPSILON;
                 assert!((whole / expected - 1.0).abs() < bound, "n = {n}, q = {x} %: {whole}");
+                assert!((half / expected - 1.0).abs() < bound, "half n = {n}, q = {x} %: {half}");
                 if n % 2 == 0 {
                     let even = quick_even_pressure_kernel(1.0, x as f64 / 100.0, even_weights);
                     assert!((even / expected - 1.0).abs() < bound, "even n = {n}, q = {x} %: {even}");
@@ -307,6 +350,12 @@ mod tests {
                 };
                 let word = real_exponent_kernel::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
                 quick = quick.max(difference(DoubleWord::of(word)));
+                if quarters % 2 == 0 && quarters <= 24 {
+                    let mut weights = [T::zero(); 12];
+                    weights[quarters as usize / 2 - 1] = T::constant(0.5);
+                    let half = quick_half_pressure_kernel(T::one(), T::one() - inset, weights, []);
+                    quick = quick.max(difference(DoubleWord::of(half)));
+                }
                 precise = precise.max(difference(real_exponent_kernel::kernel(
                     edge.inset,
                     edge.ratio,

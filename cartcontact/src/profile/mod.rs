@@ -1,5 +1,6 @@
 //! What a solver needs to know about a geometry.
 
+pub(crate) mod by_roots;
 mod error;
 mod parameters;
 mod reference;

@@ -1,0 +1,110 @@
+//! Drops of the load integral, J(a) − J(a − depth), and the slopes δ₀′ that memory integrals take with them.
+//!
+//! | exponents of J | drop |
+//! |---|---|
+//! | whole, up to 24 | a divided difference of J, times the depth |
+//! | multiples of 1/2, up to 24.5 | the same, with the roots of both radii |
+//! | all others | a logarithm, and an exponential for each term |
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::coefficients::Coefficients;
+use super::power_sum::{self, Whole, terms};
+use super::{Names, local};
+use crate::closed_forms::{ClosedForms, PowerSum};
+
+/// The highest power of a dense polynomial; the error of a drop is half the power times ε.
+const HIGHEST_POWER: u32 = 24;
+
+/// The method for one drop, and the one for slices of slopes and drops.
+pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+    let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
+    let [a, depth, places, values] = ["a", "depth", "places", "values"].map(local);
+    let whole = of_whole_powers(forms, coefficients, names);
+    let ways = whole.or_else(|| of_halves(forms, coefficients, names));
+    let Ways { inline, drop, fill } = ways.unwrap_or_else(|| of_any_powers(forms, coefficients, names));
+    let fill = fill.map(|fill| {
+        quote! {
+            #inline
+            fn fill_slopes_and_drops(
+                &self,
+                #a: #scalar,
+                #places: (&[#scalar], &[#scalar]),
+                #values: (&mut [#scalar], &mut [#scalar]),
+            ) {
+                #preamble
+                #fill
+            }
+        }
+    });
+    quote! {
+        #[inline]
+        fn load_integral_drop(&self, #a: #scalar, #depth: #scalar) -> #scalar { #preamble #drop }
+
+        #fill
+    }
+}
+
+/// How drops are computed.
+struct Ways {
+    drop: TokenStream,
+    /// Where something is the same for all radii of a slice.
+    fill: Option<TokenStream>,
+    inline: TokenStream,
+}
+
+/// With the depth as a factor. All that a slice shares are coefficients that depend on fields.
+fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<Ways> {
+    let sum = &forms.load_integral;
+    let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
+    let whole = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_POWER)?;
+    let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
+    let step = if is_even { 2 } else { 1 };
+    let (function, dense) =
+        (names.generated("divided_difference"), whole.dense((0, step), sum, coefficients));
+    let quotient = if is_even {
+        quote!((#a + #s) * #function(#a * #a, #s * #s, #dense))
+    } else {
+        quote!(#function(#a, #s, #dense))
+    };
+    let drop = quote!(let #s = #a - #depth; #depth * (#quotient));
+    let fill = (!coefficients.preamble().is_empty()).then(|| {
+        let function = names.generated("fill_by_functions");
+        let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
+        quote!(#function(#places, #values, |#r| { #slope }, |#depth| { #drop }))
+    });
+    Some(Ways { drop, fill, inline: quote!(#[inline]) })
+}
+
+/// From the roots of the radii.
+fn of_halves(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<Ways> {
+    let sum = &forms.load_integral;
+    let [a, r, depth, places, values] = ["a", "r", "depth", "places", "values"].map(local);
+    let parts = sum.whole_and_halves()?;
+    let dense = |part: &PowerSum| {
+        let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_POWER)?;
+        Some(whole.dense((0, 1), part, coefficients))
+    };
+    let [whole, halves] = [dense(&parts[0])?, dense(&parts[1])?];
+    let [one, many] = ["drop_by_roots", "fill_by_roots"].map(|name| names.generated(name));
+    let terms = terms(sum, coefficients, names);
+    let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
+    Some(Ways {
+        drop: quote!(#one(#a, #depth, (#whole, #halves), #terms)),
+        fill: Some(quote!(#many(self, #a, #places, #values, |#r| { #slope }, (#whole, #halves)))),
+        // Wide vectors would end at a call.
+        inline: quote!(#[inline(always)]),
+    })
+}
+
+fn of_any_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Ways {
+    let [a, depth, places, values] = ["a", "depth", "places", "values"].map(local);
+    let [one, many] = ["power_sum_drop", "fill_slopes_and_drops"].map(|name| names.generated(name));
+    let terms = terms(&forms.load_integral, coefficients, names);
+    Ways {
+        drop: quote!(#one(#a, #depth, #terms)),
+        fill: Some(quote!(#many(self, #a, #places, #values, #terms))),
+        inline: quote!(#[inline]),
+    }
+}
