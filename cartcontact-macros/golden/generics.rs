@@ -221,41 +221,44 @@ const _: () = {
         #[inline]
         fn quick_approach(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __beside = {
+            let __of_quarter0 = {
+                let __s = __a * __a;
+                (__c0 * <S as __cartcontact::Scalar>::constant(0.5f64)) * __s
+            };
+            let __of_quarter2 = {
                 let __s = __a * __a;
                 (__c1 * <S as __cartcontact::Scalar>::constant(0.4444444444444444f64))
                     * __s
             };
-            let __value = {
-                let __s = __a * __a;
-                (__c0 * <S as __cartcontact::Scalar>::constant(0.5f64)) * __s
-            };
-            __value + __cartcontact::generated::square_root(__a) * __beside
+            __of_quarter0
+                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __beside = {
+            let __of_quarter0 = { (__c0) * __a };
+            let __of_quarter2 = {
                 (__c1 * <S as __cartcontact::Scalar>::constant(1.1111111111111112f64))
                     * __a
             };
-            let __value = { (__c0) * __a };
-            __value + __cartcontact::generated::square_root(__a) * __beside
+            __of_quarter0
+                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __beside = {
-                let __s = __a * __a;
-                (__c1 * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64))
-                    * __s * __s * __s
-            };
-            let __value = {
+            let __of_quarter0 = {
                 let __s = __a * __a;
                 (__c0 * <S as __cartcontact::Scalar>::constant(0.08333333333333333f64))
                     * __s * __s * __s
             };
-            __value + __cartcontact::generated::square_root(__a) * __beside
+            let __of_quarter2 = {
+                let __s = __a * __a;
+                (__c1 * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64))
+                    * __s * __s * __s
+            };
+            __of_quarter0
+                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
@@ -274,16 +277,23 @@ const _: () = {
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_half_pressure_kernel(
+            __cartcontact::generated::quick_pressure_kernel_in_root::<
+                _,
+                2,
+                5,
+                _,
+            >(
                 __a,
                 __r,
                 [
-                    <S as __cartcontact::Scalar>::constant(0.0f64),
-                    <S as __cartcontact::Scalar>::constant(0.0f64),
-                    <S as __cartcontact::Scalar>::constant(0.0f64),
-                    __c0 * <S as __cartcontact::Scalar>::constant(0.015625f64),
-                    __c1
-                        * <S as __cartcontact::Scalar>::constant(0.012345679012345678f64),
+                    (__c0 * <S as __cartcontact::Scalar>::constant(0.015625f64), 4),
+                    (
+                        __c1
+                            * <S as __cartcontact::Scalar>::constant(
+                                0.012345679012345678f64,
+                            ),
+                        5,
+                    ),
                 ],
                 [
                     (__c0, __cartcontact::generated::Exponent::whole(2)),
@@ -550,6 +560,7 @@ const _: () = {
                                 0.08333333333333333f64,
                             ),
                     ],
+                    [],
                     [
                         <S as __cartcontact::Scalar>::constant(0.0f64),
                         <S as __cartcontact::Scalar>::constant(0.0f64),
@@ -562,6 +573,7 @@ const _: () = {
                                 0.08547008547008547f64,
                             ),
                     ],
+                    [],
                 ),
                 [
                     (
@@ -595,14 +607,16 @@ const _: () = {
                 __places,
                 __values,
                 |__r| {
-                    let __beside = {
+                    let __of_quarter0 = { (__c0) * __r };
+                    let __of_quarter2 = {
                         (__c1
                             * <S as __cartcontact::Scalar>::constant(
                                 1.1111111111111112f64,
                             )) * __r
                     };
-                    let __value = { (__c0) * __r };
-                    __value + __cartcontact::generated::square_root(__r) * __beside
+                    __of_quarter0
+                        + __cartcontact::generated::quarter_root::<_, 2>(__r)
+                            * __of_quarter2
                 },
                 (
                     [
@@ -617,6 +631,7 @@ const _: () = {
                                 0.08333333333333333f64,
                             ),
                     ],
+                    [],
                     [
                         <S as __cartcontact::Scalar>::constant(0.0f64),
                         <S as __cartcontact::Scalar>::constant(0.0f64),
@@ -629,6 +644,7 @@ const _: () = {
                                 0.08547008547008547f64,
                             ),
                     ],
+                    [],
                 ),
             )
         }

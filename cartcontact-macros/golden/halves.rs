@@ -147,30 +147,30 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            let __beside = {
+            let __of_quarter2 = {
                 (<T as __cartcontact::Scalar>::constant(0.005714285714285714f64)
                     + (<T as __cartcontact::Scalar>::constant(0.0013333333333333333f64))
                         * __a) * __a
             };
-            __cartcontact::generated::square_root(__a) * __beside
+            __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
-            let __beside = {
+            let __of_quarter2 = {
                 (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64)
                     + (<T as __cartcontact::Scalar>::constant(0.0033333333333333335f64))
                         * __a)
             };
-            __cartcontact::generated::square_root(__a) * __beside
+            __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            let __beside = {
+            let __of_quarter2 = {
                 (<T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)
                     + (<T as __cartcontact::Scalar>::constant(0.0002564102564102564f64))
                         * __a) * __a * __a * __a * __a * __a
             };
-            __cartcontact::generated::square_root(__a) * __beside
+            __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
@@ -191,15 +191,22 @@ const _: () = {
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_half_pressure_kernel(
+            __cartcontact::generated::quick_pressure_kernel_in_root::<
+                _,
+                2,
+                5,
+                _,
+            >(
                 __a,
                 __r,
                 [
-                    <T as __cartcontact::Scalar>::constant(0.0f64),
-                    <T as __cartcontact::Scalar>::constant(0.0f64),
-                    <T as __cartcontact::Scalar>::constant(0.00020408163265306123f64),
-                    <T as __cartcontact::Scalar>::constant(0.0f64),
-                    <T as __cartcontact::Scalar>::constant(3.7037037037037037e-5f64),
+                    (
+                        <T as __cartcontact::Scalar>::constant(
+                            0.00020408163265306123f64,
+                        ),
+                        3,
+                    ),
+                    (<T as __cartcontact::Scalar>::constant(3.7037037037037037e-5f64), 5),
                 ],
                 [
                     (
@@ -382,7 +389,8 @@ const _: () = {
                 __a,
                 __depth,
                 (
-                    [<T as __cartcontact::Scalar>::constant(0.0f64)],
+                    [],
+                    [],
                     [
                         <T as __cartcontact::Scalar>::constant(0.0f64),
                         <T as __cartcontact::Scalar>::constant(0.0f64),
@@ -392,6 +400,7 @@ const _: () = {
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
                         <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
                     ],
+                    [],
                 ),
                 [
                     (
@@ -418,16 +427,17 @@ const _: () = {
                 __places,
                 __values,
                 |__r| {
-                    let __beside = {
+                    let __of_quarter2 = {
                         (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64)
                             + (<T as __cartcontact::Scalar>::constant(
                                 0.0033333333333333335f64,
                             )) * __r)
                     };
-                    __cartcontact::generated::square_root(__r) * __beside
+                    __cartcontact::generated::quarter_root::<_, 2>(__r) * __of_quarter2
                 },
                 (
-                    [<T as __cartcontact::Scalar>::constant(0.0f64)],
+                    [],
+                    [],
                     [
                         <T as __cartcontact::Scalar>::constant(0.0f64),
                         <T as __cartcontact::Scalar>::constant(0.0f64),
@@ -437,6 +447,7 @@ const _: () = {
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
                         <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
                     ],
+                    [],
                 ),
             )
         }

@@ -145,53 +145,43 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0007619047619047619f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
-                    ),
-                ],
-            )
+            let __of_quarter1 = {
+                let __s = __a * __a;
+                (<T as __cartcontact::Scalar>::constant(0.0007619047619047619f64)) * __s
+                    * __a
+            };
+            let __of_quarter2 = {
+                (<T as __cartcontact::Scalar>::constant(0.005714285714285714f64)) * __a
+            };
+            __cartcontact::generated::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.002476190476190476f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.25, 0.0),
-                    ),
-                ],
-            )
+            let __of_quarter1 = {
+                let __s = __a * __a;
+                (<T as __cartcontact::Scalar>::constant(0.002476190476190476f64)) * __s
+            };
+            let __of_quarter2 = {
+                (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64))
+            };
+            __cartcontact::generated::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(
-                            0.00017077175697865354f64,
-                        ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
-                    ),
-                ],
-            )
+            let __of_quarter1 = {
+                let __s = __a * __a;
+                (<T as __cartcontact::Scalar>::constant(0.00017077175697865354f64)) * __s
+                    * __s * __s * __a
+            };
+            let __of_quarter2 = {
+                let __s = __a * __a;
+                (<T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)) * __s
+                    * __s * __a
+            };
+            __cartcontact::generated::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
@@ -212,9 +202,23 @@ const _: () = {
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_pressure_kernel(
+            __cartcontact::generated::quick_pressure_kernel_in_root::<
+                _,
+                4,
+                13,
+                _,
+            >(
                 __a,
                 __r,
+                [
+                    (
+                        <T as __cartcontact::Scalar>::constant(
+                            0.00010204081632653062f64,
+                        ),
+                        6,
+                    ),
+                    (<T as __cartcontact::Scalar>::constant(9.070294784580499e-6f64), 13),
+                ],
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
@@ -392,9 +396,31 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
-            __cartcontact::generated::power_sum_drop(
+            __cartcontact::generated::drop_by_roots(
                 __a,
                 __depth,
+                (
+                    [],
+                    [
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
+                    ],
+                    [
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
+                    ],
+                    [],
+                ),
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
@@ -409,30 +435,53 @@ const _: () = {
                 ],
             )
         }
-        #[inline]
+        #[inline(always)]
         fn fill_slopes_and_drops(
             &self,
             __a: T,
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            __cartcontact::generated::fill_slopes_and_drops(
+            __cartcontact::generated::fill_by_roots(
                 self,
                 __a,
                 __places,
                 __values,
-                [
-                    (
+                |__r| {
+                    let __of_quarter1 = {
+                        let __s = __r * __r;
+                        (<T as __cartcontact::Scalar>::constant(0.002476190476190476f64))
+                            * __s
+                    };
+                    let __of_quarter2 = {
+                        (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64))
+                    };
+                    __cartcontact::generated::quarter_root::<_, 1>(__r) * __of_quarter1
+                        + __cartcontact::generated::quarter_root::<_, 2>(__r)
+                            * __of_quarter2
+                },
+                (
+                    [],
+                    [
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.00017077175697865354f64),
+                    ],
+                    [
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0f64),
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(
-                            0.00017077175697865354f64,
-                        ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
-                    ),
-                ],
+                    ],
+                    [],
+                ),
             )
         }
         #[inline]

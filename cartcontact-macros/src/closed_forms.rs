@@ -8,7 +8,7 @@ use num_traits::{One, ToPrimitive};
 
 use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
-use crate::number::{Rational, common_denominator, fraction, integer};
+use crate::number::{Rational, common_denominator, integer};
 
 /// A shortener has at most this many binary digits: half of the 53 of an `f64`.
 const MOST_DIGITS: u64 = 26;
@@ -129,20 +129,17 @@ impl PowerSum {
         Self { summands: summands.collect() }
     }
 
-    /// W and H, if the sum is W(x) + √x H(x) with whole powers, some of them in H.
-    pub(crate) fn whole_and_halves(&self) -> Option<[Self; 2]> {
-        let half = fraction(1, 2);
-        let [mut whole, mut halves] = [(); 2].map(|()| Self { summands: Vec::new() });
+    /// Sums P_k of whole powers, if the sum is P₀(x) + x^(1/4) P₁(x) + x^(1/2) P₂(x) + x^(3/4) P₃(x) with more than P₀.
+    pub(crate) fn in_quarters(&self) -> Option<[Self; 4]> {
+        let mut parts = [(); 4].map(|()| Self { summands: Vec::new() });
         for mut summand in self.weighted(|_| Rational::one()).summands {
-            if summand.exponent.is_integer() {
-                whole.summands.push(summand);
-            } else {
-                summand.exponent -= &half;
-                halves.summands.push(summand);
-            }
+            let whole = summand.exponent.floor();
+            let quarters = (&summand.exponent - &whole) * integer(4);
+            summand.exponent = whole;
+            let index = quarters.is_integer().then(|| quarters.to_usize())??;
+            parts[index].summands.push(summand);
         }
-        let are_whole = halves.summands.iter().all(|summand| summand.exponent.is_integer());
-        (are_whole && !halves.summands.is_empty()).then_some([whole, halves])
+        (parts[0].summands.len() < self.summands.len()).then_some(parts)
     }
 
     /// The least index of a root of x in which all powers are whole, if it is not too high.

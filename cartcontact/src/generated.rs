@@ -12,12 +12,12 @@ pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
 pub use crate::evaluate::power::{
-    integer_power, power_of_half_digits, power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum,
-    real_power, square_root,
+    integer_power, power_of_half_digits, power_sum, power_sum_and_log_slope, power_sum_drop, quarter_root,
+    quick_power_sum, real_power,
 };
 pub use crate::evaluate::pressure_kernel::{
-    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_half_pressure_kernel,
-    quick_pressure_kernel, quick_whole_pressure_kernel,
+    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
+    quick_pressure_kernel_in_root, quick_whole_pressure_kernel,
 };
 pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,

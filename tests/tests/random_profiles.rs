@@ -130,12 +130,17 @@ mod shapes {
     pub(super) struct NegativeHalf;
     #[gap_profile(0.2 * r^0.5 + 0.01 * r^2)]
     pub(super) struct Root;
+    // Multiples of 1/4: of every fraction, and without any that is a multiple of 1/2.
+    #[gap_profile(0.02 * r^1.25 + 1e-3 * r^1.5 + 2e-3 * r^1.75 + 1e-4 * r^3)]
+    pub(super) struct Quarters;
+    #[gap_profile(0.01 * r^2.75 + 1e-4 * r^5.25)]
+    pub(super) struct OddQuarters;
 }
 
 /// A generated solver and the terms of its geometry as decimals.
 type Shape = (&'static dyn GapProfile<f64>, &'static [(&'static str, &'static str)]);
 
-const SHAPES: [Shape; 14] = [
+const SHAPES: [Shape; 16] = [
     (&shapes::Needle, &[("0.3", "0.25"), ("0.01", "2")]),
     (&shapes::OddPowers, &[("0.02", "7"), ("1e-3", "9")]),
     (&shapes::Dense, &[("0.1", "2"), ("1e-3", "3"), ("1e-4", "4"), ("1e-5", "5"), ("1e-6", "6")]),
@@ -150,6 +155,8 @@ const SHAPES: [Shape; 14] = [
     (&shapes::Halves, &[("0.02", "1.5"), ("1e-3", "2"), ("2e-5", "5.5")]),
     (&shapes::NegativeHalf, &[("0.02", "2"), ("-1e-3", "2.5"), ("2e-5", "4")]),
     (&shapes::Root, &[("0.2", "0.5"), ("0.01", "2")]),
+    (&shapes::Quarters, &[("0.02", "1.25"), ("1e-3", "1.5"), ("2e-3", "1.75"), ("1e-4", "3")]),
+    (&shapes::OddQuarters, &[("0.01", "2.75"), ("1e-4", "5.25")]),
 ];
 
 #[test]
@@ -264,11 +271,13 @@ fn at_run_time(scenes: Vec<Scene>) -> impl Iterator<Item = (Scene, Box<dyn GapPr
 }
 
 #[test]
-fn contacts_of_generated_solvers_are_those_of_the_oracle() {
-    let all = SHAPES.iter().filter(|(_, terms)| terms.iter().any(|(_, n)| n.ends_with(".5")));
+fn contacts_of_multiples_of_a_quarter_are_those_of_the_oracle() {
+    let is_quarter = |n: &str| n.contains('.') && n.ends_with('5');
+    let is_fractional = |&&(_, terms): &&Shape| terms.iter().any(|(_, n)| is_quarter(n));
+    let all = SHAPES.iter().filter(is_fractional);
     let scenes = all.flat_map(|&(solver, terms)| {
         let numbers: Terms = terms.iter().map(|(c, n)| (number(c), number(n))).collect();
-        let scenes = samples(&scenes(Just((numbers, 8.0))), 6);
+        let scenes = samples(&scenes(Just((numbers, 8.0))), 4);
         scenes.into_iter().map(move |scene| {
             (scene, Box::new(solver) as Box<dyn GapProfile<f64>>, Profile::of_decimals(terms))
         })

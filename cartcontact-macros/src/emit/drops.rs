@@ -3,7 +3,7 @@
 //! | exponents of J | drop |
 //! |---|---|
 //! | whole, up to 24 | a divided difference of J, times the depth |
-//! | multiples of 1/2, up to 24.5 | the same, with the roots of both radii |
+//! | multiples of 1/4, up to 24¾ | the same, with the roots of both radii |
 //! | all others | a logarithm, and an exponential for each term |
 
 use proc_macro2::TokenStream;
@@ -22,7 +22,7 @@ pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>, name
     let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
     let [a, depth, places, values] = ["a", "depth", "places", "values"].map(local);
     let whole = of_whole_powers(forms, coefficients, names);
-    let ways = whole.or_else(|| of_halves(forms, coefficients, names));
+    let ways = whole.or_else(|| of_quarters(forms, coefficients, names));
     let Ways { inline, drop, fill } = ways.unwrap_or_else(|| of_any_powers(forms, coefficients, names));
     let fill = fill.map(|fill| {
         quote! {
@@ -78,21 +78,24 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
 }
 
 /// From the roots of the radii.
-fn of_halves(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<Ways> {
+fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<Ways> {
     let sum = &forms.load_integral;
     let [a, r, depth, places, values] = ["a", "r", "depth", "places", "values"].map(local);
-    let parts = sum.whole_and_halves()?;
     let dense = |part: &PowerSum| {
+        if part.summands.is_empty() {
+            return Some(quote!([]));
+        }
         let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_POWER)?;
         Some(whole.dense((0, 1), part, coefficients))
     };
-    let [whole, halves] = [dense(&parts[0])?, dense(&parts[1])?];
+    let parts = sum.in_quarters()?.iter().map(dense).collect::<Option<Vec<_>>>()?;
+    let parts = quote!((#(#parts),*));
     let [one, many] = ["drop_by_roots", "fill_by_roots"].map(|name| names.generated(name));
     let terms = terms(sum, coefficients, names);
     let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
     Some(Ways {
-        drop: quote!(#one(#a, #depth, (#whole, #halves), #terms)),
-        fill: Some(quote!(#many(self, #a, #places, #values, |#r| { #slope }, (#whole, #halves)))),
+        drop: quote!(#one(#a, #depth, #parts, #terms)),
+        fill: Some(quote!(#many(self, #a, #places, #values, |#r| { #slope }, #parts))),
         // Wide vectors would end at a call.
         inline: quote!(#[inline(always)]),
     })

@@ -1,10 +1,10 @@
 //! Sums of powers as code: precise, rounded once, for results; and quick for values that are only integrated.
 //!
-//! | exponents | precise | quick, below 4 ε |
+//! | exponents | precise | quick, below 5 ε |
 //! |---|---|---|
 //! | low: whole, up to 8, or of both parities, up to 16 | Horner's rule in double words | Horner's rule, written out |
 //! | low in r²: all even or all odd, up to 24 | the same in r² | Horner's rule in r², corrected for its rounding |
-//! | low multiples of 1/2 | as all others | Horner's rule for whole powers, and for the root times whole powers |
+//! | low multiples of 1/4 | as all others | Horner's rule for the whole powers beside each fraction, by square roots |
 //! | all others | every power in double words | the same, rounded before they are added |
 //!
 //! Beyond the 8th power, no two consecutive powers of those that the rule goes through may be missing.
@@ -23,8 +23,8 @@ use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
 use crate::number::{Rational, code, nearest_and_rest, rounded};
 
-/// The highest whole power beside a root whose product stays below 4 ε.
-const HIGHEST_BESIDE_ROOT: u32 = 6;
+/// The highest whole power beside a root, whose product stays below 5 ε.
+const HIGHEST_BESIDE_ROOT: u32 = 8;
 
 /// The highest power that is written out as a product.
 const LONGEST_PRODUCT: u32 = 3;
@@ -111,7 +111,7 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, 
     }
 }
 
-/// The value of the sum at `x` in the cheapest form with an error below 4 ε.
+/// The value of the sum at `x` in the cheapest form with an error below 5 ε.
 pub(super) fn quick_value(
     sum: &PowerSum,
     x: &Ident,
@@ -125,26 +125,40 @@ pub(super) fn quick_value(
             let dense = whole.dense((lowest, 2), sum, coefficients);
             quote!(#even_sum(#x, #lowest, #dense))
         }
-        _ => halves(sum, x, coefficients, names)
+        _ => in_quarters(sum, x, coefficients, names)
             .unwrap_or_else(|| by_powers("quick_power_sum", sum, x, coefficients, names)),
     }
 }
 
-/// W(x) + √x H(x), where both have low powers. The root and the product with it are two more roundings.
-fn halves(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
-    let [whole, halves] = sum.whole_and_halves()?;
-    let [of_whole, of_halves] = [Whole::of(&whole)?, Whole::of(&halves)?];
-    if !of_whole.is_low() || of_halves.highest() > HIGHEST_BESIDE_ROOT {
-        return None;
+/// Σ x^(k/4) P(x) over the parts of multiples of 1/4, where all have low powers. A root and the product with it are two
+/// more roundings.
+fn in_quarters(
+    sum: &PowerSum,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> Option<TokenStream> {
+    let (mut bindings, mut values) = (TokenStream::new(), Vec::new());
+    for (quarters, part) in (0_u8..).zip(sum.in_quarters()?) {
+        let whole = Whole::of(&part)?;
+        let is_low = if quarters == 0 { whole.is_low() } else { whole.highest() <= HIGHEST_BESIDE_ROOT };
+        if !is_low {
+            return None;
+        }
+        if part.summands.is_empty() {
+            continue;
+        }
+        let (value, part) =
+            (local(&format!("of_quarter{quarters}")), horner(&part, &whole, x, coefficients, names));
+        bindings.extend(quote!(let #value = { #part };));
+        values.push(if quarters == 0 {
+            quote!(#value)
+        } else {
+            let (root, quarters) = (names.generated("quarter_root"), Literal::u8_unsuffixed(quarters));
+            quote!(#root::<_, #quarters>(#x) * #value)
+        });
     }
-    let (square_root, [beside, value]) = (names.generated("square_root"), ["beside", "value"].map(local));
-    let of_halves = horner(&halves, &of_halves, x, coefficients, names);
-    let halves = quote!(let #beside = { #of_halves };);
-    if whole.summands.is_empty() {
-        return Some(quote!(#halves #square_root(#x) * #beside));
-    }
-    let of_whole = horner(&whole, &of_whole, x, coefficients, names);
-    Some(quote!(#halves let #value = { #of_whole }; #value + #square_root(#x) * #beside))
+    Some(quote!(#bindings #(#values)+*))
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.

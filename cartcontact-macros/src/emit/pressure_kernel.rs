@@ -1,11 +1,11 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! Low even exponents have kernels of their own, without a division; so have low whole exponents, and low multiples of
-//! 1/2, where a kernel is one of many that are summed. All others go through one whose time grows more slowly with the exponent. All kernels are
-//! part of the run-time crate: those that are asked for themselves carry the rounding error of every operation along,
-//! which is too long to be written out.
+//! Low even exponents have kernels of their own, without a division; so have low whole exponents where a kernel is one
+//! of many that are summed, and low multiples of 1/4, with roots. All others go through one whose time grows more slowly
+//! with the exponent. All kernels are part of the run-time crate: those that are asked for themselves carry the rounding
+//! error of every operation along, which is too long to be written out.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
@@ -17,11 +17,11 @@ use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
 /// The highest even exponent of a kernel that is rounded once, and of a quick kernel; the highest of a quick kernel for
-/// all whole exponents, and for multiples of 1/2. For a single higher power the general kernel rounds less.
+/// all whole exponents, and for multiples of 1/4. For a single higher power the general kernel rounds less.
 const HIGHEST_EVEN: u32 = 8;
 const HIGHEST_QUICK_EVEN: u32 = 24;
 const HIGHEST_QUICK_WHOLE: u32 = 12;
-const HIGHEST_QUICK_HALF: u32 = 6;
+const HIGHEST_QUICK_QUARTER: u32 = 6;
 const HIGHEST_ALONE: u32 = 8;
 
 /// The kernel for callers, and the quick one that pressures are summed from.
@@ -31,29 +31,16 @@ pub(super) fn methods(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> [TokenStream; 2] {
-    let weights = |step| weights(step, &forms.log_kernel, coefficients);
-    let terms = || power_sum::terms(&forms.gap, coefficients, names);
+    let (scalar, [a, r]) = (&names.scalar, ["a", "r"].map(local));
     let (kernel, precise) = precise_kernel(gap, forms, coefficients, names);
-    let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
-    let quick_kernel = if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
-        ("quick_even_pressure_kernel", weights(2))
-    } else if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
-        ("quick_whole_pressure_kernel", weights(1))
-    } else if let Some(weights) = half_weights(forms, coefficients) {
-        let terms = terms();
-        ("quick_half_pressure_kernel", quote!(#weights, #terms))
-    } else {
-        ("quick_pressure_kernel", terms())
-    };
-    let scalar = &names.scalar;
-    let (a, r) = (local("a"), local("r"));
-    let method = |method, (function, terms), preamble: TokenStream, inline| {
-        let (method, function) = (Ident::new(method, Span::call_site()), names.generated(function));
+    let quick_kernel = quick_kernel(gap, forms, coefficients, names);
+    let method = |method, kernel, preamble: TokenStream, inline| {
+        let method = Ident::new(method, Span::call_site());
         quote! {
             #inline
             fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar {
                 #preamble
-                #function(#a, #r, #terms)
+                #kernel
             }
         }
     };
@@ -64,19 +51,44 @@ pub(super) fn methods(
     ]
 }
 
-/// The function and the terms of the kernel that is rounded once, and its coefficients.
+fn call(function: &str, terms: TokenStream, names: &Names) -> TokenStream {
+    let (function, [a, r]) = (names.generated(function), ["a", "r"].map(local));
+    quote!(#function(#a, #r, #terms))
+}
+
+fn quick_kernel(
+    gap: &Gap,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
+    let weights = |step| weights(step, &forms.log_kernel, coefficients);
+    let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
+    if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
+        return call("quick_even_pressure_kernel", weights(2), names);
+    }
+    if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
+        return call("quick_whole_pressure_kernel", weights(1), names);
+    }
+    let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients, names));
+    in_root.unwrap_or_else(|| {
+        call("quick_pressure_kernel", power_sum::terms(&forms.gap, coefficients, names), names)
+    })
+}
+
+/// The kernel that is rounded once, and its coefficients.
 fn precise_kernel<'a>(
     gap: &Gap,
     forms: &ClosedForms,
     coefficients: &Coefficients<'a>,
     names: &Names,
-) -> ((&'static str, TokenStream), Coefficients<'a>) {
+) -> (TokenStream, Coefficients<'a>) {
     if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
         let precise = coefficients.for_rounding_once(&forms.log_kernel);
-        return (("even_pressure_kernel", weights(2, &forms.log_kernel, &precise)), precise);
+        return (call("even_pressure_kernel", weights(2, &forms.log_kernel, &precise), names), precise);
     }
     let precise = coefficients.for_rounding_once(&forms.gap);
-    (("pressure_kernel", power_sum::terms(&forms.gap, &precise, names)), precise)
+    (call("pressure_kernel", power_sum::terms(&forms.gap, &precise, names), names), precise)
 }
 
 /// The operations of the kernel for callers.
@@ -105,10 +117,25 @@ fn weights(step: u32, log_kernel: &PowerSum, coefficients: &Coefficients<'_>) ->
     Whole::of(&halved).map(dense).unwrap_or_default()
 }
 
-/// C/(4 (n+2)²) for all multiples n of 1/2 up to the highest, zero where there is no term.
-fn half_weights(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
-    // The power n + 2 of the radius is 2 n + 4 in its root.
-    let quartered = forms.log_kernel.in_root(2).weighted(|_| fraction(1, 4));
-    let whole = Whole::of(&quartered).filter(|whole| whole.highest() <= 2 * HIGHEST_QUICK_HALF + 4)?;
-    Some(whole.dense((5, 1), &quartered, coefficients))
+/// The kernel in the root of the radius with this index, if all powers are whole there, and low.
+fn kernel_in_root(
+    index: u32,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> Option<TokenStream> {
+    // The exponents n + 2, multiplied by the index.
+    let weights = forms.log_kernel.in_root(index).weighted(|_| fraction(1, 2 * index));
+    let whole = Whole::of(&weights).filter(|whole| whole.highest() <= (HIGHEST_QUICK_QUARTER + 2) * index)?;
+    let number = |number: u32| Literal::u32_unsuffixed(number);
+    let pairs = whole.exponents.iter().zip(&weights.summands).map(|(power, summand)| {
+        let (factor, k) = (coefficients.factor(summand), number(power - 2 * index));
+        quote!((#factor, #k))
+    });
+    let pairs = quote!([#(#pairs),*]);
+    let (highest, index) = (number(whole.highest() - 2 * index), number(index));
+    let (function, terms) =
+        (names.generated("quick_pressure_kernel_in_root"), power_sum::terms(&forms.gap, coefficients, names));
+    let [a, r] = ["a", "r"].map(local);
+    Some(quote!(#function::<_, #index, #highest, _>(#a, #r, #pairs, #terms)))
 }

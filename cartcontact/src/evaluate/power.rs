@@ -222,10 +222,14 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     }
 }
 
-/// √x, with the derivatives that a power has.
+/// x^(`QUARTERS`/4) for 1, 2 and 3, with the derivatives that a power has.
 #[inline(always)]
-pub fn square_root<T: Scalar>(x: T) -> T {
-    if is_plain::<T>() { x.sqrt() } else { real_fractional_power(x, T::constant(0.5)) }
+pub fn quarter_root<T: Scalar, const QUARTERS: u8>(x: T) -> T {
+    if is_plain::<T>() {
+        quarter_power(x, QUARTERS, |x| x.sqrt(), |x, y| x * y)
+    } else {
+        real_fractional_power(x, T::constant(0.25 * f64::from(QUARTERS)))
+    }
 }
 
 /// [`fractional_power`] in twice the working precision, or to a few digits more than a word has.

@@ -24,7 +24,7 @@ use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
-use super::power::quick_whole_term;
+use super::power::{quarter_root, quick_whole_term};
 use crate::Scalar;
 use crate::scalar::{floor, is_plain, smallest_normal};
 
@@ -82,16 +82,17 @@ pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weight
     sum.rounded()
 }
 
-/// G(a, r) of a gap of low multiples of 1/2 in plain arithmetic, zero for r ≥ a, within 8 ε: `weights[2 n − 1]` is
-/// C/(4 (n+2)²). With derivatives, which roots lose at r = 0, as [`quick_pressure_kernel`] of the terms.
+/// G(a, r) of a gap of low multiples of 1/`D`, for 2 or 4, in plain arithmetic, zero for r ≥ a, within 8 ε. A weight is
+/// C/(2 `D` (n+2)²), beside n `D`, which is at most `N`. With derivatives, which roots lose at r = 0, as
+/// [`quick_pressure_kernel`] of the terms.
 #[inline(always)]
-pub fn quick_half_pressure_kernel<T: Scalar, const N: usize>(
+pub fn quick_pressure_kernel_in_root<T: Scalar, const D: usize, const N: usize, const COUNT: usize>(
     a: T,
     r: T,
-    weights: [T; N],
+    weights: [(T, usize); COUNT],
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> T {
-    if is_plain::<T>() { sum_of_half_kernels(a, r, weights) } else { quick_pressure_kernel(a, r, terms) }
+    if is_plain::<T>() { sum_in_root::<T, D, N>(a, r, &weights) } else { quick_pressure_kernel(a, r, terms) }
 }
 
 /// The order in which a coefficient is multiplied by the power of a radius and by K, which has the zero at the edge.
@@ -168,29 +169,41 @@ fn sum_of_whole_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[T]) -> A {
     }
 }
 
-/// (1 − p)² Σ_k v_k U_k for whole k = 2 n, with p = √q, v_k = w_k a^(n+2) and (1 − p)² U_k = 2 K. The differences are
+/// (1 − p)² Σ_k v_k U_k for whole k = n d, where p is the root of q with the index d, 2 or 4, v_k = w_k a^(n+2) and
+/// (1 − p)² U_k = d K. With β = 2 d the differences are
 ///
 /// ```text
-/// U_k − U_{k−1} = H_{k+2} + p H_{k+1} + p² H_k + p³ H_{k−1},    H_k = Σ_{j≤k} p^j,
+/// U_k − U_{k−1} = Σ_{i<β} p^i H_{k+β−2−i},    H_k = Σ_{j≤k} p^j,
 /// ```
 ///
-/// in which H_{k+j} = p^(j+1) H_{k−1} + H_j, so that the sum is (1 + 2 p + 3 p²) D_0 + 4 p³ Σ p^j D_j with sums D_j of
-/// sums of weights, D_j = E_j + D_{j+1} and E_j = v_{j+1} + E_{j+1}.
+/// in which H_{k+j} = p^(j+1) H_{k−1} + H_j, so that the sum is D_0 Σ_{i≤β−2} (i+1) p^i + β p^(β−1) Σ_j p^j D_j with sums
+/// of sums of weights, D_j = E_j + D_{j+1} and E_j = v_{j+1} + E_{j+1}.
 #[inline(always)]
-fn sum_of_half_kernels<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
-    let (root_of_a, ratio) = (a.sqrt(), r / a);
-    let p = ratio.sqrt();
-    let inset = (a - r) / (a * (p + T::one()));
-    let [mut e, mut d, mut sum] = [T::zero(); 3];
-    for (index, &weight) in weights.iter().enumerate().rev() {
-        let k = index as u32 + 1;
-        let power = quick_whole_term(weight, a, 2 + k / 2);
-        e += if k & 1 == 1 { power * root_of_a } else { power };
-        d += e;
-        sum = sum * p + d;
+fn sum_in_root<T: Scalar, const D: usize, const N: usize>(a: T, r: T, weights: &[(T, usize)]) -> T {
+    let mut scaled = [T::zero(); N];
+    let quarters = [T::one(), quarter_root::<T, 1>(a), quarter_root::<T, 2>(a), quarter_root::<T, 3>(a)];
+    for &(weight, k) in weights {
+        scaled[k - 1] = quick_whole_term(weight, a, 2 + (k / D) as u32) * quarters[k % D * (4 / D)];
     }
-    let [two, three, four] = [2.0, 3.0, 4.0].map(T::constant);
-    let rest = (T::one() + p * (two + three * p)) * d + four * (p * ratio) * sum;
+    let (one, ratio) = (T::one(), r / a);
+    let root = ratio.sqrt();
+    let (p, divisor, last) = if D == 2 {
+        (root, one, root * ratio)
+    } else {
+        let p = root.sqrt();
+        (p, root + one, p * root * ratio)
+    };
+    let inset = (a - r) / (a * divisor * (p + one));
+    // Horner's rule in p², so that only every other step waits for the one before.
+    let ([mut e, mut d], [mut sum, mut before]) = ([T::zero(); 2], [T::zero(); 2]);
+    for v in scaled.into_iter().rev() {
+        e += v;
+        d += e;
+        (sum, before) = (before * (p * p) + d, sum);
+    }
+    let sum = sum + p * before;
+    let rising = (1..2 * D).rev().fold(T::zero(), |sum, j| sum * p + T::constant(j as f64));
+    let rest = rising * d + T::constant((2 * D) as f64) * last * sum;
     if r < a { inset * rest * inset } else { T::zero() }
 }
 
@@ -317,10 +330,10 @@ mod tests {
             even_weights[(n as usize - 1) / 2] = 2.0;
             for x in 0..100 {
                 let expected = exact(n, x, 100);
-                let mut half_weights = [0.0; 24];
-                half_weights[2 * n as usize - 1] = 0.5;
                 let whole = quick_whole_pressure_kernel(1.0, x as f64 / 100.0, weights);
-                let half = quick_half_pressure_kernel(1.0, x as f64 / 100.0, half_weights, []);
+                let half_weights = [(0.5, 2 * n as usize)];
+                let half =
+                    quick_pressure_kernel_in_root::<_, 2, 24, 1>(1.0, x as f64 / 100.0, half_weights, []);
                 // x/100 is rounded, and K changes by 2/(1 − q) of that.
                 let bound = (8.0 + 200.0 / (100 - x) as f64) * f64::EPSILON;
                 assert!((whole / expected - 1.0).abs() < bound, "n = {n}, q = {x} %: {whole}");
@@ -350,11 +363,15 @@ mod tests {
                 };
                 let word = real_exponent_kernel::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
                 quick = quick.max(difference(DoubleWord::of(word)));
-                if quarters % 2 == 0 && quarters <= 24 {
-                    let mut weights = [T::zero(); 12];
-                    weights[quarters as usize / 2 - 1] = T::constant(0.5);
-                    let half = quick_half_pressure_kernel(T::one(), T::one() - inset, weights, []);
-                    quick = quick.max(difference(DoubleWord::of(half)));
+                let mut add = |sum: T| quick = quick.max(difference(DoubleWord::of(sum)));
+                let (one, k) = (T::one(), quarters as usize);
+                if k <= 24 {
+                    let weights = [(T::constant(0.25), k)];
+                    add(quick_pressure_kernel_in_root::<T, 4, 24, 1>(one, one - inset, weights, []));
+                }
+                if k <= 24 && k % 2 == 0 {
+                    let weights = [(T::constant(0.5), k / 2)];
+                    add(quick_pressure_kernel_in_root::<T, 2, 12, 1>(one, one - inset, weights, []));
                 }
                 precise = precise.max(difference(real_exponent_kernel::kernel(
                     edge.inset,

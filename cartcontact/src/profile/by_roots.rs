@@ -1,12 +1,13 @@
-//! δ₀′ and drops of the load integral where exponents are multiples of 1/2: from the roots of radii.
+//! δ₀′ and drops of the load integral where exponents are multiples of 1/4: from the roots of radii.
 //!
-//! J(a) = W(a) + √a H(a) with polynomials W and H. At a radius s that is less by a depth, J has dropped by
+//! J(a) = W(a) + α Q(a) + α² H(a) + α³ R(a) with polynomials of a and α = a^(1/4). At a radius s = σ⁴ that is less by a
+//! depth, J has dropped by depth times
 //!
 //! ```text
-//! depth · (W[a, s] + √s H[a, s] + H(a)/(√a + √s)),    W[a, s] = (W(a) − W(s))/(a − s),
+//! W[a, s] + σ Q[a, s] + σ² H[a, s] + σ³ R[a, s] + (H(a) + (Q(a) + (α² + α σ + σ²) R(a))/(α + σ))/(√a + √s)
 //! ```
 //!
-//! without cancellation for coefficients of one sign.
+//! with W[a, s] = (W(a) − W(s))/(a − s), without cancellation for coefficients of one sign.
 
 use super::slopes_and_drops::{Places, SlopesAndDrops, fill_one_by_one};
 use crate::evaluate::exponent::Exponent;
@@ -15,32 +16,43 @@ use crate::evaluate::power::power_sum_drop;
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 
-/// J(a) − J(a − depth) for 0 ≤ depth ≤ a, from the coefficients of W and H or, where roots would lose a derivative or
-/// have no sum, from the terms (c, p) of J.
+/// The coefficients of W, Q, H and R.
+type Parts<T, const W: usize, const Q: usize, const H: usize, const R: usize> =
+    ([T; W], [T; Q], [T; H], [T; R]);
+
+/// J(a) − J(a − depth) for 0 ≤ depth ≤ a, from its parts or, where roots would lose a derivative or have no sum, from
+/// its terms (c, p).
 #[inline]
-pub fn drop_by_roots<T: Scalar, const N: usize, const M: usize>(
+pub fn drop_by_roots<T: Scalar, const W: usize, const Q: usize, const H: usize, const R: usize>(
     a: T,
     depth: T,
-    (whole, halves): ([T; N], [T; M]),
+    parts: Parts<T, W, Q, H, R>,
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> T {
     if !is_plain::<T>() || a.is_zero() {
         return power_sum_drop(a, depth, terms);
     }
-    depth * quotient(a, a - depth, (whole, halves))
+    depth * quotient(a, a - depth, parts)
 }
 
-/// The slopes and drops at many radii, from the slope as a function of the radius, and the coefficients of W and H.
+/// The slopes and drops at many radii, from the slope as a function of the radius, and the parts of J.
 ///
 /// A rounded radius changes a drop by less than p ε/2 times itself.
 #[inline(always)]
-pub fn fill_by_roots<T: Scalar, P: GapProfile<T> + ?Sized, const N: usize, const M: usize>(
+pub fn fill_by_roots<
+    T: Scalar,
+    P: GapProfile<T> + ?Sized,
+    const W: usize,
+    const Q: usize,
+    const H: usize,
+    const R: usize,
+>(
     profile: &P,
     a: T,
     (radii, depths): Places<'_, T>,
     (slopes, drops): SlopesAndDrops<'_, T>,
     slope: impl Fn(T) -> T,
-    (whole, halves): ([T; N], [T; M]),
+    parts: Parts<T, W, Q, H, R>,
 ) {
     if !is_plain::<T>() {
         return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
@@ -48,16 +60,29 @@ pub fn fill_by_roots<T: Scalar, P: GapProfile<T> + ?Sized, const N: usize, const
     let values = slopes.iter_mut().zip(drops);
     for ((slope_there, drop_there), (&radius, &depth)) in values.zip(radii.iter().zip(depths)) {
         *slope_there = slope(radius);
-        *drop_there = depth * quotient(a, radius, (whole, halves));
+        *drop_there = depth * quotient(a, radius, parts);
     }
 }
 
 /// The drop over the depth.
 #[inline(always)]
-fn quotient<T: Scalar, const N: usize, const M: usize>(a: T, s: T, (whole, halves): ([T; N], [T; M])) -> T {
+fn quotient<T: Scalar, const W: usize, const Q: usize, const H: usize, const R: usize>(
+    a: T,
+    s: T,
+    (whole, quarters, halves, three_quarters): Parts<T, W, Q, H, R>,
+) -> T {
     let (root_of_a, root) = (a.sqrt(), s.sqrt());
-    let (value, of_halves) = value_and_quotient(a, s, &halves);
-    divided_difference(a, s, whole) + (root * of_halves + value / (root_of_a + root))
+    let (mut beside, mut quotient) = value_and_quotient(a, s, &halves);
+    quotient *= root;
+    if Q + R > 0 {
+        let (alpha, sigma) = (root_of_a.sqrt(), root.sqrt());
+        let [of_quarters, of_rest] =
+            [value_and_quotient(a, s, &quarters), value_and_quotient(a, s, &three_quarters)];
+        let squares = root_of_a + alpha * sigma + root;
+        beside += (of_quarters.0 + squares * of_rest.0) / (alpha + sigma);
+        quotient += sigma * (of_quarters.1 + root * of_rest.1);
+    }
+    divided_difference(a, s, whole) + (quotient + beside / (root_of_a + root))
 }
 
 #[cfg(test)]
@@ -65,23 +90,28 @@ mod tests {
     use super::*;
     use crate::Polynomial;
 
-    /// J = 2 a⁵ + 3 a^5.5 + 0.1 a^8.5
-    fn parts<T: Scalar>() -> ([T; 6], [T; 9]) {
-        let mut parts = ([T::zero(); 6], [T::zero(); 9]);
-        [parts.0[5], parts.1[5], parts.1[8]] = [2.0, 3.0, 0.1].map(T::constant);
+    /// J = 2 a⁵ + 3 a^5.5 + 0.1 a^8.5 + 4 a^6.25 + a^5.75
+    fn parts<T: Scalar>() -> Parts<T, 6, 7, 9, 6> {
+        let mut parts = ([T::zero(); 6], [T::zero(); 7], [T::zero(); 9], [T::zero(); 6]);
+        [parts.0[5], parts.2[5], parts.2[8], parts.1[6], parts.3[5]] =
+            [2.0, 3.0, 0.1, 4.0, 1.0].map(T::constant);
         parts
     }
 
-    fn terms<T: Scalar>() -> [(T, Exponent<T>); 3] {
-        [(2.0, 5.0), (3.0, 5.5), (0.1, 8.5)].map(|(c, p)| (T::constant(c), Exponent::of(T::constant(p))))
+    fn terms<T: Scalar>() -> [(T, Exponent<T>); 5] {
+        [(2.0, 5.0), (3.0, 5.5), (0.1, 8.5), (4.0, 6.25), (1.0, 5.75)]
+            .map(|(c, p)| (T::constant(c), Exponent::of(T::constant(p))))
     }
 
     #[test]
-    fn squares_drop_exactly() {
-        let expected = 2.0 * (9f64.powi(5) - 4f64.powi(5)) + 3.0 * (3f64.powi(11) - 2f64.powi(11));
-        let (whole, mut halves) = parts();
+    fn fourth_powers_drop_exactly() {
+        let drop = |c: f64, k: i32| c * (3f64.powi(k) - 2f64.powi(k));
+        let (whole, quarters, mut halves, three_quarters) = parts();
         halves[8] = 0.0;
-        assert_eq!(drop_by_roots(9.0, 5.0, (whole, halves), []), expected);
+        let found = drop_by_roots(81.0, 65.0, (whole, [], halves, []), []);
+        assert_eq!(found, drop(2.0, 20) + drop(3.0, 22));
+        let found = drop_by_roots(81.0, 65.0, (whole, quarters, halves, three_quarters), []);
+        assert_eq!(found, drop(2.0, 20) + drop(3.0, 22) + drop(4.0, 25) + drop(1.0, 23));
     }
 
     #[test]
