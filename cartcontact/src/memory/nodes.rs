@@ -19,7 +19,14 @@ pub(super) struct Node<T> {
 /// A number for every node. It begins at a cache line, so that no vector needs two of them.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-struct Row<T>([T; MOST_NODES]);
+pub(super) struct Row<T>(pub(super) [T; MOST_NODES]);
+
+impl<T: Scalar> Row<T> {
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self([T::zero(); MOST_NODES])
+    }
+}
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// The increment by a rule for a variable between `ends`, and whether s δ₀′ rises with the radius from node to node,
@@ -52,7 +59,7 @@ impl<T: Scalar> Nodes<T> {
     /// Room for nodes to be filled in place: nodes returned by value would be copied.
     #[inline(always)]
     pub(super) fn none() -> Self {
-        let zero = Row([T::zero(); MOST_NODES]);
+        let zero = Row::zero();
         Self { count: 0, radii: zero, slopes: zero, weights: zero }
     }
 
@@ -71,7 +78,7 @@ impl<T: Scalar> Nodes<T> {
     {
         self.count = rule.len();
         let nodes = ..rule.len();
-        let zero = Row([T::zero(); MOST_NODES]);
+        let zero = Row::zero();
         let (mut depths, mut drops) = (zero, zero);
         let (depths, drops) = (&mut depths.0[nodes], &mut drops.0[nodes]);
         let (radii, slopes) = (&mut self.radii.0[nodes], &mut self.slopes.0[nodes]);
