@@ -45,12 +45,9 @@ const FOLDS_AT_ZERO: f64 = 0.5;
 /// from 1 to 100 000 e-foldings.
 const FOLDS_AT_DISTANCE: f64 = 10.0;
 
-/// The same for a singularity nearer than [`NEAR`], as there may be along a load that is not straight: computed for
-/// distances from 0.01 e-foldings on.
-const FOLDS_AT_NEAR: f64 = 37.0;
-
-/// One e-folding, less the rounding of its computation.
-const NEAR: f64 = 0.99;
+/// The same along any other load, whose singularity may be nearer, and whose force may vary like a polynomial of high
+/// degree: computed for distances from 0.01 e-foldings on.
+const FOLDS_AT_ANY_DISTANCE: f64 = 37.0;
 
 /// The increment of a stretch during which the hereditary load falls short of its final value by D and rises at D′,
 /// which `shortfall` gives for x; `rate` and `rise` are R and G of a parabola that nowhere rises less.
@@ -74,8 +71,7 @@ where
     let most = Rule::FINEST.folds::<T>();
 
     let is_straight = matches!(stretch.course, Course::Linear { .. });
-    let is_far = is_straight && singular - longest >= T::constant(NEAR);
-    let at_distance = T::constant(if is_far { FOLDS_AT_DISTANCE } else { FOLDS_AT_NEAR });
+    let at_distance = T::constant(if is_straight { FOLDS_AT_DISTANCE } else { FOLDS_AT_ANY_DISTANCE });
     let mut sum = Increment::zero();
     let mut start = T::zero();
     let mut length = longest;
