@@ -2,7 +2,8 @@
 //!
 //! Memory bounds the speed. Rows are taken two at a time, so that the pressures and radii they come from are read once
 //! for both, and in tiles of columns that stay in the first cache while all rows of a block pass over them; only the
-//! results travel to memory.
+//! results travel to memory. Vectors of results begin at cache lines: long slices mostly begin in the middle of one, and
+//! with vectors that straddle two lines a field takes half as long again.
 
 use core::ops::Range;
 
@@ -13,6 +14,9 @@ use crate::memory::{Transition, not_negative};
 
 /// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache.
 pub(super) const TILE: usize = 1024;
+
+/// In bytes, as long as the widest vectors.
+const CACHE_LINE: usize = 64;
 
 /// How pressures change at all radii that were covered before:
 /// P ← kept · P + (gain · P + (on_axis − slope r²)).
@@ -154,15 +158,15 @@ pub(super) fn take_rows_from<T: Scalar>(
                     let (first, second) = pair.split_at_mut(base.len());
                     let (one, first) = (changes.get(2 * index), &mut first[tile.clone()]);
                     if second.is_empty() {
-                        take_one(pressures, squares, one, first);
+                        take_row(pressures, squares, first, |p, square| one.apply(p, square));
                         continue;
                     }
                     let (two, second) = (changes.get(2 * index + 1), &mut second[tile.clone()]);
                     if one.is_slow() && two.is_slow() {
                         take_two_slow(pressures, squares, (one, first), (two, second));
                     } else {
-                        take_one(pressures, squares, one, first);
-                        take_one(pressures, squares, two, second);
+                        take_row(pressures, squares, first, |p, square| one.apply(p, square));
+                        take_row(pressures, squares, second, |p, square| two.apply(p, square));
                     }
                 }
             }
@@ -177,17 +181,43 @@ fn take_two_slow<T: Scalar>(
     (one, first): (Change<T>, &mut [T]),
     (two, second): (Change<T>, &mut [T]),
 ) {
-    for (((&pressure, &square), first), second) in pressures.iter().zip(squares).zip(first).zip(second) {
-        *first = one.apply_slow(pressure, square);
-        *second = two.apply_slow(pressure, square);
+    let (of_one, of_two) = (|p, square| one.apply_slow(p, square), |p, square| two.apply_slow(p, square));
+    if before_line(first) != before_line(second) {
+        take_row(pressures, squares, first, of_one);
+        take_row(pressures, squares, second, of_two);
+        return;
+    }
+    for part in from_line(first) {
+        let bases = pressures[part.clone()].iter().zip(&squares[part.clone()]);
+        let results = first[part.clone()].iter_mut().zip(&mut second[part]);
+        for ((&pressure, &square), (first, second)) in bases.zip(results) {
+            (*first, *second) = (of_one(pressure, square), of_two(pressure, square));
+        }
     }
 }
 
+/// The pressures after a change, given as a function of pressure and square of the radius.
 #[inline(always)]
-fn take_one<T: Scalar>(pressures: &[T], squares: &[T], change: Change<T>, results: &mut [T]) {
-    for ((&pressure, &square), result) in pressures.iter().zip(squares).zip(results) {
-        *result = change.apply(pressure, square);
+fn take_row<T: Scalar>(pressures: &[T], squares: &[T], results: &mut [T], change: impl Fn(T, T) -> T) {
+    for part in from_line(results) {
+        let bases = pressures[part.clone()].iter().zip(&squares[part.clone()]);
+        for ((&pressure, &square), result) in bases.zip(&mut results[part]) {
+            *result = change(pressure, square);
+        }
     }
+}
+
+/// How many values lie before the first that begins a cache line.
+#[inline(always)]
+fn before_line<T>(values: &[T]) -> usize {
+    values.as_ptr().align_offset(CACHE_LINE).min(values.len())
+}
+
+/// The values before the first that begins a cache line, and all others.
+#[inline(always)]
+fn from_line<T>(values: &[T]) -> [Range<usize>; 2] {
+    let line = before_line(values);
+    [0..line, line..values.len()]
 }
 
 #[cfg(test)]
