@@ -68,7 +68,7 @@ impl Whole {
         self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
     }
 
-    pub(super) fn is_low(&self) -> bool {
+    fn is_low(&self) -> bool {
         let highest = self.highest();
         highest <= 8 || (self.stride() == 1 && self.largest_gap() <= 2 && highest <= 16)
     }
