@@ -520,10 +520,10 @@ const _: () = {
         fn max_radius(&self) -> T {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
+                [
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                     (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                ]),
+                ],
                 ::core::option::Option::Some({
                     let __field_limit = <T as __cartcontact::Scalar>::constant(
                         <f64 as ::core::convert::From<f32>>::from(self.limit),
@@ -540,10 +540,10 @@ const _: () = {
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
+                [
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                     (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                ]),
+                ],
                 ::core::option::Option::Some({
                     let __field_limit = <T as __cartcontact::Scalar>::constant(
                         <f64 as ::core::convert::From<f32>>::from(self.limit),

@@ -652,10 +652,10 @@ const _: () = {
         fn max_radius(&self) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
+                [
                     (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                     (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                ]),
+                ],
                 ::core::option::Option::None,
             ) {
                 ::core::result::Result::Ok(__end) => __end,
@@ -667,10 +667,10 @@ const _: () = {
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
+                [
                     (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                     (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                ]),
+                ],
                 ::core::option::Option::None,
             ) {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),

@@ -354,9 +354,7 @@ const _: () = {
         fn max_radius(&self) -> T {
             let [__c0]: [T; 1usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                ]),
+                [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
                 ::core::option::Option::None,
             ) {
                 ::core::result::Result::Ok(__end) => __end,
@@ -368,9 +366,7 @@ const _: () = {
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                ]),
+                [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
                 ::core::option::Option::None,
             ) {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),

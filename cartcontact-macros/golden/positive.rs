@@ -534,10 +534,10 @@ const _: () = {
             }
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
-                ::core::iter::IntoIterator::into_iter([
+                [
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                     (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                ]),
+                ],
                 ::core::option::Option::Some({
                     let __field_radius = <T as __cartcontact::Scalar>::constant(
                         self.radius,

@@ -521,10 +521,10 @@ const _: () = {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             match __cartcontact::generated::inside_surfaces(
                 __cartcontact::generated::checked_range(
-                    ::core::iter::IntoIterator::into_iter([
+                    [
                         (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                    ]),
+                    ],
                     ::core::option::Option::Some(
                         <T as __cartcontact::Scalar>::constant(6.0f64),
                     ),
@@ -551,10 +551,10 @@ const _: () = {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             match __cartcontact::generated::inside_surfaces(
                 __cartcontact::generated::checked_range(
-                    ::core::iter::IntoIterator::into_iter([
+                    [
                         (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                    ]),
+                    ],
                     ::core::option::Option::Some(
                         <T as __cartcontact::Scalar>::constant(6.0f64),
                     ),

@@ -92,7 +92,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
 
     fn on_range(terms: S, max_radius: Option<T>) -> Result<Self, ProfileError> {
         let pairs = || terms.as_ref().iter().copied();
-        let max_radius = checked_range(pairs(), max_radius)?;
+        let max_radius = checked_range(&terms, max_radius)?;
         let has_negative_terms = pairs().any(|(c, _)| c < T::zero());
         // A zero that carries a derivative counts.
         let exponents = || pairs().filter(|(c, _)| !is_nothing(*c)).map(|(_, n)| n);

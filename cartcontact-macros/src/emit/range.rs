@@ -145,7 +145,7 @@ impl Checked<'_> {
             }
         };
         let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
-        let range = quote!(#checked_range(::core::iter::IntoIterator::into_iter([#(#terms),*]), #requested));
+        let range = quote!(#checked_range([#(#terms),*], #requested));
         let surfaces = unchecked(self.geometry).iter().map(|surface| {
             let radius = self.coefficients.in_fields(&surface.radius);
             let shape = self.coefficients.in_fields(&surface.shape);

@@ -5,6 +5,7 @@ mod slope;
 use crate::Scalar;
 use crate::profile::Parameters;
 use crate::profile::ProfileError;
+use crate::radius::out_of_line;
 use crate::scalar::smallest_normal;
 use slope::Slope;
 
@@ -18,33 +19,38 @@ use slope::Slope;
 /// [`ProfileError`] for coefficients or exponents that are not usable, including too small ones, and for a gap that
 /// does not open.
 #[inline(always)]
-fn admissible_range<T: Scalar>(
-    terms: impl Iterator<Item = (T, T)> + Clone,
-    requested: Option<T>,
-) -> Result<T, ProfileError> {
-    if is_sum_of_positive_terms(terms.clone()) { Ok(T::infinity()) } else { searched_range(terms, requested) }
+fn admissible_range<T: Scalar>(terms: impl AsRef<[(T, T)]>, requested: Option<T>) -> Result<T, ProfileError> {
+    if is_sum_of_positive_terms(terms.as_ref()) {
+        return Ok(T::infinity());
+    }
+    // Moved, so that terms are written to memory only there.
+    out_of_line(move || searched_range(terms.as_ref(), requested))
 }
 
 /// Whether the terms are usable, none of them is negative, and one is positive.
 #[inline(always)]
-fn is_sum_of_positive_terms<T: Scalar>(terms: impl Iterator<Item = (T, T)>) -> bool {
+fn is_sum_of_positive_terms<T: Scalar>(terms: &[(T, T)]) -> bool {
     // Up to this, twice c is finite, which spares a test of the bits of every coefficient.
     let most = smallest_normal::<T>().recip();
-    let (are_usable, opens) = terms.fold((true, false), |(are_usable, opens), (c, n)| {
-        let is_positive = has_digits(c, n) & (c <= most);
-        (are_usable & is_exponent(n) & (is_positive | c.is_zero()), opens | is_positive)
-    });
-    are_usable & opens
+    let mut opens = false;
+    // A loop is inlined into every caller; functions of iterators are not where it is large.
+    for &(c, n) in terms {
+        if has_digits(c, n) && c <= most {
+            opens = true;
+        } else if !c.is_zero() {
+            return false;
+        }
+        if !is_exponent(n) {
+            return false;
+        }
+    }
+    opens
 }
 
 /// The end of the range where a term may be faulty or negative.
-#[inline(never)]
-fn searched_range<T: Scalar>(
-    terms: impl Iterator<Item = (T, T)> + Clone,
-    requested: Option<T>,
-) -> Result<T, ProfileError> {
+fn searched_range<T: Scalar>(terms: &[(T, T)], requested: Option<T>) -> Result<T, ProfileError> {
     let mut smallest = T::infinity();
-    for (c, n) in terms.clone() {
+    for &(c, n) in terms {
         if !is_exponent(n) {
             return Err(ProfileError::InvalidExponent { exponent: n.value() });
         }
@@ -56,7 +62,7 @@ fn searched_range<T: Scalar>(
     if !smallest.is_finite() {
         return Err(ProfileError::Empty);
     }
-    let leading = coefficient_of(terms.clone(), smallest);
+    let leading = coefficient_of(terms, smallest);
     let slope = Slope { terms, smallest };
     let is_beyond = requested.is_some_and(|radius| slope.first_outweighs_negative_up_to(radius));
     let end = if is_beyond { T::infinity() } else { slope.first_zero() };
@@ -71,8 +77,8 @@ fn searched_range<T: Scalar>(
 }
 
 /// The sum of all coefficients of r^n, which a caller may have given in several terms.
-fn coefficient_of<T: Scalar>(terms: impl Iterator<Item = (T, T)>, n: T) -> T {
-    terms.filter(|&(_, exponent)| exponent == n).fold(T::zero(), |sum, (c, _)| sum + c)
+fn coefficient_of<T: Scalar>(terms: &[(T, T)], n: T) -> T {
+    terms.iter().filter(|(_, exponent)| *exponent == n).fold(T::zero(), |sum, &(c, _)| sum + c)
 }
 
 #[inline(always)]
@@ -116,8 +122,8 @@ fn fits<T: Scalar>(c: T, n: T) -> bool {
 /// Whether C > 0 and C n keep all their digits when they are divided by 2 (n+2)², up to 2²¹, on the way to the kernels.
 #[inline(always)]
 fn has_digits<T: Scalar>(c: T, n: T) -> bool {
-    let weight = n.min(T::one()) / ((n + T::constant(2.0)) * (n + T::constant(2.0)));
-    c * weight >= smallest_normal::<T>() * T::constant(2.0)
+    let divisor = (n + T::constant(2.0)) * (n + T::constant(2.0)) / n.min(T::one());
+    c >= smallest_normal::<T>() * T::constant(2.0) * divisor
 }
 
 /// The end of the range of a geometry, up to the `requested` radius if there is one.
@@ -127,7 +133,7 @@ fn has_digits<T: Scalar>(c: T, n: T) -> bool {
 /// [`ProfileError`] as `admissible_range`, and if `requested` is not positive or lies beyond the range.
 #[inline(always)]
 pub fn checked_range<T: Scalar>(
-    terms: impl Iterator<Item = (T, T)> + Clone,
+    terms: impl AsRef<[(T, T)]>,
     requested: Option<T>,
 ) -> Result<T, ProfileError> {
     let end = admissible_range(terms, requested)?;
@@ -204,7 +210,7 @@ mod tests {
     use super::*;
 
     fn range(terms: &[(f64, f64)]) -> f64 {
-        admissible_range(terms.iter().copied(), None).unwrap_or(f64::NAN)
+        admissible_range(terms, None).unwrap_or(f64::NAN)
     }
 
     #[test]
@@ -252,7 +258,7 @@ mod tests {
             let end = range(terms);
             assert!(end.is_finite(), "{terms:?}");
             for share in [1e-3, 0.5, 0.9, 0.999, 1.0 - 1e-12, 1.0 + 1e-12, 1.001, 2.0, 1e3] {
-                let found = checked_range(terms.iter().copied(), Some(share * end));
+                let found = checked_range(terms, Some(share * end));
                 assert_eq!(found.is_ok(), share < 1.0, "{terms:?} up to {share} of {end}: {found:?}");
             }
         }
@@ -262,7 +268,7 @@ mod tests {
     fn assert_ends_at(terms: &[(f64, f64)], zero: f64, tolerance: f64) {
         let end = range(terms);
         assert!(end <= zero && end > zero * (1.0 - tolerance), "{terms:?}: {end:e} instead of {zero:e}");
-        let request = |radius| checked_range(terms.iter().copied(), Some(radius));
+        let request = |radius| checked_range(terms, Some(radius));
         assert!(request(zero).is_err(), "{terms:?} up to {zero:e}");
         assert!(request(zero * (1.0 - tolerance)).is_ok(), "{terms:?} up to nearly {zero:e}");
     }
@@ -315,8 +321,8 @@ mod tests {
     #[test]
     fn powers_below_the_format_are_not_taken_for_nothing() {
         // The zero is at 1e-300, and at 1e-25.
-        assert!(checked_range([(1e-300, 2.0), (-1e300, 4.0)].into_iter(), Some(1e-200)).is_err());
-        assert!(checked_range([(1e-20_f32, 2.0), (-1e30, 4.0)].into_iter(), Some(1e-23)).is_err());
+        assert!(checked_range([(1e-300, 2.0), (-1e300, 4.0)], Some(1e-200)).is_err());
+        assert!(checked_range([(1e-20_f32, 2.0), (-1e30, 4.0)], Some(1e-23)).is_err());
     }
 
     /// The rounded slopes add up to less than zero.
@@ -327,7 +333,7 @@ mod tests {
             let terms = [(c, 3.5), (-0.3, 3.5), (-0.7, 3.5), (-1.0, 4.0)];
             // As f64, 0.3 and 0.7 add up to a quarter of an ε less than 1.
             let left = c - 1.0 + 0.25 * f64::EPSILON;
-            match admissible_range(terms.into_iter(), None) {
+            match admissible_range(terms, None) {
                 Ok(end) => assert!(0.0 < end && end <= left * left, "{c}: {end:e}"),
                 Err(error) => {
                     assert!(k < 20 && matches!(error, ProfileError::NotOpening { .. }), "{c}: {error}");
@@ -338,13 +344,13 @@ mod tests {
 
     #[test]
     fn faults_are_named() {
-        assert_eq!(admissible_range([].into_iter().map(|x: (f64, f64)| x), None), Err(ProfileError::Empty));
+        assert_eq!(admissible_range::<f64>([], None), Err(ProfileError::Empty));
         assert!(matches!(
-            admissible_range([(-1.0, 2.0), (1.0, 4.0)].into_iter(), None),
+            admissible_range([(-1.0, 2.0), (1.0, 4.0)], None),
             Err(ProfileError::NotOpening { exponent: 2.0, .. })
         ));
         assert!(matches!(
-            checked_range([(0.025, 2.0), (-1e-4, 4.0)].into_iter(), Some(14.0)),
+            checked_range([(0.025, 2.0), (-1e-4, 4.0)], Some(14.0)),
             Err(ProfileError::NotAdmissible { .. })
         ));
     }

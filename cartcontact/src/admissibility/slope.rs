@@ -29,8 +29,9 @@ use crate::scalar::{from_single, smallest_normal};
 const MOST_STEPS: u32 = 20_000;
 
 /// δ₀′ as a sum of exponentials of x = ln r.
-pub(super) struct Slope<I, T> {
-    pub(super) terms: I,
+pub(super) struct Slope<'a, T> {
+    /// The terms (C, n) of the gap.
+    pub(super) terms: &'a [(T, T)],
     /// The smallest exponent.
     pub(super) smallest: T,
 }
@@ -42,12 +43,12 @@ struct Expansion<T> {
     curvature: T,
 }
 
-impl<T: Scalar, I: Iterator<Item = (T, T)> + Clone> Slope<I, T> {
+impl<T: Scalar> Slope<'_, T> {
     /// The terms (d, n − n₁) with d ≠ 0.
     fn exponentials(&self) -> impl Iterator<Item = (T, T)> + Clone + '_ {
         let two = T::constant(2.0);
-        let shifted = move |(c, n): (T, T)| (c * (two * n / (n + two)), n - self.smallest);
-        self.terms.clone().map(shifted).filter(|(d, _)| !d.is_zero())
+        let shifted = move |&(c, n): &(T, T)| (c * (two * n / (n + two)), n - self.smallest);
+        self.terms.iter().map(shifted).filter(|(d, _)| !d.is_zero())
     }
 
     fn count(&self) -> T {

@@ -84,10 +84,11 @@ impl<T: Scalar> EqualTerms<T> {
         let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
         // A term with a sign other than in the table has a negative size; the unit may then be NaN or not.
-        let has_table = [per_size, low.0, high.0]
-            .iter()
-            .chain(&others)
-            .fold(true, |all, &j| all & (least <= j) & (j <= most));
+        let fits = |j: T| (least <= j) & (j <= most);
+        let mut has_table = fits(per_size) & fits(low.0) & fits(high.0);
+        for &other in &others {
+            has_table &= fits(other);
+        }
         // Zero lies in no table.
         Self { radius, per_load_integral: if has_table { per_unit * per_size } else { T::zero() }, per_unit }
     }
