@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, nested, terms};
+use super::power_sum::{Whole, nested, paired, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
 use crate::number::{Rational, integer};
@@ -102,9 +102,13 @@ pub(super) fn items(sum: &PowerSum, names: &Names) -> Option<TokenStream> {
     let (_, variable) = whole.variable(&a);
     let weighted = |weight: fn(u32) -> u32| {
         let factors = whole.exponents.iter().zip(&variables).map(|(&p, j)| product(weight(p), j, names));
-        nested((&whole, false), &variable, factors.collect(), names)
+        factors.collect::<Vec<_>>()
     };
-    let sums = [weighted(|_| 1), weighted(|p| p), weighted(|p| p * (p - 1) / 2)];
+    let sums = [
+        paired(&whole, &variable, weighted(|_| 1), names),
+        nested((&whole, false), &variable, weighted(|p| p), names),
+        nested((&whole, false), &variable, weighted(|p| p * (p - 1) / 2), names),
+    ];
     let body = steepness::value((&whole, false), &a, &sums, &Rational::one(), names);
     Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, is_monic, nested, power, terms};
+use super::power_sum::{Whole, is_monic, nested, paired, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
 use crate::number::{Rational, integer};
@@ -120,7 +120,7 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let (_, variable) = whole.variable(a);
     let sums = [
-        nested((&whole, is_monic(load_integral)), &variable, of_value, names),
+        paired(&whole, &variable, of_value, names),
         nested((&whole, is_monic(&first)), &variable, of_first, names),
         paired(&whole, &variable, of_half_second, names),
     ];
@@ -155,30 +155,4 @@ fn unit(load_integral: &PowerSum) -> Option<Rational> {
     let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
     let exponent = &load_integral.summands.last()?.exponent;
     Some(*constants?.last()? * exponent)
-}
-
-/// The sum with these `factors` divided by its lowest power, by pairs of summands: Estrin's scheme, which lets a
-/// processor do more at a time than Horner's rule.
-///
-/// If both derivatives had the same form, compilers would put them side by side into one vector, and its halves would
-/// wait for each other.
-fn paired(whole: &Whole, variable: &Ident, factors: Vec<TokenStream>, names: &Names) -> TokenStream {
-    // The variable's power from one exponent to another.
-    let between = |from: u32, to: u32| power(variable, (to - from) / whole.stride(), names);
-    let is_odd = factors.len() % 2 == 1;
-    let mut summands = factors.into_iter().zip(whole.exponents.iter().copied()).rev();
-    let mut paired = if is_odd { summands.next() } else { None };
-    while let (Some((high, upper)), Some((low, lower))) = (summands.next(), summands.next()) {
-        let step = between(lower, upper);
-        let pair = quote!(#low + (#high) * #step);
-        let pair = match paired {
-            None => pair,
-            Some((above, exponent)) => {
-                let step = between(lower, exponent);
-                quote!((#pair) + (#above) * (#step))
-            }
-        };
-        paired = Some((pair, lower));
-    }
-    paired.map(|(sum, _)| sum).unwrap_or_default()
 }
