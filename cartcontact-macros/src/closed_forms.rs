@@ -66,9 +66,10 @@ pub(crate) struct Scaled {
     pub(crate) per_unit: Rational,
 }
 
-/// J for the step from a table of seeds: a function of the root of the radius with this index, in which its powers are
-/// whole. The index is 1, for the radius itself, if only a root of a high index would do.
-pub(crate) struct Seeded {
+/// J as the steps to the radius take it: with weights of few digits where coefficients are symbols, and as a function of
+/// the root of the radius with this index, in which its powers are whole. The index is 1, for the radius itself, if only
+/// a root of a high index would do.
+pub(crate) struct Stepped {
     pub(crate) scaled: Scaled,
     pub(crate) root: u32,
 }
@@ -82,10 +83,8 @@ pub(crate) struct ClosedForms {
     pub(crate) approach_slope: PowerSum,
     /// J(a) = Σ C n aⁿ⁺⁴/((n+2)(n+4)), Eq. (14)
     pub(crate) load_integral: PowerSum,
-    /// J as the steps to the radius take it: with weights of few digits where coefficients are symbols.
-    pub(crate) stepped: Scaled,
-    /// The same for the step from a table of seeds.
-    pub(crate) seeded: Seeded,
+    /// The same as the steps to the radius take it.
+    pub(crate) stepped: Stepped,
     /// L(x) = Σ C xⁿ⁺²/(n+2)², the log kernel of Eq. (28)
     pub(crate) log_kernel: PowerSum,
 }
@@ -95,10 +94,8 @@ impl ClosedForms {
         let two = integer(2);
         let plus = |n: &Rational, k: i32| n + integer(k);
         let load_integral = PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4)));
-        let stepped = load_integral.times(load_integral.shortener());
         Self {
-            seeded: stepped.seeded(),
-            stepped,
+            stepped: load_integral.times(load_integral.shortener()).stepped(),
             gap: PowerSum::of(gap, 0, &|_| Rational::one()),
             approach: PowerSum::of(gap, 0, &|n| &two / plus(n, 2)),
             approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
@@ -109,10 +106,10 @@ impl ClosedForms {
 }
 
 impl Scaled {
-    fn seeded(&self) -> Seeded {
+    fn stepped(self) -> Stepped {
         let root = self.load_integral.root_of_whole_powers().unwrap_or(1);
         let load_integral = self.load_integral.in_root(root);
-        Seeded { scaled: Scaled { load_integral, per_unit: self.per_unit.clone() }, root }
+        Stepped { scaled: Scaled { load_integral, per_unit: self.per_unit }, root }
     }
 }
 

@@ -32,8 +32,30 @@ struct Wide<T> {
     d: T,
 }
 
+#[gap_profile(b * r^2.5 + c * r^4 + d * r^5)]
+struct Halves<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
 #[gap_profile(b * r^1.5 + c * r^2.25 + d * r^4)]
-struct Fractional<T> {
+struct Quarters<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
+#[gap_profile(b * r^0.375 + c * r^2.125 + d * r^4)]
+struct Eighths<T> {
+    b: T,
+    c: T,
+    d: T,
+}
+
+/// The common fraction is too small for a root.
+#[gap_profile(b * r^(99/64) + c * r^2.25 + d * r^4)]
+struct SixtyFourths<T> {
     b: T,
     c: T,
     d: T,
@@ -68,7 +90,7 @@ struct Kind {
     single: fn([f32; 3]) -> Box<dyn GapProfile<f32>>,
 }
 
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 7] = [
     Kind {
         exponents: [2.0, 3.0, 4.0],
         double: |[b, c, d]| Box::new(Dense { b, c, d }),
@@ -86,8 +108,23 @@ const KINDS: [Kind; 4] = [
     },
     Kind {
         exponents: [1.5, 2.25, 4.0],
-        double: |[b, c, d]| Box::new(Fractional { b, c, d }),
-        single: |[b, c, d]| Box::new(Fractional { b, c, d }),
+        double: |[b, c, d]| Box::new(Quarters { b, c, d }),
+        single: |[b, c, d]| Box::new(Quarters { b, c, d }),
+    },
+    Kind {
+        exponents: [2.5, 4.0, 5.0],
+        double: |[b, c, d]| Box::new(Halves { b, c, d }),
+        single: |[b, c, d]| Box::new(Halves { b, c, d }),
+    },
+    Kind {
+        exponents: [0.375, 2.125, 4.0],
+        double: |[b, c, d]| Box::new(Eighths { b, c, d }),
+        single: |[b, c, d]| Box::new(Eighths { b, c, d }),
+    },
+    Kind {
+        exponents: [99.0 / 64.0, 2.25, 4.0],
+        double: |[b, c, d]| Box::new(SixtyFourths { b, c, d }),
+        single: |[b, c, d]| Box::new(SixtyFourths { b, c, d }),
     },
 ];
 
@@ -185,14 +222,16 @@ fn a_plane_is_a_sphere_of_infinite_radius() {
 
 #[test]
 fn other_units_change_no_digit() {
-    for (index, kind) in KINDS.iter().enumerate().filter(|(_, kind)| kind.exponents[2] <= 6.0) {
+    let is_of_eighths = |kind: &Kind| kind.exponents.iter().all(|n| (8.0 * n).fract() == 0.0);
+    let is_low = |kind: &Kind| kind.exponents[2] <= 6.0;
+    for (index, kind) in KINDS.iter().enumerate().filter(|(_, kind)| is_low(kind) && is_of_eighths(kind)) {
         let mut stream = Stream::of_case(2, index as u64);
         for _ in 0..2000 {
             let coefficients = kind.coefficients(&mut stream, 1.0);
             let load_integral = stream.magnitude(-6.0, 6.0);
             let radius = (kind.double)(coefficients).radius(load_integral).unwrap_or(f64::NAN);
-            // Powers of 16, so that their powers with quarters in the exponent are powers of two as well.
-            let length = 16f64.powi(stream.below(30) as i32 - 15);
+            // Powers of 256, so that their powers with eighths in the exponent are powers of two as well.
+            let length = 256f64.powi(stream.below(15) as i32 - 7);
             let size = 2f64.powi(stream.below(600) as i32 - 300);
             let mut scaled = coefficients;
             for (c, n) in scaled.iter_mut().zip(kind.exponents) {

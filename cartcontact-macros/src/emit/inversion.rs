@@ -68,7 +68,7 @@ fn from_start(
             (radius, Some(radii))
         }
         Start::Seeds(found) => {
-            let [radius, radii] = seeds::radius_and_radii(found, &forms.seeded, coefficients, names);
+            let [radius, radii] = seeds::radius_and_radii(found, &forms.stepped, coefficients, names);
             (radius, Some(radii))
         }
         Start::LeadingTerm => {

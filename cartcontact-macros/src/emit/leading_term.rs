@@ -7,7 +7,7 @@ use quote::{ToTokens, quote};
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, paired, terms};
 use super::{Names, local, steepness};
-use crate::closed_forms::{ClosedForms, PowerSum, Scaled};
+use crate::closed_forms::{ClosedForms, Scaled, Stepped};
 use crate::number::{Rational, integer};
 
 /// Beyond this power, 2^p leaves single precision in the products of a step.
@@ -44,8 +44,8 @@ pub(super) fn radius_of_real_powers(
     }
 }
 
-/// The radii of a slice from the leading term, or else by `radius_within`; for whole powers only, as other powers do
-/// not vectorise.
+/// The radii of a slice from the leading term, or else by `radius_within`; for whole powers only, as others do not
+/// vectorise.
 pub(super) fn radii(
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
@@ -67,37 +67,46 @@ pub(super) fn radii(
     })
 }
 
-/// J as `WholePowers`, if all its powers are whole.
-fn whole_powers(scaled: &Scaled, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
-    let Scaled { load_integral: sum, per_unit } = scaled;
-    let whole = whole(sum)?;
+/// J as `WholePowers`, if it has them.
+fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
+    let whole = whole(stepped)?;
+    let Scaled { load_integral: sum, per_unit } = &stepped.scaled;
     let per_unit = names.number(per_unit);
-    let (all, steepness) = (names.generated("WholePowers"), steepness::name());
+    let (all, root) = (names.generated("WholePowers"), Literal::u32_unsuffixed(stepped.root));
+    let [steepness, last_steepness] = functions(stepped);
     let values = sum.summands.iter().map(|summand| coefficients.factor(summand));
-    let powers = whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power));
+    let (powers, count) = (whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power)), values.len());
     Some(quote! {
-        #all {
+        #all::<_, _, _, #count, #root> {
             coefficients: [#(#values),*],
             powers: [#(#powers),*],
             steepness: #steepness,
+            last_steepness: #last_steepness,
             per_unit: #per_unit,
         }
     })
 }
 
+/// The names of the functions that compute J and its derivatives for all steps but the last, and for that.
+fn functions(stepped: &Stepped) -> [Ident; 2] {
+    let name = steepness::name();
+    if stepped.root == 1 { [name.clone(), name] } else { [name, local("last_steepness")] }
+}
+
 /// Whether the steps from the leading term have whole powers.
 pub(super) fn has_whole_powers(forms: &ClosedForms) -> bool {
-    whole(&forms.stepped.load_integral).is_some()
+    whole(&forms.stepped).is_some()
 }
 
-fn whole(sum: &PowerSum) -> Option<Whole> {
-    Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_POWER)
+/// The powers of J, if they are whole and not too high.
+fn whole(stepped: &Stepped) -> Option<Whole> {
+    Whole::of(&stepped.scaled.load_integral).filter(|whole| whole.highest() <= HIGHEST_POWER)
 }
 
-/// The function that computes J and its derivatives, with any coefficients.
-pub(super) fn items(sum: &PowerSum, names: &Names) -> Option<TokenStream> {
-    let whole = whole(sum)?;
-    let (count, a) = (whole.exponents.len(), local("a"));
+/// The functions that compute J and its derivatives, with any coefficients.
+pub(super) fn items(forms: &ClosedForms, names: &Names) -> Option<TokenStream> {
+    let (whole, a) = (whole(&forms.stepped)?, local("a"));
+    let count = whole.exponents.len();
     let variables: Vec<Ident> = (0..count).map(|index| local(&format!("j{index}"))).collect();
     let (_, variable) = whole.variable(&a);
     let weighted = |weight: fn(u32) -> u32| {
@@ -110,7 +119,25 @@ pub(super) fn items(sum: &PowerSum, names: &Names) -> Option<TokenStream> {
         nested((&whole, false), &variable, weighted(|p| p * (p - 1) / 2), names),
     ];
     let body = steepness::value((&whole, false), &a, &sums, &Rational::one(), names);
-    Some(steepness::function(&a, (quote!([#(#variables),*]), count), &body, names))
+    let function = |name: &Ident, body: &TokenStream| {
+        steepness::function(name, &a, (quote!([#(#variables),*]), count), body, names)
+    };
+    let [first, last] = functions(&forms.stepped);
+    // Powers of a root are so high that they would round often; for a square root it is enough to know the lowest.
+    let last = match forms.stepped.root {
+        1 => None,
+        2 => {
+            let lowest = Literal::u32_unsuffixed(whole.lowest());
+            let body = quote!(#first(#a, [#(#variables),*]).with_exact_power::<#lowest>(#a));
+            Some(function(&last, &body))
+        }
+        _ => {
+            let factors = variables.iter().map(ToTokens::to_token_stream);
+            Some(function(&last, &steepness::of_nested_powers(&whole, factors, &a, names)))
+        }
+    };
+    let first = function(&first, &body);
+    Some(quote!(#first #last))
 }
 
 fn product(weight: u32, coefficient: &Ident, names: &Names) -> TokenStream {

@@ -195,8 +195,8 @@ fn beside_inversion(
 ) -> Option<TokenStream> {
     match start? {
         Start::Roots(roots) => Some(roots::item(roots, names)),
-        Start::Seeds(found) => Some(seeds::items(found, &forms.seeded, coefficients, names)),
-        Start::LeadingTerm => leading_term::items(&forms.stepped.load_integral, names),
+        Start::Seeds(found) => Some(seeds::items(found, &forms.stepped, coefficients, names)),
+        Start::LeadingTerm => leading_term::items(forms, names),
     }
 }
 

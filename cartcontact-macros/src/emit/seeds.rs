@@ -7,20 +7,20 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, is_monic, nested, paired, terms};
 use super::{Names, local, steepness, table};
-use crate::closed_forms::{PowerSum, Scaled, Seeded, Summand};
+use crate::closed_forms::{PowerSum, Scaled, Stepped, Summand};
 use crate::number::{Rational, integer};
 use crate::start::seeds::Seeds;
 
 /// The table, and the function that the step from it evaluates.
 pub(super) fn items(
     seeds: &Seeds,
-    seeded: &Seeded,
+    stepped: &Stepped,
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> TokenStream {
     let (table, a) = (table::item(&seeds.table, names), local("a"));
-    let body = body(seeded, &a, coefficients, names);
-    let function = steepness::function(&a, coefficients.variables(), &body, names);
+    let body = body(stepped, &a, coefficients, names);
+    let function = steepness::function(&steepness::name(), &a, coefficients.variables(), &body, names);
     quote!(#table #function)
 }
 
@@ -28,12 +28,12 @@ pub(super) fn items(
 /// table.
 pub(super) fn radius_and_radii(
     seeds: &Seeds,
-    seeded: &Seeded,
+    stepped: &Stepped,
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> [TokenStream; 2] {
     let (variables, _) = coefficients.variables();
-    let binding = units(seeds, seeded, coefficients, names);
+    let binding = units(seeds, stepped, coefficients, names);
     let (table, steepness, general) = (table::name(), steepness::name(), names.by_radius_within());
     let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
         (names, ["a", "units"].map(local));
@@ -59,9 +59,9 @@ pub(super) fn radius_and_radii(
 }
 
 /// Binds the units of the table: those of its own geometry, or those in which the first two terms have the same size.
-fn units(seeds: &Seeds, seeded: &Seeded, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let units = local("units");
-    let Seeded { scaled: Scaled { load_integral, per_unit }, root } = seeded;
+    let Stepped { scaled: Scaled { load_integral, per_unit }, root } = stepped;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
         names.generated("OwnUnits")
     } else {
@@ -101,8 +101,8 @@ fn equal_terms(
 /// The coefficient is then 1 in a J′, which spares a multiplication. In J, a unit would cost a rounding, as the load
 /// integral would have to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
 /// bound.
-fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let Seeded { scaled: Scaled { load_integral, .. }, root } = seeded;
+fn body(stepped: &Stepped, a: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+    let Stepped { scaled: Scaled { load_integral, .. }, root } = stepped;
     let Some(whole) = Whole::of(load_integral) else {
         let (function, terms) =
             (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
@@ -110,7 +110,8 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     };
     // For a square root it is enough to know the lowest power together with its rounding error.
     if *root > 2 {
-        return nested_powers(load_integral, &whole, a, coefficients, names);
+        let factors = load_integral.summands.iter().map(|summand| coefficients.factor(summand));
+        return steepness::of_nested_powers(&whole, factors, a, names);
     }
     let unit = unit(load_integral).unwrap_or_else(Rational::one);
     let first = load_integral.weighted(|p| p / &unit);
@@ -126,28 +127,6 @@ fn body(seeded: &Seeded, a: &Ident, coefficients: &Coefficients<'_>, names: &Nam
     ];
     let steepness = steepness::value((&whole, *root == 2), a, &sums, &unit, names);
     quote!(#values #firsts #half_seconds #steepness)
-}
-
-/// The same by Horner's rule with powers that are not rounded: those of a root are so high that they would round often.
-fn nested_powers(
-    load_integral: &PowerSum,
-    whole: &Whole,
-    a: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
-    let mut above = None;
-    let terms = load_integral.summands.iter().zip(&whole.exponents).rev().map(|(summand, &exponent)| {
-        let down_to = above.replace(exponent).map(|above: u32| {
-            let difference = Literal::u32_unsuffixed(above - exponent);
-            quote!(.times_power::<#difference>())
-        });
-        let (c, p) = (coefficients.factor(summand), names.number(&summand.exponent));
-        quote!(#down_to.plus(#c, #p))
-    });
-    let terms: Vec<TokenStream> = terms.collect();
-    let (nested, lowest) = (names.generated("NestedPowers"), Literal::u32_unsuffixed(whole.lowest()));
-    quote!(#nested::of(#a) #(#terms)* .of_lowest_power::<#lowest>())
 }
 
 /// The coefficient of the highest power in a J′, if all coefficients are constants.

@@ -5,22 +5,22 @@ use quote::{ToTokens, quote};
 
 use super::power_sum::Whole;
 use super::{Names, local};
-use crate::number::{Rational, literal};
+use crate::number::{Rational, integer, literal};
 
 /// The name of the function that computes them.
 pub(super) fn name() -> Ident {
     local("steepness")
 }
 
-/// The function that computes them at the radius `a` with some coefficients.
+/// The function with this `name` that computes them at the radius `a` with some coefficients.
 pub(super) fn function(
+    name: &Ident,
     a: &Ident,
     (coefficients, count): (impl ToTokens, usize),
     body: &TokenStream,
     names: &Names,
 ) -> TokenStream {
     let (Names { krate, scalar, .. }, steepness) = (names, names.generated("Steepness"));
-    let name = name();
     quote! {
         #[inline(always)]
         fn #name<#scalar: #krate::Scalar>(
@@ -71,4 +71,25 @@ pub(super) fn value(
             per_unit: #constant(#per_unit),
         }
     }
+}
+
+/// The same by Horner's rule with powers that are not rounded: those of a root are so high that they would round often.
+pub(super) fn of_nested_powers(
+    whole: &Whole,
+    factors: impl DoubleEndedIterator<Item = TokenStream> + ExactSizeIterator,
+    a: &Ident,
+    names: &Names,
+) -> TokenStream {
+    let mut above = None;
+    let terms = factors.zip(whole.exponents.iter().copied()).rev().map(|(c, exponent)| {
+        let down_to = above.replace(exponent).map(|above: u32| {
+            let difference = Literal::u32_unsuffixed(above - exponent);
+            quote!(.times_power::<#difference>())
+        });
+        let p = names.number(&integer(exponent));
+        quote!(#down_to.plus(#c, #p))
+    });
+    let terms: Vec<TokenStream> = terms.collect();
+    let (nested, lowest) = (names.generated("NestedPowers"), Literal::u32_unsuffixed(whole.lowest()));
+    quote!(#nested::of(#a) #(#terms)* .of_lowest_power::<#lowest>())
 }

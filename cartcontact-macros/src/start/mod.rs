@@ -30,7 +30,7 @@ impl Start {
             [only] if !(roots::has_window(only) && only.exponent.is_integer()) => {
                 roots::roots(geometry, only).map(Start::Roots)
             }
-            _ => seeds::seeds(geometry, &forms.seeded).map(Start::Seeds),
+            _ => seeds::seeds(geometry, &forms.stepped).map(Start::Seeds),
         };
         table.or_else(|| may_have_leading_term(&geometry.gap).then_some(Start::LeadingTerm))
     }

@@ -20,7 +20,7 @@ use core::ops::Range;
 
 use num_traits::ToPrimitive;
 
-use crate::closed_forms::Seeded;
+use crate::closed_forms::Stepped;
 use crate::geometry::Geometry;
 use crate::start::own_units;
 use crate::start::table::{
@@ -50,9 +50,9 @@ pub(crate) struct Seeds {
 }
 
 /// The table of a geometry, if its rows are near enough to the radius, or to the root in which J has whole powers.
-pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
+pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
-    let load_integral = &seeded.scaled.load_integral;
+    let load_integral = &stepped.scaled.load_integral;
     let factors: Vec<f64> = if is_constant {
         load_integral.summands.iter().map(|summand| summand.constant()?.to_f64()).collect::<Option<_>>()?
     } else {
@@ -63,7 +63,7 @@ pub(crate) fn seeds(geometry: &Geometry, seeded: &Seeded) -> Option<Seeds> {
         terms.push((factor, summand.exponent.to_f64()?));
     }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
-    let sum = LoadIntegral::new(terms, seeded.root, largest_single);
+    let sum = LoadIntegral::new(terms, stepped.root, largest_single);
     let top = if is_constant {
         top(geometry, |a| sum.at(a.powf(sum.root.recip())).value)
     } else {

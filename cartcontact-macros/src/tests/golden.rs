@@ -8,7 +8,7 @@ use std::{env, fs};
 use crate::expand;
 
 /// Name, attribute and item.
-const CASES: [[&str; 3]; 13] = [
+const CASES: [[&str; 3]; 14] = [
     ["one_term", "0.025 * r^2", "/// A paraboloid.\npub struct Paraboloid;"],
     ["even_powers", "0.025 * r^2 + 1.09375e-4 * r^4", "struct Patellofemoral;"],
     ["many_terms", "sphere(10) + sphere(20), order = 24, max_radius = 5", "struct Spheres;"],
@@ -21,6 +21,7 @@ const CASES: [[&str; 3]; 13] = [
         "r^2 / (2 * radius) + r^4 / (8 * radius^3), max_radius = limit, crate = crate::renamed",
         "struct Ball { radius: f64, limit: f32, name: String }",
     ],
+    ["roots_of_fields", "c * r^2.5 + d * r^4 + e * r^5", "struct Blunt { c: f64, d: f64, e: f64 }"],
     ["generics", "c * r^2 + r^2.5 / c^0.5", "struct Any<'a, S: Copy, T> where T: Clone { c: S, tag: &'a T }"],
     [
         "positive",

@@ -60,6 +60,16 @@ impl<T: Scalar> Steepness<T> {
         self.half_second += half * (p - T::one()) * first;
     }
 
+    /// With the lowest power x^`K` exact, and the excess that its product with the value then has.
+    #[inline(always)]
+    pub fn with_exact_power<const K: u32>(self, x: T) -> Self {
+        let x = Halved::of(x);
+        let power = x.whole_power::<K>(x.square());
+        let word = power.word();
+        let excess = power.excess_of_product(word * self.value, Halved::of(self.value));
+        Self { power: word, excess, ..self }
+    }
+
     /// With derivatives in units of the power of two just below a J′, whose square may not fit single precision.
     #[inline(always)]
     pub(crate) fn in_units_of_its_slope(self) -> Self {

@@ -18,8 +18,8 @@
 //! another square would be multiplied in every power. Dropping digits changes a by 2⁻²⁵, or 2⁻¹² in single precision,
 //! which the step corrects: of 2⁻¹² it leaves ε/8 with p₂ = 110. Higher powers in single precision are left to the
 //! general solution. The correction is small and subtracted directly, so that no other rounding is of the size of
-//! 1/2 ulp. Where powers are not whole, J has more digits in this step, see [`steepness`](crate::evaluate::steepness);
-//! with whole powers up to seven roundings are divided by p ≥ 5.
+//! 1/2 ulp. Where powers are not whole, or are those of a root, J has more digits in this step, see
+//! [`steepness`](crate::evaluate::steepness); with whole powers up to seven roundings are divided by p ≥ 5.
 
 use super::out_of_line;
 use super::step::Target;
@@ -59,7 +59,7 @@ impl<T: Scalar> Start<T> {
         let (_, place) = nearest_integer(least + base);
         // 2^(u−1) by a parabola through both ends of the octave, within 0.2 %.
         let u = one_and_digits::<T>(place);
-        let fraction = T::constant(0.6870) + u * u * T::constant(0.3435) - u * T::constant(0.0305);
+        let fraction = (T::constant(0.6870) - u * T::constant(0.0305)) + (u * T::constant(0.3435)) * u;
         Self { octave: (place >> DIGITS) - bias::<T>(), fraction }
     }
 }
@@ -93,30 +93,29 @@ impl<T: Scalar> Spread<T> {
         }
     }
 
-    /// The root of J(a) = y, 1 ≤ y < 4, near `start`, and whether the steps have come near it. All steps but the last
-    /// take `evaluate`; `more` is the number of extra steps.
+    /// The radius from the root of J(a) = y, 1 ≤ y < 4, near `start`, and whether the steps have come near it. All steps
+    /// but the last take `evaluate`; `more` is the number of extra steps.
     #[inline(always)]
-    pub(super) fn root(
+    pub(super) fn radius(
         self,
         more: u32,
-        target: Target<T>,
+        y: T,
         start: T,
         evaluate: impl Fn(T) -> Steepness<T>,
-        evaluate_at_last: impl Fn(T) -> Steepness<T>,
+        last_step: impl Fn(T) -> T,
     ) -> (T, bool) {
         let at = evaluate(start);
-        let (value, y) = (at.power * at.value, target.value);
+        let value = at.power * at.value;
         let (near, far) = (at.value * (value - y), at.first * (value + y));
         let mut a = start * ((far - near) / (far + near));
         let mut is_near = true;
         let close = T::constant(if is::<T, f32>() { 0.4 } else { 0.05 }) / self.highest;
         for _ in 0..self.steps() + more {
-            let next = evaluate(a).halley(a, target);
+            let next = evaluate(a).halley(a, Target::of(y));
             is_near = (next - a).abs() <= a * close;
             a = next;
         }
-        let a = with_half_its_digits(a);
-        (evaluate_at_last(a).halley(a, target), is_near)
+        (last_step(with_half_its_digits(a)), is_near)
     }
 }
 
@@ -156,17 +155,17 @@ pub fn radius_of_real_powers<T: Scalar>(
     if !(are_positive & fits & is_within) {
         return None;
     }
-    let scale = power_of_two(-exponent);
+    let (y, scale) = (fraction(load_integral), power_of_two(-exponent));
     let spread = Spread { lowest, highest };
     let attempt = |more: u32| {
-        spread.root(
+        spread.radius(
             more,
-            Target::of(fraction(load_integral)),
+            y,
             start.fraction * power_of_two(start.octave),
             #[inline(always)]
             |a| evaluate(a, scale),
             #[inline(always)]
-            |a| evaluate_at_last(a, scale),
+            |a| evaluate_at_last(a, scale).halley(a, Target::of(y)),
         )
     };
     let found = |(radius, is_near): (T, bool)| (is_near & (radius <= limit)).then_some(radius);

@@ -8,7 +8,7 @@
 //! error is divided by p = a J′/J > 4, and from the last subtraction.
 
 use crate::Scalar;
-use crate::evaluate::halved::product_with_few_digits;
+use crate::evaluate::halved::{Halved, product_with_few_digits};
 use crate::evaluate::steepness::Steepness;
 
 /// The value that J has to reach: a number rounded from a product, and what it lacks of that product.
@@ -42,9 +42,34 @@ impl<T: Scalar> Steepness<T> {
         a - self.step(a, target)
     }
 
+    /// The radius from the seed of its `Q`-th root x, where J has whole powers of that.
+    ///
+    /// As exact as the root less its step: the power of the seed is exact or comes with what it lacks, and what is
+    /// subtracted is small. The square is exact if the seed has half its digits.
+    #[inline(always)]
+    pub(super) fn radius_from_root<const Q: u32>(self, seed: T, target: Target<T>) -> T {
+        match Q {
+            1 => self.halley(seed, target),
+            2 => {
+                let step = self.step(seed, target);
+                seed * seed - step * (seed + (seed - step))
+            }
+            _ => {
+                let e = self.share_of_high_power(target);
+                // 1 − (1 − e)^Q up to the fourth power of Q e, with e ≤ 10⁻⁶, by the ratios (Q − k)/(k + 1) of
+                // neighbouring binomial coefficients.
+                let ratio = |k: u32| T::constant(f64::from(Q.saturating_sub(k)) / f64::from(k + 1)) * e;
+                let share = ratio(0) * (T::one() - ratio(1) * (T::one() - ratio(2) * (T::one() - ratio(3))));
+                let seed = Halved::of(seed);
+                let (power, lost) = seed.whole_power::<Q>(seed.square()).word_and_lost();
+                power - (power * share - lost)
+            }
+        }
+    }
+
     /// How much a seed exceeds the radius.
     #[inline(always)]
-    pub(super) fn step(self, a: T, target: Target<T>) -> T {
+    fn step(self, a: T, target: Target<T>) -> T {
         self.step_of(self.surplus(target), a)
     }
 
@@ -52,7 +77,7 @@ impl<T: Scalar> Steepness<T> {
     ///
     /// For J ~ a^p, C is (p² − 1)/12, and e nearly f/(p J): Halley's step leaves e (f/J)²/12.
     #[inline(always)]
-    pub(super) fn share_of_high_power(self, target: Target<T>) -> T {
+    fn share_of_high_power(self, target: Target<T>) -> T {
         let surplus = self.surplus(target);
         let share = surplus * target.value.recip();
         self.step_of(surplus, T::one()) * (T::one() + T::constant(1.0 / 12.0) * share * share)

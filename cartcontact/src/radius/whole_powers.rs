@@ -1,7 +1,8 @@
 //! The contact radius from the leading term where powers are whole, and many of them in vector code.
 //!
 //! With a = 2ᵏ x, 1 ≤ x < 2, and y = 2ᵉ z, 1 ≤ z < 4, the terms are j 2^(k p − e) x^p: no step leaves the format, and a
-//! change of units by a power of two changes only k and e.
+//! change of units by a power of two changes only k and e. Fractional powers are whole powers of a root of the radius,
+//! which then takes the place of a.
 
 use super::blocks::{fill, leading_blocks};
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
@@ -16,24 +17,32 @@ use crate::scalar::{is_plain, lesser};
 /// How many radii are found at once.
 const BLOCK: usize = 16;
 
-/// J(a) = Σ j a^p with whole powers in ascending order and coefficients that are positive or zero.
+/// J = Σ j x^p with whole powers in ascending order and coefficients that are positive or zero; x is the `ROOT`-th root
+/// of the radius, and mostly the radius itself.
 ///
 /// Other coefficients find no radius here. The sign bit of a negative one makes its logarithm 2048 octaves too large,
 /// or 256 in single precision; infinity has a logarithm of 1024, or 128. Both put 2^(k p − e) out of the format for
 /// their own power, and so for the lowest or for the highest.
 #[derive(Clone, Copy, Debug)]
-pub struct WholePowers<T, F, const N: usize> {
+pub struct WholePowers<T, F, L, const N: usize, const ROOT: u32> {
     /// j.
     pub coefficients: [T; N],
     /// p.
     pub powers: [u32; N],
-    /// J and its derivatives at a radius with these powers and other coefficients, in units of 1.
+    /// J and its derivatives at x with these powers and other coefficients.
     pub steepness: F,
+    /// The same for the last step: the higher powers of a root would round too often.
+    pub last_steepness: L,
     /// The factor by which load integrals are multiplied, so that coefficients are rounded less: see `Target`.
     pub per_unit: T,
 }
 
-impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePowers<T, F, N> {
+impl<T, F, L, const N: usize, const ROOT: u32> WholePowers<T, F, L, N, ROOT>
+where
+    T: Scalar,
+    F: Fn(T, [T; N]) -> Steepness<T> + Copy,
+    L: Fn(T, [T; N]) -> Steepness<T> + Copy,
+{
     /// The radius at which J is `load_integral`; none beyond `limit`, where the steps have not come near, and for
     /// scalars other than f32 and f64.
     #[inline(always)]
@@ -72,11 +81,18 @@ impl<T: Scalar, F: Fn(T, [T; N]) -> Steepness<T> + Copy, const N: usize> WholePo
         let fits = is_normal::<T>(exponent) & is_normal::<T>(shift(lowest)) & is_normal::<T>(shift(highest));
         let spread =
             Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
-        let evaluate = |a| (self.steepness)(a, scaled);
         // From the fraction alone, so that nothing is lost next to the ends of the format, either.
         let target = Target::in_units(fraction(load_integral), self.per_unit);
-        let (radius, is_near) = spread.root(more, target, start.fraction, evaluate, evaluate);
-        (radius * power_of_two(start.octave), fits & is_near)
+        let (radius, is_near) = spread.radius(
+            more,
+            target.value,
+            start.fraction,
+            #[inline(always)]
+            |x| (self.steepness)(x, scaled),
+            #[inline(always)]
+            |x| (self.last_steepness)(x, scaled).radius_from_root::<ROOT>(x, target),
+        );
+        (radius * power_of_two(start.octave * ROOT as i32), fits & is_near)
     }
 }
 
@@ -137,6 +153,7 @@ fn block<T: Scalar>(
 mod tests {
     use super::*;
     use crate::evaluate::power::integer_power;
+    use crate::evaluate::steepness::NestedPowers;
 
     /// J = a⁶ + a⁸ + a¹⁰ with other coefficients.
     fn steepness<T: Scalar>(a: T, [b, c, d]: [T; 3]) -> Steepness<T> {
@@ -150,8 +167,14 @@ mod tests {
     }
 
     fn radius<T: Scalar>(coefficients: [T; 3], load_integral: T) -> Option<T> {
-        WholePowers { coefficients, powers: [6, 8, 10], steepness: steepness::<T>, per_unit: T::one() }
-            .radius(load_integral, T::infinity())
+        WholePowers::<_, _, _, 3, 1> {
+            coefficients,
+            powers: [6, 8, 10],
+            steepness: steepness::<T>,
+            last_steepness: steepness::<T>,
+            per_unit: T::one(),
+        }
+        .radius(load_integral, T::infinity())
     }
 
     /// Not only right, which the general solution would be as well, but found here.
@@ -185,28 +208,45 @@ mod tests {
         sum
     }
 
-    #[test]
-    fn radii_of_equal_terms_are_found() {
-        let five = WholePowers {
+    /// The same by powers that are not rounded.
+    fn of_five_exactly(x: f64, [a, b, c, d, e]: [f64; 5]) -> Steepness<f64> {
+        let high = NestedPowers::of(x).plus(e, 10.0).times_power::<1>().plus(d, 9.0).times_power::<1>();
+        let low = high.plus(c, 8.0).times_power::<1>().plus(b, 7.0).times_power::<1>();
+        low.plus(a, 6.0).of_lowest_power::<6>()
+    }
+
+    fn assert_found<const ROOT: u32>(last_steepness: impl Fn(f64, [f64; 5]) -> Steepness<f64> + Copy) {
+        let five = WholePowers::<_, _, _, 5, ROOT> {
             coefficients: [1.0; 5],
             powers: [6, 7, 8, 9, 10],
             steepness: of_five::<f64>,
+            last_steepness,
             per_unit: 1.0,
         };
         let planted: Vec<f64> = (0..1600).map(|k| 0.2 * 1.002_f64.powi(k)).collect();
-        let value = |a: f64| (6..=10).map(|p| a.powi(p)).sum::<f64>();
-        let load_integrals: Vec<f64> = planted.iter().map(|&a| value(a)).collect();
+        let value = |x: f64| (6..=10).map(|p| x.powi(p)).sum::<f64>();
+        let load_integrals: Vec<f64> = planted.iter().map(|&x| value(x)).collect();
         let mut radii = vec![0.0; planted.len()];
         let general = |_: f64| Err(RadiusError::InvalidLoadIntegral { load_integral: f64::NAN });
         let solve = |load_integral, more| five.solve(load_integral, more);
         let all = radii_of_whole_powers((&load_integrals, &mut radii), f64::INFINITY, solve, general);
         assert_eq!(all, Ok(()));
-        for ((&a, &load_integral), &of_slice) in planted.iter().zip(&load_integrals).zip(&radii) {
+        for ((&x, &load_integral), &of_slice) in planted.iter().zip(&load_integrals).zip(&radii) {
             for found in [five.radius(load_integral, f64::INFINITY), Some(of_slice)] {
                 // The test rounds five terms and their sum, errors that p divides, and the radius.
-                assert!(found.is_some_and(|found| (found / a - 1.0).abs() < 2.0 * f64::EPSILON), "{a}");
+                let allowed = 2.0 * f64::from(ROOT) * f64::EPSILON;
+                let is_near = |found: f64| (found / x.powi(ROOT as i32) - 1.0).abs() < allowed;
+                assert!(found.is_some_and(is_near), "{ROOT}: {x}");
             }
         }
+    }
+
+    #[test]
+    fn radii_of_equal_terms_are_found() {
+        assert_found::<1>(of_five);
+        assert_found::<2>(|x, coefficients| of_five(x, coefficients).with_exact_power::<6>(x));
+        assert_found::<3>(of_five_exactly);
+        assert_found::<10>(of_five_exactly);
     }
 
     #[test]

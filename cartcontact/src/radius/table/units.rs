@@ -2,7 +2,6 @@
 
 use crate::Scalar;
 use crate::evaluate::bits::with_half_its_digits;
-use crate::evaluate::halved::Halved;
 use crate::evaluate::power::equal_terms;
 use crate::evaluate::steepness::Steepness;
 use crate::radius::step::Target;
@@ -126,7 +125,7 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
         self.0.length(radius)
     }
 
-    /// Higher roots keep all digits: the step takes [`Halved`] powers of them, which lose nothing of the square.
+    /// Higher roots keep all digits: the step takes powers of them that are not rounded.
     #[inline(always)]
     fn seed(self, radius: T) -> T {
         if Q == 2 { self.0.seed(radius) } else { self.0.length(radius) }
@@ -137,22 +136,9 @@ impl<T: Scalar, U: Units<T>, const Q: u32> Units<T> for RootOf<U, Q> {
         self.0.target(load_integral)
     }
 
-    /// As exact as the root less its step: the power of the seed is exact or comes with what it lacks, and what is
-    /// subtracted is small.
     #[inline(always)]
     fn radius(self, seed: T, steepness: Steepness<T>, target: Target<T>) -> T {
-        if Q == 2 {
-            let step = steepness.step(seed, target);
-            return seed * seed - step * (seed + (seed - step));
-        }
-        let e = steepness.share_of_high_power(target);
-        // 1 − (1 − e)^Q up to the fourth power of Q e, with e ≤ 10⁻⁶, by the ratios (Q − k)/(k + 1) of neighbouring
-        // binomial coefficients.
-        let ratio = |k: u32| T::constant(f64::from(Q.saturating_sub(k)) / f64::from(k + 1)) * e;
-        let share = ratio(0) * (T::one() - ratio(1) * (T::one() - ratio(2) * (T::one() - ratio(3))));
-        let seed = Halved::of(seed);
-        let (power, lost) = seed.whole_power::<Q>(seed.square()).word_and_lost();
-        power - (power * share - lost)
+        steepness.radius_from_root::<Q>(seed, target)
     }
 }
 
