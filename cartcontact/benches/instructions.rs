@@ -13,7 +13,7 @@ use cartcontact::{Contact, GapProfile, Scalar};
 use gungraun::prelude::*;
 use scenes::{
     Ball, Blunt, BluntBall, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE, RoundBall,
-    Settling, ThreeFields, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
+    Settling, ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
 
 /// A profile with load integrals and places for their radii.
@@ -56,6 +56,7 @@ fn assert_solved<P, T: Scalar>((_, _, radii): Given<P, T>) {
 #[bench::with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
+#[bench::three_halves_with_three_fields(ThreeFieldsOfHalves { b: 0.02, c: 1e-4, d: 2e-6 })]
 #[bench::polynomial(run_time::<f64>())]
 fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
@@ -82,6 +83,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::two_terms_with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
+#[bench::three_halves_with_three_fields(ThreeFieldsOfHalves { b: 0.02, c: 1e-4, d: 2e-6 })]
 fn radii_of_a_slice<P: GapProfile<f64>>((profile, targets, mut radii): Given<P, f64>) -> Given<P, f64> {
     // `assert_solved` checks the result.
     let _ = profile.radii(&targets, &mut radii);

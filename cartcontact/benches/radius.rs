@@ -15,7 +15,8 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
     Ball, Blunt, BluntBall, Cone, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RoundBall,
-    ThreeFields, ThreeTerm, by_hand, contact, load_integrals, radius_by_roots, run_time, times,
+    ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals, radius_by_roots, run_time,
+    times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -77,6 +78,7 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "three terms with a field", targets, &round_ball);
     let [b, c, d] = [0.02, 1e-4, 2e-6].map(|value| black_box(T::constant(value)));
     profile(group, "three terms with three fields", targets, &ThreeFields { b, c, d });
+    profile(group, "three halves with three fields", targets, &ThreeFieldsOfHalves { b, c, d });
     let polynomial = run_time::<T>();
     profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
 }

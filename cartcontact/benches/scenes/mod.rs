@@ -53,6 +53,14 @@ pub(crate) struct ThreeFields<T> {
     pub(crate) d: T,
 }
 
+/// Three terms, each with a field of its own, whose powers are multiples of 1/2.
+#[gap_profile(b * r^2.5 + c * r^4 + d * r^5)]
+pub(crate) struct ThreeFieldsOfHalves<T> {
+    pub(crate) b: T,
+    pub(crate) c: T,
+    pub(crate) d: T,
+}
+
 /// Powers that are not whole.
 #[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
 pub(crate) struct Blunt;

@@ -64,6 +64,8 @@ const LINES: &[Line] = &[
     ("radius, three terms with a field, of a slice", None, "radius f64/slice/three terms with a field", POWF),
     ("radius, three terms with three fields", None, "radius f64/throughput/three terms with three fields", POWF),
     ("radius, three terms with three fields, of a slice", None, "radius f64/slice/three terms with three fields", POWF),
+    ("radius, three terms with three fields, powers with 1/2", None, "radius f64/throughput/three halves with three fields", POWF),
+    ("radius, three terms with three fields, powers with 1/2, of a slice", None, "radius f64/slice/three halves with three fields", POWF),
     ("radius, two terms, `Polynomial`", None, "radius f64/throughput/two terms, Polynomial", POWF),
     ("radius, two terms, by the crate `roots`", None, "radius f64/throughput/two terms, roots", POWF),
     ("radius, two terms, f32, over `powf` in f32", None, "radius f32/throughput/two terms", "radius f32/throughput/powf"),
