@@ -114,13 +114,17 @@ const _: () = {
             2.0869488887660622e26,
         ]);
         let __s = __a * __a;
-        let __value = (__value0 + (__value1) * __s)
-            + ((__value2 + (__value3) * __s)
-                + ((__value4 + (__value5) * __s)
-                    + ((__value6 + (__value7) * __s)
-                        + ((__value8 + (__value9) * __s)
-                            + (__value10 + (__value11) * __s) * (__s * __s))
-                            * (__s * __s)) * (__s * __s)) * (__s * __s)) * (__s * __s);
+        let __value = __value0
+            + (__value1
+                + (__value2
+                    + (__value3
+                        + (__value4
+                            + (__value5
+                                + (__value6
+                                    + (__value7
+                                        + (__value8
+                                            + (__value9 + (__value10 + (__value11) * __s) * __s) * __s)
+                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__s, 3),
             value: __value,

@@ -56,10 +56,10 @@ const _: () = {
         __a: T,
         []: [T; 0usize],
     ) -> __cartcontact::generated::Steepness<T> {
-        let __value = (<T as __cartcontact::Scalar>::constant(0.004166666666666667f64)
-            + (<T as __cartcontact::Scalar>::constant(-0.00034285714285714285f64)) * __a)
-            + (<T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
-                * (__a * __a);
+        let __value = <T as __cartcontact::Scalar>::constant(0.004166666666666667f64)
+            + (<T as __cartcontact::Scalar>::constant(-0.00034285714285714285f64)
+                + (<T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
+                    * __a) * __a;
         __cartcontact::generated::Steepness {
             power: __cartcontact::generated::integer_power(__a, 6),
             value: __value,

@@ -73,7 +73,7 @@ const _: () = {
         [__field_c, __field_d, __field_e]
     }
     #[inline(always)]
-    fn __steepness<T: __cartcontact::Scalar>(
+    fn __quick_steepness<T: __cartcontact::Scalar>(
         __a: T,
         [__j0,
         __j1,
@@ -105,7 +105,7 @@ const _: () = {
         __j2,
         ]: [T; 3usize],
     ) -> __cartcontact::generated::Steepness<T> {
-        __steepness(__a, [__j0, __j1, __j2]).with_exact_power::<13>(__a)
+        __quick_steepness(__a, [__j0, __j1, __j2]).with_exact_power::<13>(__a)
     }
     #[automatically_derived]
     impl<T> __cartcontact::GapProfile<T> for Blunt
@@ -370,7 +370,7 @@ const _: () = {
                     __c2 * <T as __cartcontact::Scalar>::constant(0.126953125f64),
                 ],
                 powers: [13, 16, 18],
-                steepness: __steepness,
+                steepness: __quick_steepness,
                 last_steepness: __last_steepness,
                 per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
             })
@@ -469,7 +469,7 @@ const _: () = {
                             __c2 * <T as __cartcontact::Scalar>::constant(0.126953125f64),
                         ],
                         powers: [13, 16, 18],
-                        steepness: __steepness,
+                        steepness: __quick_steepness,
                         last_steepness: __last_steepness,
                         per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
                     })

@@ -87,10 +87,11 @@ fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>, names: &Name
     })
 }
 
-/// The names of the functions that compute J and its derivatives for all steps but the last, and for that.
+/// The names of the functions that compute J and its derivatives: quickly for all steps but the last, and with fewer
+/// roundings for that. Two terms are quickest with the fewest.
 fn functions(stepped: &Stepped) -> [Ident; 2] {
-    let name = steepness::name();
-    if stepped.root == 1 { [name.clone(), name] } else { [name, local("last_steepness")] }
+    let are_equal = stepped.root == 1 && stepped.scaled.load_integral.summands.len() == 2;
+    ["quick_steepness", if are_equal { "quick_steepness" } else { "last_steepness" }].map(local)
 }
 
 /// Whether the steps from the leading term have whole powers.
@@ -113,31 +114,32 @@ pub(super) fn items(forms: &ClosedForms, names: &Names) -> Option<TokenStream> {
         let factors = whole.exponents.iter().zip(&variables).map(|(&p, j)| product(weight(p), j, names));
         factors.collect::<Vec<_>>()
     };
-    let sums = [
-        paired(&whole, &variable, weighted(|_| 1), names),
-        nested((&whole, false), &variable, weighted(|p| p), names),
-        nested((&whole, false), &variable, weighted(|p| p * (p - 1) / 2), names),
-    ];
-    let body = steepness::value((&whole, false), &a, &sums, &Rational::one(), names);
+    let nested = |weight| nested((&whole, false), &variable, weighted(weight), names);
+    let with_value = |value: TokenStream| {
+        let sums = [value, nested(|p| p), nested(|p| p * (p - 1) / 2)];
+        steepness::value((&whole, false), &a, &sums, &Rational::one(), names)
+    };
     let function = |name: &Ident, body: &TokenStream| {
         steepness::function(name, &a, (quote!([#(#variables),*]), count), body, names)
     };
-    let [first, last] = functions(&forms.stepped);
-    // Powers of a root are so high that they would round often; for a square root it is enough to know the lowest.
+    let [quick_name, last_name] = functions(&forms.stepped);
+    let quick = function(&quick_name, &with_value(paired(&whole, &variable, weighted(|_| 1), names)));
+    if last_name == quick_name {
+        return Some(quick);
+    }
     let last = match forms.stepped.root {
-        1 => None,
+        1 => with_value(nested(|_| 1)),
         2 => {
             let lowest = Literal::u32_unsuffixed(whole.lowest());
-            let body = quote!(#first(#a, [#(#variables),*]).with_exact_power::<#lowest>(#a));
-            Some(function(&last, &body))
+            quote!(#quick_name(#a, [#(#variables),*]).with_exact_power::<#lowest>(#a))
         }
         _ => {
             let factors = variables.iter().map(ToTokens::to_token_stream);
-            Some(function(&last, &steepness::of_nested_powers(&whole, factors, &a, names)))
+            steepness::of_nested_powers(&whole, factors, &a, names)
         }
     };
-    let first = function(&first, &body);
-    Some(quote!(#first #last))
+    let last = function(&last_name, &last);
+    Some(quote!(#quick #last))
 }
 
 fn product(weight: u32, coefficient: &Ident, names: &Names) -> TokenStream {

@@ -20,8 +20,13 @@ pub(super) fn items(
 ) -> TokenStream {
     let (table, a) = (table::item(&seeds.table, names), local("a"));
     let body = body(stepped, &a, coefficients, names);
-    let function = steepness::function(&steepness::name(), &a, coefficients.variables(), &body, names);
+    let function = steepness::function(&name(), &a, coefficients.variables(), &body, names);
     quote!(#table #function)
+}
+
+/// The name of that function.
+fn name() -> Ident {
+    local("steepness")
 }
 
 /// The radius from the table if it is there, and the radii of a slice, which come from `radius_within` outside the
@@ -34,7 +39,7 @@ pub(super) fn radius_and_radii(
 ) -> [TokenStream; 2] {
     let (variables, _) = coefficients.variables();
     let binding = units(seeds, stepped, coefficients, names);
-    let (table, steepness, general) = (table::name(), steepness::name(), names.by_radius_within());
+    let (table, steepness, general) = (table::name(), name(), names.by_radius_within());
     let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
         (names, ["a", "units"].map(local));
     let step = quote!(|#a| #steepness(#a, #variables));
@@ -121,7 +126,7 @@ fn body(stepped: &Stepped, a: &Ident, coefficients: &Coefficients<'_>, names: &N
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let (_, variable) = whole.variable(a);
     let sums = [
-        paired(&whole, &variable, of_value, names),
+        nested((&whole, is_monic(load_integral)), &variable, of_value, names),
         nested((&whole, is_monic(&first)), &variable, of_first, names),
         paired(&whole, &variable, of_half_second, names),
     ];

@@ -7,11 +7,6 @@ use super::power_sum::Whole;
 use super::{Names, local};
 use crate::number::{Rational, integer, literal};
 
-/// The name of the function that computes them.
-pub(super) fn name() -> Ident {
-    local("steepness")
-}
-
 /// The function with this `name` that computes them at the radius `a` with some coefficients.
 pub(super) fn function(
     name: &Ident,
