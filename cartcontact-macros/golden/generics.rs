@@ -111,6 +111,34 @@ const _: () = {
             per_unit: <S as __cartcontact::Scalar>::constant(1.0f64),
         }
     }
+    #[inline(always)]
+    fn __quick_steepness<S: __cartcontact::Scalar>(
+        __a: S,
+        [__j0,
+        __j1,
+        ]: [S; 2usize],
+    ) -> __cartcontact::generated::Steepness<S> {
+        let __value = __j0 + (__j1) * __a;
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__a, 12),
+            value: __value,
+            excess: <S as __cartcontact::Scalar>::constant(0.0f64),
+            first: <S as __cartcontact::Scalar>::constant(12.0f64) * __j0
+                + (<S as __cartcontact::Scalar>::constant(13.0f64) * __j1) * __a,
+            half_second: <S as __cartcontact::Scalar>::constant(66.0f64) * __j0
+                + (<S as __cartcontact::Scalar>::constant(78.0f64) * __j1) * __a,
+            per_unit: <S as __cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
+    #[inline(always)]
+    fn __last_steepness<S: __cartcontact::Scalar>(
+        __a: S,
+        [__j0,
+        __j1,
+        ]: [S; 2usize],
+    ) -> __cartcontact::generated::Steepness<S> {
+        __quick_steepness(__a, [__j0, __j1]).with_exact_power::<12>(__a)
+    }
     #[automatically_derived]
     impl<'a, S: Copy, T> __cartcontact::GapProfile<S> for Any<'a, S, T>
     where
@@ -337,66 +365,25 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::radius_of_real_powers(
-                            __load_integral,
-                            __limit,
-                            ::core::iter::IntoIterator::into_iter([
-                                (
-                                    __c0
-                                        * <S as __cartcontact::Scalar>::constant(
-                                            0.08333333333333333f64,
-                                        ),
-                                    __cartcontact::generated::Exponent::whole(6),
-                                ),
-                                (
-                                    __c1
-                                        * <S as __cartcontact::Scalar>::constant(
-                                            0.08547008547008547f64,
-                                        ),
-                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                ),
-                            ]),
-                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
-                                __a,
-                                __scale,
-                                [
-                                    (
-                                        __c0
-                                            * <S as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(6),
-                                    ),
-                                    (
-                                        __c1
-                                            * <S as __cartcontact::Scalar>::constant(
-                                                0.08547008547008547f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                    ),
-                                ],
-                            ),
-                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
-                                __a,
-                                __scale,
-                                [
-                                    (
-                                        __c0
-                                            * <S as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(6),
-                                    ),
-                                    (
-                                        __c1
-                                            * <S as __cartcontact::Scalar>::constant(
-                                                0.08547008547008547f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                    ),
-                                ],
-                            ),
-                        ) {
+                        match (__cartcontact::generated::WholePowers::<
+                            _,
+                            _,
+                            _,
+                            2usize,
+                            2,
+                        > {
+                            coefficients: [
+                                __c0
+                                    * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                                __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                            ],
+                            powers: [12, 13],
+                            steepness: __quick_steepness,
+                            last_steepness: __last_steepness,
+                            per_unit: <S as __cartcontact::Scalar>::constant(1.828125f64),
+                        })
+                            .radius(__load_integral, __limit)
+                        {
                             ::core::option::Option::Some(__a) => {
                                 ::core::result::Result::Ok(__a)
                             }
@@ -494,11 +481,39 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::GapProfile::radius_within(
-                            self,
-                            __load_integral,
-                            __cartcontact::GapProfile::max_radius(self),
-                        )
+                        let __limit = __cartcontact::GapProfile::max_radius(self);
+                        match (__cartcontact::generated::WholePowers::<
+                            _,
+                            _,
+                            _,
+                            2usize,
+                            2,
+                        > {
+                            coefficients: [
+                                __c0
+                                    * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                                __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                            ],
+                            powers: [12, 13],
+                            steepness: __quick_steepness,
+                            last_steepness: __last_steepness,
+                            per_unit: <S as __cartcontact::Scalar>::constant(1.828125f64),
+                        })
+                            .radius(__load_integral, __limit)
+                        {
+                            ::core::option::Option::Some(__a) => {
+                                ::core::result::Result::Ok(__a)
+                            }
+                            ::core::option::Option::None => {
+                                __cartcontact::generated::out_of_line(move || {
+                                    __cartcontact::GapProfile::radius_within(
+                                        self,
+                                        __load_integral,
+                                        __limit,
+                                    )
+                                })
+                            }
+                        }
                     })
                 }
             }

@@ -260,10 +260,11 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
+                        let __limit = __cartcontact::GapProfile::max_radius(self);
                         __cartcontact::GapProfile::radius_within(
                             self,
                             __load_integral,
-                            __cartcontact::GapProfile::max_radius(self),
+                            __limit,
                         )
                     })
                 }

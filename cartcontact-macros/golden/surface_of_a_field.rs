@@ -130,6 +130,26 @@ const _: () = {
             per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
         }
     }
+    #[inline(always)]
+    fn __quick_steepness<T: __cartcontact::Scalar>(
+        __a: T,
+        [__j0,
+        __j1,
+        ]: [T; 2usize],
+    ) -> __cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        let __value = __j0 + (__j1) * __s;
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __value,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
+            first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(8.0f64) * __j1) * __s,
+            half_second: <T as __cartcontact::Scalar>::constant(15.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(28.0f64) * __j1) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
     #[automatically_derived]
     impl<T> __cartcontact::GapProfile<T> for Ball
     where
@@ -298,66 +318,24 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::radius_of_real_powers(
-                            __load_integral,
-                            __limit,
-                            ::core::iter::IntoIterator::into_iter([
-                                (
-                                    __c0
-                                        * <T as __cartcontact::Scalar>::constant(
-                                            0.08333333333333333f64,
-                                        ),
-                                    __cartcontact::generated::Exponent::whole(6),
-                                ),
-                                (
-                                    __c1
-                                        * <T as __cartcontact::Scalar>::constant(
-                                            0.08333333333333333f64,
-                                        ),
-                                    __cartcontact::generated::Exponent::whole(8),
-                                ),
-                            ]),
-                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
-                                __a,
-                                __scale,
-                                [
-                                    (
-                                        __c0
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(6),
-                                    ),
-                                    (
-                                        __c1
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(8),
-                                    ),
-                                ],
-                            ),
-                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
-                                __a,
-                                __scale,
-                                [
-                                    (
-                                        __c0
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(6),
-                                    ),
-                                    (
-                                        __c1
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(8),
-                                    ),
-                                ],
-                            ),
-                        ) {
+                        match (__cartcontact::generated::WholePowers::<
+                            _,
+                            _,
+                            _,
+                            2usize,
+                            1,
+                        > {
+                            coefficients: [
+                                __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                                __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                            ],
+                            powers: [6, 8],
+                            steepness: __quick_steepness,
+                            last_steepness: __quick_steepness,
+                            per_unit: <T as __cartcontact::Scalar>::constant(1.5f64),
+                        })
+                            .radius(__load_integral, __limit)
+                        {
                             ::core::option::Option::Some(__a) => {
                                 ::core::result::Result::Ok(__a)
                             }

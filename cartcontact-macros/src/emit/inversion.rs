@@ -31,7 +31,7 @@ pub(super) fn methods(
     let general = outside_table(gap, forms, start, coefficients, names);
     let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
     let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
-    let unlimited = unlimited.map(|found| unlimited_radius(found, coefficients, names));
+    let unlimited = unlimited.map(|found| unlimited_radius(found, gap, forms, coefficients, names));
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
         None => general,
@@ -100,10 +100,22 @@ fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
 }
 
 /// The radius without a requested limit, from the table before the end of the range is searched for.
-fn unlimited_radius(found: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn unlimited_radius(
+    found: &TokenStream,
+    gap: &Gap,
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
+    let mut limited = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
+    if has_leading_term_beside_seeds(gap) {
+        // Before the table is tried again.
+        limited = found_or_general(&leading_term::radius(forms, coefficients, names), &limited, names);
+    }
     let general = quote! {
-        #krate::GapProfile::radius_within(self, #load_integral, #krate::GapProfile::max_radius(self))
+        let #limit = #krate::GapProfile::max_radius(self);
+        #limited
     };
     let radius = found_or_general(found, &general, names);
     quote! {
@@ -129,8 +141,18 @@ fn outside_table(
     if !(matches!(start, Some(Start::Seeds(_))) && may_have_leading_term(gap)) {
         return general;
     }
-    let found = leading_term::radius_of_real_powers(forms, coefficients, names);
+    let found = if has_leading_term_beside_seeds(gap) {
+        leading_term::radius(forms, coefficients, names)
+    } else {
+        leading_term::radius_of_real_powers(forms, coefficients, names)
+    };
     found_or_general(&found, &general, names)
+}
+
+/// Whether a geometry with a table of seeds has functions for the steps from a leading term, too. With fields a term may
+/// be zero, or so small that usual load integrals lie outside the table; with constants only unusual ones do.
+pub(super) fn has_leading_term_beside_seeds(gap: &Gap) -> bool {
+    !gap.is_constant() && may_have_leading_term(gap)
 }
 
 /// The radius of any load integral, whatever the geometry.

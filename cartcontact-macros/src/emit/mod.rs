@@ -20,6 +20,7 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::closed_forms::{ClosedForms, PowerSum};
+use crate::gap::Gap;
 use crate::geometry::Geometry;
 use crate::number::{Rational, literal};
 use crate::reading::generics::Generics;
@@ -108,7 +109,7 @@ pub(crate) fn solver(
     let start = Start::of(geometry, &forms);
     let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients, &names);
     let drops = drops::methods(&forms, &coefficients, &names);
-    let beside_inversion = beside_inversion(&forms, start.as_ref(), &coefficients, &names);
+    let beside_inversion = beside_inversion(&geometry.gap, &forms, start.as_ref(), &coefficients, &names);
     let range = range::methods(item, geometry, &coefficients, &names);
     let inherent = inherent::block(item, geometry, &coefficients, &names);
     let quadrature_hints = quadrature_hints(geometry, &coefficients, &names);
@@ -186,8 +187,9 @@ fn evaluators(
     (quote!(#(#methods)* #(#pressure_kernels)*), operations)
 }
 
-/// What the inversion uses besides methods: a table and the step from it, or the step alone.
+/// What the inversion uses besides methods: a table and the step from it, and the steps from a leading term.
 fn beside_inversion(
+    gap: &Gap,
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
@@ -195,7 +197,12 @@ fn beside_inversion(
 ) -> Option<TokenStream> {
     match start? {
         Start::Roots(roots) => Some(roots::item(roots, names)),
-        Start::Seeds(found) => Some(seeds::items(found, &forms.stepped, coefficients, names)),
+        Start::Seeds(found) => {
+            let from_table = seeds::items(found, &forms.stepped, coefficients, names);
+            let is_beside = inversion::has_leading_term_beside_seeds(gap);
+            let from_leading_term = is_beside.then(|| leading_term::items(forms, names)).flatten();
+            Some(quote!(#from_table #from_leading_term))
+        }
         Start::LeadingTerm => leading_term::items(forms, names),
     }
 }
