@@ -414,12 +414,26 @@ const _: () = {
                 <T as __cartcontact::Scalar>::constant(1.5f64),
             );
             __TABLE
-                .radii(
+                .radii_also_outside(
                     (__load_integrals, __radii),
                     __limit,
                     __units,
                     #[inline(always)]
                     move |__a| __steepness(__a, [__c0, __c1]),
+                    #[inline(always)]
+                    |__load_integral, __more| {
+                        (__cartcontact::generated::WholePowers::<_, _, _, 2usize, 1> {
+                            coefficients: [
+                                __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                                __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                            ],
+                            powers: [6, 8],
+                            steepness: __quick_steepness,
+                            last_steepness: __quick_steepness,
+                            per_unit: <T as __cartcontact::Scalar>::constant(1.5f64),
+                        })
+                            .solve(__load_integral, __more)
+                    },
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

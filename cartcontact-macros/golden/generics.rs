@@ -543,12 +543,27 @@ const _: () = {
                 ),
             );
             __TABLE
-                .radii(
+                .radii_also_outside(
                     (__load_integrals, __radii),
                     __limit,
                     __units,
                     #[inline(always)]
                     move |__a| __steepness(__a, [__c0, __c1]),
+                    #[inline(always)]
+                    |__load_integral, __more| {
+                        (__cartcontact::generated::WholePowers::<_, _, _, 2usize, 2> {
+                            coefficients: [
+                                __c0
+                                    * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                                __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                            ],
+                            powers: [12, 13],
+                            steepness: __quick_steepness,
+                            last_steepness: __last_steepness,
+                            per_unit: <S as __cartcontact::Scalar>::constant(1.828125f64),
+                        })
+                            .solve(__load_integral, __more)
+                    },
                     |__load_integral| __cartcontact::GapProfile::radius_within(
                         self,
                         __load_integral,

@@ -74,6 +74,8 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "two terms, fractional powers", targets, &Blunt);
     profile(group, "one term with a field", targets, &FlatBall { radius: black_box(T::constant(20.0)) });
     profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
+    let flat = Ball { radius: black_box(T::constant(2e4)) };
+    profile(group, "two terms with a field, outside the table", targets, &flat);
     let round_ball = RoundBall { radius: black_box(T::constant(20.0)) };
     profile(group, "three terms with a field", targets, &round_ball);
     let [b, c, d] = [0.02, 1e-4, 2e-6].map(|value| black_box(T::constant(value)));

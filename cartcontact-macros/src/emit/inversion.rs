@@ -29,7 +29,7 @@ pub(super) fn methods(
     let (gap, preamble) = (&geometry.gap, coefficients.preamble());
     let Names { krate, scalar, load_integral, limit, .. } = names;
     let general = outside_table(gap, forms, start, coefficients, names);
-    let (found, radii) = start.map(|start| from_start(forms, start, coefficients, names)).unzip();
+    let (found, radii) = start.map(|start| from_start(gap, forms, start, coefficients, names)).unzip();
     let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
     let unlimited = unlimited.map(|found| unlimited_radius(found, gap, forms, coefficients, names));
     let radius = match found {
@@ -57,6 +57,7 @@ pub(super) fn methods(
 
 /// The radius from its start, and the radii of a slice if they are found in a way of their own.
 fn from_start(
+    gap: &Gap,
     forms: &ClosedForms,
     start: &Start,
     coefficients: &Coefficients<'_>,
@@ -68,7 +69,10 @@ fn from_start(
             (radius, Some(radii))
         }
         Start::Seeds(found) => {
-            let [radius, radii] = seeds::radius_and_radii(found, &forms.stepped, coefficients, names);
+            let is_beside = has_leading_term_beside_seeds(gap);
+            let solve = is_beside.then(|| leading_term::solve(forms, coefficients, names)).flatten();
+            let [radius, radii] =
+                seeds::radius_and_radii(found, &forms.stepped, solve.as_ref(), coefficients, names);
             (radius, Some(radii))
         }
         Start::LeadingTerm => {

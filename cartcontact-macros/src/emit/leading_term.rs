@@ -51,19 +51,27 @@ pub(super) fn radii(
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> Option<TokenStream> {
-    let powers = whole_powers(&forms.stepped, coefficients, names)?;
+    let solve = solve(forms, coefficients, names)?;
     let (general, radii_of_whole_powers) =
         (names.by_radius_within(), names.generated("radii_of_whole_powers"));
-    let (Names { load_integral, load_integrals, limit, radii, .. }, more) = (names, local("more"));
+    let Names { load_integrals, limit, radii, .. } = names;
     Some(quote! {
-        #radii_of_whole_powers(
-            (#load_integrals, #radii),
-            #limit,
-            // Without the attribute, wide vectors would end at the call.
-            #[inline(always)]
-            |#load_integral, #more| (#powers).solve(#load_integral, #more),
-            #general,
-        )
+        #radii_of_whole_powers((#load_integrals, #radii), #limit, #solve, #general,)
+    })
+}
+
+/// The function that solves for one of many radii, if powers are whole.
+pub(super) fn solve(
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> Option<TokenStream> {
+    let powers = whole_powers(&forms.stepped, coefficients, names)?;
+    let (load_integral, more) = (&names.load_integral, local("more"));
+    Some(quote! {
+        // Without the attribute, wide vectors would end at the call.
+        #[inline(always)]
+        |#load_integral, #more| (#powers).solve(#load_integral, #more)
     })
 }
 

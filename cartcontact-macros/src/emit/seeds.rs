@@ -2,7 +2,7 @@
 
 use num_traits::One;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, is_monic, nested, paired, terms};
@@ -29,11 +29,12 @@ fn name() -> Ident {
     local("steepness")
 }
 
-/// The radius from the table if it is there, and the radii of a slice, which come from `radius_within` outside the
-/// table.
+/// The radius from the table if it is there, and the radii of a slice. Outside the table they come from `solve`, if
+/// there is such a function, or from `radius_within`.
 pub(super) fn radius_and_radii(
     seeds: &Seeds,
     stepped: &Stepped,
+    solve: Option<&TokenStream>,
     coefficients: &Coefficients<'_>,
     names: &Names,
 ) -> [TokenStream; 2] {
@@ -43,6 +44,8 @@ pub(super) fn radius_and_radii(
     let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
         (names, ["a", "units"].map(local));
     let step = quote!(|#a| #steepness(#a, #variables));
+    let method = format_ident!("{}", if solve.is_some() { "radii_also_outside" } else { "radii" });
+    let solve = solve.map(|solve| quote!(#solve,));
     [
         quote!({
             #binding
@@ -50,13 +53,14 @@ pub(super) fn radius_and_radii(
         }),
         quote! {
             #binding
-            #table.radii(
+            #table.#method(
                 (#load_integrals, #radii),
                 #limit,
                 #units,
                 // Without the attribute, wide vectors would end at the call.
                 #[inline(always)]
                 move #step,
+                #solve
                 #general,
             )
         },

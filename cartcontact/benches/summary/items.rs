@@ -60,6 +60,8 @@ const LINES: &[Line] = &[
     ("radius, four terms, of a slice", None, "radius f64/slice/four terms", POWF),
     ("radius, two terms with a field, the end of its range included", None, "radius f64/throughput/two terms with a field", POWF),
     ("radius, two terms with a field, of a slice", None, "radius f64/slice/two terms with a field", POWF),
+    ("radius, two terms with a field, outside the table", None, "radius f64/throughput/two terms with a field, outside the table", POWF),
+    ("radius, two terms with a field, outside the table, of a slice", None, "radius f64/slice/two terms with a field, outside the table", POWF),
     ("radius, three terms with a field, the end of its range included", None, "radius f64/throughput/three terms with a field", POWF),
     ("radius, three terms with a field, of a slice", None, "radius f64/slice/three terms with a field", POWF),
     ("radius, three terms with three fields", None, "radius f64/throughput/three terms with three fields", POWF),

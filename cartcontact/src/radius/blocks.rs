@@ -12,13 +12,15 @@ const BLOCK: usize = 64;
 const SMALL_BLOCK: usize = 16;
 
 impl Table {
-    /// [`fill`] with blocks solved by a step from the rows.
+    /// [`fill`] with blocks solved by a step from the rows. Where the first block is not in the table, `others` solves as
+    /// many as it can, in vector code.
     #[inline(always)]
     pub(super) fn find_all<T: Scalar>(
         &self,
         values: (&[T], &mut [T]),
         limit: T,
         step: impl Step<T>,
+        others: impl Fn(&[T], &mut [T]) -> usize,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         let blocks = Blocks { table: self, limit, step };
@@ -27,7 +29,10 @@ impl Table {
             values,
             (least, BLOCK),
             #[inline(always)]
-            |load_integrals, radii| blocks.solve(load_integrals, radii),
+            |load_integrals, radii| match blocks.solve(load_integrals, radii) {
+                0 => others(load_integrals, radii),
+                found => found,
+            },
             general,
         )
     }

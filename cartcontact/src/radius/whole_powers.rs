@@ -113,18 +113,35 @@ pub fn radii_of_whole_powers<T: Scalar>(
         values,
         (least, BLOCK),
         #[inline(always)]
-        |load_integrals, radii| {
-            leading_blocks(
-                load_integrals,
-                radii,
-                #[inline(always)]
-                |load_integrals, radii| {
-                    block(load_integrals, radii, limit, 0, &solve)
-                        || block(load_integrals, radii, limit, MORE_STEPS, &solve)
-                },
-            )
-        },
+        |load_integrals, radii| find_blocks(load_integrals, radii, limit, &solve, |_| None),
         general,
+    )
+}
+
+/// Finds radii in blocks, until a block has one that is not found. Returns how many have been found. Radii from
+/// `preferred` take the places of others.
+#[inline(always)]
+pub(super) fn find_blocks<T: Scalar>(
+    load_integrals: &[T],
+    radii: &mut [T],
+    limit: T,
+    solve: &impl Fn(T, u32) -> (T, bool),
+    preferred: impl Fn(T) -> Option<T>,
+) -> usize {
+    leading_blocks(
+        load_integrals,
+        radii,
+        #[inline(always)]
+        |load_integrals, radii| {
+            let are_found = block(load_integrals, radii, limit, 0, solve)
+                || block(load_integrals, radii, limit, MORE_STEPS, solve);
+            for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
+                if let Some(preferred) = preferred(load_integral) {
+                    *radius = preferred;
+                }
+            }
+            are_found
+        },
     )
 }
 

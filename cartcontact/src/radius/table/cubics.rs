@@ -5,6 +5,7 @@ use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::evaluate::steepness::Steepness;
 use crate::profile::RadiusError;
+use crate::radius::whole_powers::find_blocks;
 use crate::scalar::from_single;
 
 impl Table {
@@ -34,7 +35,36 @@ impl Table {
         evaluate: impl Fn(T) -> Steepness<T> + Copy,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.find_all(values, limit, Halley { units, evaluate }, general)
+        self.find_all(values, limit, Halley { units, evaluate }, |_, _| 0, general)
+    }
+
+    /// The same with a second start for load integrals outside the table: `solve` calls
+    /// [`WholePowers::solve`](crate::radius::whole_powers::WholePowers::solve).
+    ///
+    /// # Errors
+    ///
+    /// As `Table::find_all`.
+    #[inline]
+    pub fn radii_also_outside<T: Scalar>(
+        &self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        units: impl Units<T>,
+        evaluate: impl Fn(T) -> Steepness<T> + Copy,
+        solve: impl Fn(T, u32) -> (T, bool),
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.find_all(
+            values,
+            limit,
+            Halley { units, evaluate },
+            #[inline(always)]
+            |load_integrals, radii| {
+                let in_table = |load_integral| self.radius(load_integral, limit, units, evaluate);
+                find_blocks(load_integrals, radii, limit, &solve, in_table)
+            },
+            general,
+        )
     }
 }
 
