@@ -1,5 +1,7 @@
 //! Rows that are taken from the same earlier row.
 
+use core::ops::Range;
+
 use super::panel::Panel;
 use super::runs::{Run, Runs};
 use super::sweep::{Change, Changes, TILE, take_rows_from};
@@ -140,8 +142,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let (base, rows) = values.split_at_mut(width);
         // All columns at once, because short runs leave no room for vectors; values beyond the edge of the base mean
         // nothing and are replaced next.
-        let covered = runs.span_inside(self.base.radius);
-        take_rows_from(base, runs.radii, covered, &self.since_base, squares, &mut rows[..self.count * width]);
+        let span = runs.span_inside(self.base.radius);
+        let rows = &mut rows[..self.count * width];
+        take_rows_from(base, runs.radii, span.clone(), &self.since_base, squares, rows);
         // Not simply the last radius, which rounding may make smaller.
         let widest = self.radii[..self.count]
             .iter()
@@ -152,16 +155,19 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
                 continue;
             }
             let beyond = run.split(covered).1;
+            let Range { start, end } = beyond.columns();
+            let in_span = start.max(span.start)..end.min(span.end);
+            if !in_span.is_empty() {
+                let rows = values[width..].chunks_mut(width).take(self.count);
+                rows.for_each(|row| row[in_span.clone()].fill(T::zero()));
+            }
             if runs.radii[beyond.column(0)] < widest {
                 self.fill_beyond(contact, runs.radii, &beyond, values);
-            } else {
-                let rows = values[width..].chunks_mut(width).take(self.count);
-                rows.for_each(|row| row[beyond.columns()].fill(T::zero()));
             }
         }
     }
 
-    /// Fills the columns of a run that lies beyond the base.
+    /// Fills the columns of a run that lies beyond the base, which are zero so far.
     fn fill_beyond(&self, contact: &Contact<T, P, L>, radii: &[T], run: &Run, values: &mut [T]) {
         let width = radii.len();
         let mut covered = 0;
@@ -176,7 +182,6 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
                 row[column] = self.first_pressure(contact, index, radii[column]);
                 covered += 1;
             }
-            row[run.split(covered).1.columns()].fill(T::zero());
         }
     }
 

