@@ -63,7 +63,7 @@ const _: () = {
         clippy::possible_missing_comma,
         reason = "generated operators seem to span an attribute's lines"
     )]
-    #[inline]
+    #[inline(always)]
     fn __precise_coefficients<'a, S: Copy, T>(
         __profile: &Any<'a, S, T>,
     ) -> [__cartcontact::generated::Precise<S>; 2usize]

@@ -74,7 +74,7 @@ const _: () = {
         clippy::possible_missing_comma,
         reason = "generated operators seem to span an attribute's lines"
     )]
-    #[inline]
+    #[inline(always)]
     fn __precise_coefficients<T>(
         __profile: &Ball,
     ) -> [__cartcontact::generated::Precise<T>; 2usize]

@@ -247,10 +247,15 @@ impl<'a> Coefficients<'a> {
             let inverses = self.inverses();
             quote!(#fields #inverses [#(#values),*])
         };
+        let inline = match self.digits {
+            Digits::OfAWord => quote!(#[inline]),
+            // An approach takes them twice, and calls would not share them.
+            Digits::OfTwo => quote!(#[inline(always)]),
+        };
         quote! {
             #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
             #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
-            #[inline]
+            #inline
             fn #coefficients #parameters (#profile: &#ident #arguments) -> [#scalar; #count] #bounds { #body }
         }
     }
