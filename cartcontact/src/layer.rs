@@ -113,20 +113,23 @@ fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N], divisors
     let most = T::constant(if is_single::<T>() { 3e7 } else { 1e60 });
     let least = most.recip();
     if factors.iter().chain(&divisors).all(|&x| least <= x && x <= most) {
-        let product = factors.into_iter().fold(T::one(), |product, factor| product * factor);
-        return divisors.into_iter().fold(product, |quotient, divisor| quotient / divisor);
+        return over(product(factors), divisors);
     }
     let parts = |x: T| if x > T::zero() && x.is_finite() { split(x) } else { (x, 0) };
-    let (mut fraction, mut exponent) = (T::one(), 0);
-    for (factor, octaves) in factors.map(parts) {
-        fraction *= factor;
-        exponent += octaves;
-    }
-    for (divisor, octaves) in divisors.map(parts) {
-        fraction /= divisor;
-        exponent -= octaves;
-    }
-    scale(fraction, exponent)
+    let octaves = |parts: &[(T, i32)]| parts.iter().map(|&(_, octaves)| octaves).sum::<i32>();
+    let (factors, divisors) = (factors.map(parts), divisors.map(parts));
+    let fraction = |(fraction, _)| fraction;
+    let quotient = over(product(factors.map(fraction)), divisors.map(fraction));
+    scale(quotient, octaves(&factors) - octaves(&divisors))
+}
+
+fn product<T: Scalar, const N: usize>(factors: [T; N]) -> T {
+    factors.into_iter().fold(T::one(), |product, factor| product * factor)
+}
+
+/// A number over some others by one division, the slowest of all operations.
+fn over<T: Scalar, const N: usize>(number: T, divisors: [T; N]) -> T {
+    if N == 0 { number } else { number / product(divisors) }
 }
 
 #[cfg(test)]

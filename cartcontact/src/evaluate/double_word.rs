@@ -68,10 +68,11 @@ impl<T: Scalar> DoubleWord<T> {
     /// The quotient of two double words: that of the high words, and that of the remainder, unless the halves of such
     /// large words overflow.
     pub(crate) fn over(self, other: Self) -> Self {
-        let quotient = self.high / other.high;
+        // Two divisions at the same time rather than one after the other.
+        let (quotient, inverse) = (self.high / other.high, other.high.recip());
         let back = other.times_word(quotient);
-        let rest = (self.high - back.high) + (self.low - back.low);
-        if rest.is_finite() { Self::renormalised(quotient, rest / other.high) } else { Self::of(quotient) }
+        let lacking = ((self.high - back.high) + (self.low - back.low)) * inverse;
+        if lacking.is_finite() { Self::renormalised(quotient, lacking) } else { Self::of(quotient) }
     }
 
     /// The square root of a positive number, by one step of Newton's method from that of the high word.
