@@ -1,8 +1,9 @@
 //! The ratios and targets of this crate, as a table at the end of `cargo bench`.
 //!
 //! `cargo bench --bench summary` prints it again; `cargo bench --bench summary -- --write [FILE]` also writes it
-//! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`, unless some
-//! measurements are more than an hour older than others, perhaps because their benchmark no longer exists.
+//! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`, beside the measurements
+//! there of processors with other vectors, unless some measurements are more than an hour older than others, perhaps
+//! because their benchmark no longer exists.
 
 mod items;
 mod measurements;
@@ -13,12 +14,13 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use measurements::Measurements;
+use table::Table;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = measurements::folder()?;
     let measurements = Measurements::read(&folder)?;
-    let table = table::of(&items::items(&measurements));
-    println!("{table}");
+    let table = Table::of(&items::items(&measurements));
+    println!("{}", table.markdown());
     let outdated = measurements.spread_in_minutes().filter(|&minutes| minutes > 60).map(|age| {
         format!(
             "The oldest of these measurements is {age} minutes older than the newest, so that their ratios mean \
@@ -29,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(file) = file_to_write() {
         outdated.map_or(Ok(()), Err)?;
         let text = fs::read_to_string(&file)?;
-        fs::write(&file, table::inserted(&text, &table)?)?;
+        fs::write(&file, table.inserted(&text)?)?;
         println!("Written to {}.", file.display());
     } else if let Some(warning) = outdated {
         println!("{warning}");
