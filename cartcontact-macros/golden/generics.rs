@@ -481,6 +481,7 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
+                        let [__c0, __c1]: [S; 2usize] = __coefficients(self);
                         let __limit = __cartcontact::GapProfile::max_radius(self);
                         match (__cartcontact::generated::WholePowers::<
                             _,

@@ -112,15 +112,21 @@ fn unlimited_radius(
     names: &Names,
 ) -> TokenStream {
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
-    let mut limited = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
-    if has_leading_term_beside_seeds(gap) {
-        // Before the table is tried again.
-        limited = found_or_general(&leading_term::radius(forms, coefficients, names), &limited, names);
-    }
-    let general = quote! {
+    let limited = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
+    let mut general = quote! {
         let #limit = #krate::GapProfile::max_radius(self);
         #limited
     };
+    if has_leading_term_beside_seeds(gap) {
+        // Before the table is tried again. The coefficients are computed anew: what the cold call sees is kept in memory,
+        // and all that the table needs would be computed again for each of many radii.
+        let found = found_or_general(&leading_term::radius(forms, coefficients, names), &limited, names);
+        general = quote! {
+            #preamble
+            let #limit = #krate::GapProfile::max_radius(self);
+            #found
+        };
+    }
     let radius = found_or_general(found, &general, names);
     quote! {
         #[inline(always)]
