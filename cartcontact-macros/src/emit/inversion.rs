@@ -13,7 +13,7 @@ use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
 use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
-use crate::start::{Start, may_have_leading_term};
+use crate::start::{Start, has_leading_term_beside_seeds, may_have_leading_term};
 
 /// The highest power of a dense polynomial; beyond it, powers are formed term by term.
 const HIGHEST_DENSE_POWER: u32 = 80;
@@ -112,21 +112,20 @@ fn unlimited_radius(
     names: &Names,
 ) -> TokenStream {
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
-    let limited = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
-    let mut general = quote! {
-        let #limit = #krate::GapProfile::max_radius(self);
-        #limited
-    };
-    if has_leading_term_beside_seeds(gap) {
+    let within = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
+    let (anew, within) = if has_leading_term_beside_seeds(gap) {
         // Before the table is tried again. The coefficients are computed anew: what the cold call sees is kept in memory,
         // and all that the table needs would be computed again for each of many radii.
-        let found = found_or_general(&leading_term::radius(forms, coefficients, names), &limited, names);
-        general = quote! {
-            #preamble
-            let #limit = #krate::GapProfile::max_radius(self);
-            #found
-        };
-    }
+        let found = leading_term::radius(forms, coefficients, names);
+        (Some(&preamble), found_or_general(&found, &within, names))
+    } else {
+        (None, within)
+    };
+    let general = quote! {
+        #anew
+        let #limit = #krate::GapProfile::max_radius(self);
+        #within
+    };
     let radius = found_or_general(found, &general, names);
     quote! {
         #[inline(always)]
@@ -157,12 +156,6 @@ fn outside_table(
         leading_term::radius_of_real_powers(forms, coefficients, names)
     };
     found_or_general(&found, &general, names)
-}
-
-/// Whether a geometry with a table of seeds has functions for the steps from a leading term, too. With fields a term may
-/// be zero, or so small that usual load integrals lie outside the table; with constants only unusual ones do.
-pub(super) fn has_leading_term_beside_seeds(gap: &Gap) -> bool {
-    !gap.is_constant() && may_have_leading_term(gap)
 }
 
 /// The radius of any load integral, whatever the geometry.

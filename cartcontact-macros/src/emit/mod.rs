@@ -26,7 +26,7 @@ use crate::number::{Rational, literal};
 use crate::reading::generics::Generics;
 use crate::reading::item::{FieldKind, Item};
 use crate::reading::name::unraw;
-use crate::start::Start;
+use crate::start::{Start, has_leading_term_beside_seeds};
 use coefficients::Coefficients;
 use operations::Operations;
 
@@ -199,7 +199,7 @@ fn beside_inversion(
         Start::Roots(roots) => Some(roots::item(roots, names)),
         Start::Seeds(found) => {
             let from_table = seeds::items(found, &forms.stepped, coefficients, names);
-            let is_beside = inversion::has_leading_term_beside_seeds(gap);
+            let is_beside = has_leading_term_beside_seeds(gap);
             let from_leading_term = is_beside.then(|| leading_term::items(forms, names)).flatten();
             Some(quote!(#from_table #from_leading_term))
         }

@@ -41,3 +41,9 @@ pub(crate) fn may_have_leading_term(gap: &Gap) -> bool {
     let is_negative = |term: &Term| term.coefficient.certain_sign() == Some(Sign::NotPositive);
     gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
 }
+
+/// Whether a geometry with a table of seeds has functions for the steps from a leading term, too. With fields a term may
+/// be zero, or so small that usual load integrals lie outside the table; with constants only unusual ones do.
+pub(crate) fn has_leading_term_beside_seeds(gap: &Gap) -> bool {
+    !gap.is_constant() && may_have_leading_term(gap)
+}

@@ -18,7 +18,7 @@ const NONE: &str = "–";
 const HEAD: [&str; 2] = ["result", "target"];
 
 /// The kind of this processor: how wide its vectors are.
-pub(crate) fn processor() -> &'static str {
+fn processor() -> &'static str {
     #[cfg(target_arch = "x86_64")]
     if std::is_x86_feature_detected!("avx512f") {
         return "512 bits";
@@ -94,7 +94,7 @@ impl Table {
     }
 
     /// The text with this table between the two marks, and the measurements there of other processors.
-    pub(crate) fn inserted(self, text: &str) -> Result<String, String> {
+    pub(crate) fn inserted(&self, text: &str) -> Result<String, String> {
         let missing =
             || format!("there is no place for the table: it needs lines {} and {END}", BEGIN.trim_end());
         let (before, rest) = text.split_once(BEGIN).ok_or_else(missing)?;

@@ -262,6 +262,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     }
 
     /// [`stage`](Self::stage) with a load integral that is rounded once.
+    // Inlined, so that an approach at the radius shares the coefficients.
     #[inline(always)]
     pub(crate) fn precise_stage(&self, time: T, radius: T) -> Stage<T> {
         self.stage_of(self.loading(time), time, radius, self.profile.load_integral(radius))

@@ -162,15 +162,7 @@ pub(super) fn take_rows_from<T: Scalar>(
                 for (index, pair) in rows.chunks_mut(2 * base.len()).enumerate() {
                     let changes = [changes.get(2 * index), changes.get(2 * index + 1)];
                     take_pair(bases, changes, &tile, base.len(), pair);
-                    // While their neighbours are at hand.
-                    for row in pair.chunks_mut(base.len()) {
-                        if tile.start == columns.start {
-                            row[..columns.start].fill(T::zero());
-                        }
-                        if tile.end == columns.end {
-                            row[columns.end..].fill(T::zero());
-                        }
-                    }
+                    pair.chunks_mut(base.len()).for_each(|row| zero_beside(row, &tile, &columns));
                 }
             }
         },
@@ -198,6 +190,17 @@ fn take_pair<T: Scalar>(
     } else {
         take_row(bases, first, |p, square| one.apply(p, square));
         take_row(bases, second, |p, square| two.apply(p, square));
+    }
+}
+
+/// Sets what lies beside all `columns` to zero, on the sides on which a tile ends them.
+#[inline(always)]
+fn zero_beside<T: Scalar>(row: &mut [T], tile: &Range<usize>, columns: &Range<usize>) {
+    if tile.start == columns.start {
+        row[..columns.start].fill(T::zero());
+    }
+    if tile.end == columns.end {
+        row[columns.end..].fill(T::zero());
     }
 }
 

@@ -133,14 +133,17 @@ pub(super) fn find_blocks<T: Scalar>(
         radii,
         #[inline(always)]
         |load_integrals, radii| {
-            let are_found = block(load_integrals, radii, limit, 0, solve)
-                || block(load_integrals, radii, limit, MORE_STEPS, solve);
+            if !block(load_integrals, radii, limit, 0, solve)
+                && !block(load_integrals, radii, limit, MORE_STEPS, solve)
+            {
+                return false;
+            }
             for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
                 if let Some(preferred) = preferred(load_integral) {
                     *radius = preferred;
                 }
             }
-            are_found
+            true
         },
     )
 }
