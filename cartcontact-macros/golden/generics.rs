@@ -64,14 +64,14 @@ const _: () = {
         reason = "generated operators seem to span an attribute's lines"
     )]
     #[inline(always)]
-    fn __precise_coefficients<'a, S: Copy, T>(
+    fn __precise_coefficients<'a, S: Copy, T, const __FUSED: ::core::primitive::bool>(
         __profile: &Any<'a, S, T>,
-    ) -> [__cartcontact::generated::Precise<S>; 2usize]
+    ) -> [__cartcontact::generated::Precise<S, __FUSED>; 2usize]
     where
         T: Clone,
         S: __cartcontact::Scalar,
     {
-        let __field_c = __cartcontact::generated::Precise::of(__profile.c);
+        let __field_c = <__cartcontact::generated::Precise<S, __FUSED>>::of(__profile.c);
         [
             __field_c,
             __field_c.power(__cartcontact::generated::Exponent::in_parts(-1, 0.5, 0.0)),
@@ -147,103 +147,64 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: S) -> S {
-            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __r,
-                [
-                    (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__r, [(__c0,
+                __cartcontact::generated::Exponent::whole(2)), (__c1,
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: S) -> S {
-            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        __cartcontact::generated::Precise::scaled(__c0, 0.5f64),
-                        __cartcontact::generated::Exponent::whole(2),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                S,
-                            >::constant(0.4444444444444444, 2.4671622769447922e-17),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(<
+                __cartcontact::generated::Precise < S, __FUSED > > ::scaled(__c0,
+                0.5f64), __cartcontact::generated::Exponent::whole(2)), (__c1 * <
+                __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.4444444444444444, 2.4671622769447922e-17),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
-            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (__c0, __cartcontact::generated::Exponent::whole(1)),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                S,
-                            >::constant(1.1111111111111112, -4.9343245538895844e-17),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0,
+                __cartcontact::generated::Exponent::whole(1)), (__c1 * <
+                __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(1.1111111111111112, - 4.9343245538895844e-17),
+                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: S) -> S {
-            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        __c0
-                            * __cartcontact::generated::Precise::<
-                                S,
-                            >::constant(0.08333333333333333, 4.625929269271485e-18),
-                        __cartcontact::generated::Exponent::whole(6),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                S,
-                            >::constant(0.08547008547008547, -1.6605899940974564e-18),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
+                < __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.08333333333333333, 4.625929269271485e-18),
+                __cartcontact::generated::Exponent::whole(6)), (__c1 * <
+                __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
+                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: S) -> S {
-            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __x,
-                [
-                    (
-                        __cartcontact::generated::Precise::scaled(__c0, 0.0625f64),
-                        __cartcontact::generated::Exponent::whole(4),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                S,
-                            >::constant(0.04938271604938271, 2.741291418827547e-18),
-                        __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__x, [(<
+                __cartcontact::generated::Precise < S, __FUSED > > ::scaled(__c0,
+                0.0625f64), __cartcontact::generated::Exponent::whole(4)), (__c1 * <
+                __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.04938271604938271, 2.741291418827547e-18),
+                __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0))]) }
             )
         }
         #[inline]
@@ -290,16 +251,12 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
-            let [__c0, __c1]: [__cartcontact::generated::Precise<S>; 2usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::pressure_kernel(
-                __a,
-                __r,
-                [
-                    (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                __cartcontact::generated::pressure_kernel:: < _, _, _, __FUSED > (__a,
+                __r, [(__c0, __cartcontact::generated::Exponent::whole(2)), (__c1,
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline(always)]
@@ -418,25 +375,18 @@ const _: () = {
                                                 ],
                                             )
                                         },
-                                        |__a| __cartcontact::generated::power_sum(
-                                            __a,
-                                            [
-                                                (
-                                                    __c0
-                                                        * <S as __cartcontact::Scalar>::constant(
-                                                            0.08333333333333333f64,
-                                                        ),
-                                                    __cartcontact::generated::Exponent::whole(6),
-                                                ),
-                                                (
-                                                    __c1
-                                                        * <S as __cartcontact::Scalar>::constant(
-                                                            0.08547008547008547f64,
-                                                        ),
-                                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                                ),
-                                            ],
-                                        ),
+                                        |__a| {
+                                            __cartcontact::generated::in_double_words!(
+                                                __FUSED => { __cartcontact::generated::power_sum:: < _, _,
+                                                _, __FUSED > (__a, [(__c0 * < S as __cartcontact::Scalar >
+                                                ::constant(0.08333333333333333f64),
+                                                __cartcontact::generated::Exponent::whole(6)), (__c1 * < S
+                                                as __cartcontact::Scalar >
+                                                ::constant(0.08547008547008547f64),
+                                                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))])
+                                                }
+                                            )
+                                        },
                                     )
                                 })
                             }

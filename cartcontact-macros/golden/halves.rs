@@ -65,84 +65,56 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::power_sum(
-                __r,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.003f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
+                (__r, [(< T as __cartcontact::Scalar > ::constant(0.01f64),
+                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.003f64),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.005714285714285714f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0013333333333333333f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
+                (__a, [(< T as __cartcontact::Scalar >
+                ::constant(0.005714285714285714f64),
+                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.0013333333333333333f64),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.008571428571428572f64),
-                        __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0033333333333333335f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
+                (__a, [(< T as __cartcontact::Scalar >
+                ::constant(0.008571428571428572f64),
+                __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.0033333333333333335f64),
+                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
+                (__a, [(< T as __cartcontact::Scalar >
+                ::constant(0.0007792207792207792f64),
+                __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.0002564102564102564f64),
+                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::power_sum(
-                __x,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0008163265306122449f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(
-                            0.00014814814814814815f64,
-                        ),
-                        __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
+                (__x, [(< T as __cartcontact::Scalar >
+                ::constant(0.0008163265306122449f64),
+                __cartcontact::generated::Exponent::in_parts(3, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.00014814814814814815f64),
+                __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0))]) }
             )
         }
         #[inline]
@@ -174,19 +146,12 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::pressure_kernel(
-                __a,
-                __r,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.003f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { __cartcontact::generated::pressure_kernel:: < _, _, _,
+                __FUSED > (__a, __r, [(< T as __cartcontact::Scalar >
+                ::constant(0.01f64), __cartcontact::generated::Exponent::in_parts(1, 0.5,
+                0.0)), (< T as __cartcontact::Scalar > ::constant(0.003f64),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline(always)]
@@ -334,23 +299,18 @@ const _: () = {
                                                 ],
                                             )
                                         },
-                                        |__a| __cartcontact::generated::power_sum(
-                                            __a,
-                                            [
-                                                (
-                                                    <T as __cartcontact::Scalar>::constant(
-                                                        0.0007792207792207792f64,
-                                                    ),
-                                                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
-                                                ),
-                                                (
-                                                    <T as __cartcontact::Scalar>::constant(
-                                                        0.0002564102564102564f64,
-                                                    ),
-                                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                                ),
-                                            ],
-                                        ),
+                                        |__a| {
+                                            __cartcontact::generated::in_double_words!(
+                                                __FUSED => { __cartcontact::generated::power_sum:: < _, _,
+                                                _, __FUSED > (__a, [(< T as __cartcontact::Scalar >
+                                                ::constant(0.0007792207792207792f64),
+                                                __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0)),
+                                                (< T as __cartcontact::Scalar >
+                                                ::constant(0.0002564102564102564f64),
+                                                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))])
+                                                }
+                                            )
+                                        },
                                     )
                                 })
                             }

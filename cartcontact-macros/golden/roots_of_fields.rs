@@ -55,21 +55,24 @@ const _: () = {
         reason = "generated operators seem to span an attribute's lines"
     )]
     #[inline(always)]
-    fn __precise_coefficients<T>(
+    fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Blunt,
-    ) -> [__cartcontact::generated::Precise<T>; 3usize]
+    ) -> [__cartcontact::generated::Precise<T, __FUSED>; 3usize]
     where
         T: __cartcontact::Scalar,
     {
-        let __field_c = __cartcontact::generated::Precise::<
+        let __field_c = <__cartcontact::generated::Precise<
             T,
-        >::constant(__profile.c, 0.0);
-        let __field_d = __cartcontact::generated::Precise::<
+            __FUSED,
+        >>::constant(__profile.c, 0.0);
+        let __field_d = <__cartcontact::generated::Precise<
             T,
-        >::constant(__profile.d, 0.0);
-        let __field_e = __cartcontact::generated::Precise::<
+            __FUSED,
+        >>::constant(__profile.d, 0.0);
+        let __field_e = <__cartcontact::generated::Precise<
             T,
-        >::constant(__profile.e, 0.0);
+            __FUSED,
+        >>::constant(__profile.e, 0.0);
         [__field_c, __field_d, __field_e]
     }
     #[inline(always)]
@@ -114,142 +117,80 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::generated::power_sum(
-                __r,
-                [
-                    (__c0, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
-                    (__c1, __cartcontact::generated::Exponent::whole(4)),
-                    (__c2, __cartcontact::generated::Exponent::whole(5)),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [T; 3usize] = __coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__r, [(__c0,
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)), (__c1,
+                __cartcontact::generated::Exponent::whole(4)), (__c2,
+                __cartcontact::generated::Exponent::whole(5))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            let [__c0, __c1, __c2]: [__cartcontact::generated::Precise<T>; 3usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        __c0
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.4444444444444444, 2.4671622769447922e-17),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.3333333333333333, 1.850371707708594e-17),
-                        __cartcontact::generated::Exponent::whole(4),
-                    ),
-                    (
-                        __c2
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.2857142857142857, 1.586032892321652e-17),
-                        __cartcontact::generated::Exponent::whole(5),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
+                < T, __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
+                < __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.4444444444444444, 2.4671622769447922e-17),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)), (__c1 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.3333333333333333, 1.850371707708594e-17),
+                __cartcontact::generated::Exponent::whole(4)), (__c2 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.2857142857142857, 1.586032892321652e-17),
+                __cartcontact::generated::Exponent::whole(5))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            let [__c0, __c1, __c2]: [__cartcontact::generated::Precise<T>; 3usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        __c0
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(1.1111111111111112, -4.9343245538895844e-17),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(1.3333333333333333, 7.401486830834377e-17),
-                        __cartcontact::generated::Exponent::whole(3),
-                    ),
-                    (
-                        __c2
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(1.4285714285714286, -3.172065784643304e-17),
-                        __cartcontact::generated::Exponent::whole(4),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
+                < T, __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
+                < __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(1.1111111111111112, - 4.9343245538895844e-17),
+                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (__c1 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(1.3333333333333333, 7.401486830834377e-17),
+                __cartcontact::generated::Exponent::whole(3)), (__c2 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(1.4285714285714286, - 3.172065784643304e-17),
+                __cartcontact::generated::Exponent::whole(4))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            let [__c0, __c1, __c2]: [__cartcontact::generated::Precise<T>; 3usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __a,
-                [
-                    (
-                        __c0
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.08547008547008547, -1.6605899940974564e-18),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.08333333333333333, 4.625929269271485e-18),
-                        __cartcontact::generated::Exponent::whole(8),
-                    ),
-                    (
-                        __c2
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.07936507936507936, 4.4056469231157e-18),
-                        __cartcontact::generated::Exponent::whole(9),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
+                < T, __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
+                < __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
+                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.08333333333333333, 4.625929269271485e-18),
+                __cartcontact::generated::Exponent::whole(8)), (__c2 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.07936507936507936, 4.4056469231157e-18),
+                __cartcontact::generated::Exponent::whole(9))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            let [__c0, __c1, __c2]: [__cartcontact::generated::Precise<T>; 3usize] = __precise_coefficients(
-                self,
-            );
-            __cartcontact::generated::power_sum(
-                __x,
-                [
-                    (
-                        __c0
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.04938271604938271, 2.741291418827547e-18),
-                        __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0),
-                    ),
-                    (
-                        __c1
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.027777777777777776, 1.5419764230904951e-18),
-                        __cartcontact::generated::Exponent::whole(6),
-                    ),
-                    (
-                        __c2
-                            * __cartcontact::generated::Precise::<
-                                T,
-                            >::constant(0.02040816326530612, 1.6285159162231251e-18),
-                        __cartcontact::generated::Exponent::whole(7),
-                    ),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
+                < T, __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__x, [(__c0 *
+                < __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.04938271604938271, 2.741291418827547e-18),
+                __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0)), (__c1 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.027777777777777776, 1.5419764230904951e-18),
+                __cartcontact::generated::Exponent::whole(6)), (__c2 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.02040816326530612, 1.6285159162231251e-18),
+                __cartcontact::generated::Exponent::whole(7))]) }
             )
         }
         #[inline]
@@ -304,15 +245,12 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::generated::pressure_kernel(
-                __a,
-                __r,
-                [
-                    (__c0, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
-                    (__c1, __cartcontact::generated::Exponent::whole(4)),
-                    (__c2, __cartcontact::generated::Exponent::whole(5)),
-                ],
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [T; 3usize] = __coefficients(self);
+                __cartcontact::generated::pressure_kernel:: < _, _, _, __FUSED > (__a,
+                __r, [(__c0, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
+                (__c1, __cartcontact::generated::Exponent::whole(4)), (__c2,
+                __cartcontact::generated::Exponent::whole(5))]) }
             )
         }
         #[inline(always)]
@@ -418,32 +356,20 @@ const _: () = {
                                     ],
                                 )
                             },
-                            |__a| __cartcontact::generated::power_sum(
-                                __a,
-                                [
-                                    (
-                                        __c0
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08547008547008547f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
-                                    ),
-                                    (
-                                        __c1
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.08333333333333333f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(8),
-                                    ),
-                                    (
-                                        __c2
-                                            * <T as __cartcontact::Scalar>::constant(
-                                                0.07936507936507936f64,
-                                            ),
-                                        __cartcontact::generated::Exponent::whole(9),
-                                    ),
-                                ],
-                            ),
+                            |__a| {
+                                __cartcontact::generated::in_double_words!(
+                                    __FUSED => { __cartcontact::generated::power_sum:: < _, _,
+                                    _, __FUSED > (__a, [(__c0 * < T as __cartcontact::Scalar >
+                                    ::constant(0.08547008547008547f64),
+                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0)),
+                                    (__c1 * < T as __cartcontact::Scalar >
+                                    ::constant(0.08333333333333333f64),
+                                    __cartcontact::generated::Exponent::whole(8)), (__c2 * < T
+                                    as __cartcontact::Scalar >
+                                    ::constant(0.07936507936507936f64),
+                                    __cartcontact::generated::Exponent::whole(9))]) }
+                                )
+                            },
                         )
                     })
                 }

@@ -1,10 +1,13 @@
-//! Arithmetic on many values with the widest vectors that the processor has.
+//! Code for the instructions that the processor has, and code out of the way.
 //!
-//! A program is compiled for the oldest processor it may run on. [`wide`] compiles its argument once more for each of
-//! the vector extensions below, and chooses between them when it is called.
+//! A program is compiled for the oldest processor it may run on. [`wide`] and [`half_wide`] compile their argument once
+//! more for each of some vector extensions, [`fused_or_split`] one of two arguments for processors that multiply and
+//! add in one instruction; all choose between them when they are called.
 //!
 //! **Results do not depend on the choice.** Vectors take several values at once, but every value goes through
-//! the same operations with the same roundings: no product is fused with a sum, and no sum is reordered.
+//! the same operations with the same roundings: no product is fused with a sum, and no sum is reordered. Fused
+//! instructions only find the error of a product, which has no other value where it is representable: see
+//! [`DoubleWord`](crate::evaluate::double_word::DoubleWord).
 
 /// Runs `work`, whose loops over values may use wide vectors if the feature `simd` is on.
 ///
@@ -25,5 +28,52 @@ pub(crate) fn wide<R, W: FnOnce() -> R>(work: W) -> R {
 /// a memory integral is quicker with two vectors of 256 bits than with one of 512.
 #[cfg_attr(feature = "simd", multiversion::multiversion(targets("x86_64+avx2")))]
 pub(crate) fn half_wide<R, W: FnOnce() -> R>(work: W) -> R {
+    work()
+}
+
+/// Whether every processor of the target multiplies and adds with one rounding in one instruction. Without the standard
+/// library that would be a routine.
+pub(crate) const FUSES: bool =
+    cfg!(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")));
+
+/// Runs `fused` if the processor multiplies and adds with one rounding in one instruction, otherwise `split`.
+///
+/// As with `wide`, only code that is inlined into `fused` has that instruction; others call a routine. The choice
+/// takes about a nanosecond, but nothing is shared with the code around: coefficients that follow from fields are
+/// computed anew in every round of a loop.
+#[cfg_attr(feature = "simd", multiversion::multiversion(targets("x86_64+fma")))]
+pub fn fused_or_split<R, F: FnOnce() -> R, S: FnOnce() -> R>(fused: F, split: S) -> R {
+    #[cfg(feature = "simd")]
+    let fuses = FUSES || multiversion::target::target_cfg_f!(target_feature = "fma");
+    #[cfg(not(feature = "simd"))]
+    let fuses = FUSES;
+    if fuses { fused() } else { split() }
+}
+
+/// The value of an expression by [`fused_or_split`](crate::generated::fused_or_split). In the expression a constant,
+/// named first, says whether double words are `FUSED`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! in_double_words {
+    ($fused:ident => $value:expr) => {
+        $crate::generated::fused_or_split(
+            #[inline(always)]
+            || {
+                const $fused: ::core::primitive::bool = true;
+                $value
+            },
+            #[inline(always)]
+            || {
+                const $fused: ::core::primitive::bool = false;
+                $value
+            },
+        )
+    };
+}
+
+/// Calls `work` in a cold function of its own, so that the quick path before it stays small.
+#[cold]
+#[inline(never)]
+pub fn out_of_line<R>(work: impl FnOnce() -> R) -> R {
     work()
 }

@@ -56,7 +56,7 @@
 //! | `std` | yes | mathematical functions of the standard library |
 //! | `libm` | no | mathematical functions of the `libm` crate, for targets without `std` |
 //! | `nalgebra` | yes | `Contact::pressure_matrix` |
-//! | `simd` | yes | the widest vectors of an x86-64 processor, chosen at run time |
+//! | `simd` | yes | the widest vectors and the fused instructions of an x86-64 processor, chosen at run time |
 //!
 //! Without `std` the crate needs `libm`; it does not allocate. `nalgebra` and `simd` switch `std` on.
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
@@ -66,7 +66,7 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 
 // From a geometry (`profile`, `polynomial`, generated code by way of `generated`; `admissibility`: how far it holds), a
 // `medium` of `layer`s and a `load` to a `contact`; from there by `radius` and `memory` to a `snapshot`, a `field` of
-// pressures or its `matrix`. `evaluate`, `quadrature`, `scalar`, `pairs` and `dispatch` (to vectors) know nothing of contacts.
+// pressures or its `matrix`. `evaluate`, `quadrature`, `scalar`, `pairs` and `dispatch` (to instructions) know nothing of contacts.
 mod admissibility;
 mod contact;
 mod dispatch;

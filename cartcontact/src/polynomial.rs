@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::Scalar;
 use crate::admissibility::checked_range;
+use crate::dispatch::out_of_line;
 use crate::evaluate::double_word::DoubleWord;
 use crate::evaluate::exponent::Exponent;
 use crate::evaluate::halved::Halved;
@@ -12,12 +13,12 @@ use crate::evaluate::power::{
 };
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
+use crate::in_double_words;
 use crate::pairs::Pairs;
 use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::radius::leading_term::radius_of_real_powers;
 use crate::radius::newton::{invert, positive_terms};
-use crate::radius::out_of_line;
 use crate::scalar::{floor, is_nothing};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
@@ -134,40 +135,54 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
     }
 
     /// Σ w(C, n) x^(n+k), rounded once.
-    fn sum(&self, x: T, k: i32, weight: impl Fn(T, T) -> DoubleWord<T> + Clone) -> T {
+    #[inline(always)]
+    fn sum<const FUSED: bool>(
+        &self,
+        x: T,
+        k: i32,
+        weight: impl Fn(T, T) -> DoubleWord<T, FUSED> + Clone,
+    ) -> T {
         weighted_power_sum(x, self.map(|c, n| (weight(c, n), Exponent::of(n).plus(k))))
     }
 }
 
 impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
     fn gap(&self, r: T) -> T {
-        power_sum(r, self.powers())
+        in_double_words!(FUSED => power_sum::<_, _, _, FUSED>(r, self.powers()))
     }
 
     fn approach(&self, a: T) -> T {
         let two = T::constant(2.0);
-        self.sum(a, 0, |c, n| DoubleWord::of(two * c).over(DoubleWord::sum(n, two)))
+        in_double_words!(FUSED => {
+            self.sum::<FUSED>(a, 0, |c, n| DoubleWord::of(two * c).over(DoubleWord::sum(n, two)))
+        })
     }
 
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
-        self.sum(a, -1, |c, n| DoubleWord::product(two * c, n).over(DoubleWord::sum(n, two)))
+        in_double_words!(FUSED => {
+            self.sum::<FUSED>(a, -1, |c, n| DoubleWord::product(two * c, n).over(DoubleWord::sum(n, two)))
+        })
     }
 
     fn load_integral(&self, a: T) -> T {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
-        let divisor = |n| DoubleWord::sum(n, two).times(DoubleWord::sum(n, four));
-        self.sum(a, 4, |c, n| DoubleWord::product(c, n).over(divisor(n)))
+        in_double_words!(FUSED => {
+            let divisor = |n| DoubleWord::sum(n, two).times(DoubleWord::sum(n, four));
+            self.sum::<FUSED>(a, 4, |c, n| DoubleWord::product(c, n).over(divisor(n)))
+        })
     }
 
     fn log_kernel(&self, x: T) -> T {
         let two = T::constant(2.0);
-        let divisor = |n| DoubleWord::sum(n, two).power(2);
-        self.sum(x, 2, |c, n| DoubleWord::of(c).over(divisor(n)))
+        in_double_words!(FUSED => {
+            let divisor = |n| DoubleWord::sum(n, two).power(2);
+            self.sum::<FUSED>(x, 2, |c, n| DoubleWord::of(c).over(divisor(n)))
+        })
     }
 
     fn pressure_kernel(&self, a: T, r: T) -> T {
-        pressure_kernel(a, r, self.powers())
+        in_double_words!(FUSED => pressure_kernel::<_, _, _, FUSED>(a, r, self.powers()))
     }
 
     fn quick_approach(&self, a: T) -> T {

@@ -62,21 +62,21 @@ impl<'a> Coefficients<'a> {
 
     /// The type of a coefficient.
     fn scalar(&self) -> TokenStream {
-        let (scalar, precise) = (&self.names.scalar, self.names.generated("Precise"));
         match self.digits {
-            Digits::OfAWord => scalar.into_token_stream(),
-            Digits::OfTwo => quote!(#precise<#scalar>),
+            Digits::OfAWord => self.names.scalar.to_token_stream(),
+            Digits::OfTwo => {
+                let (precise, Names { scalar, fused, .. }) = (self.names.generated("Precise"), self.names);
+                quote!(#precise<#scalar, #fused>)
+            }
         }
     }
 
     fn number(&self, value: &Rational) -> TokenStream {
-        let Names { scalar, .. } = self.names;
         match self.digits {
             Digits::OfAWord => self.names.number(value),
             Digits::OfTwo => {
-                let (precise, parts) = (self.names.generated("Precise"), number::nearest_and_rest(value));
-                let parts = number::code(parts);
-                quote!(#precise::<#scalar>::constant #parts)
+                let (precise, parts) = (self.scalar(), number::code(number::nearest_and_rest(value)));
+                quote!(<#precise>::constant #parts)
             }
         }
     }
@@ -120,8 +120,8 @@ impl<'a> Coefficients<'a> {
     /// A product with a power of two, which only scales both words of a coefficient.
     fn scaled(&self, weight: &Rational, product: &impl ToTokens) -> Option<TokenStream> {
         (self.digits == Digits::OfTwo && number::is_power_of_two(weight)).then(|| {
-            let (precise, weight) = (self.names.generated("Precise"), number::literal(weight));
-            quote!(#precise::scaled(#product, #weight))
+            let (precise, weight) = (self.scalar(), number::literal(weight));
+            quote!(<#precise>::scaled(#product, #weight))
         })
     }
 
@@ -234,12 +234,17 @@ impl<'a> Coefficients<'a> {
         let (scalar, ident, count) = (self.scalar(), &self.item.ident, values.len());
         let arguments = self.item.generics.arguments();
         let generics = bounded_generics(self.item, self.names);
+        let generics = match self.digits {
+            Digits::OfAWord => generics,
+            Digits::OfTwo => generics.with_constant(&self.names.fused, &quote!(::core::primitive::bool)),
+        };
         let (parameters, bounds) = (generics.declared(), generics.bounds());
         let (coefficients, profile) = (self.name(), local("profile"));
         let may_cancel = self.symbolic().any(|(_, coefficient)| coefficient.may_cancel());
         let body = if self.digits == Digits::OfAWord && may_cancel {
-            let (rounded, precise) = (self.names.generated("rounded"), self.precise().name());
-            quote!(#rounded(#precise(#profile)))
+            let (rounded, precise) = (self.names.generated("rounded"), self.precise());
+            let (function, scalar) = (precise.name(), precise.scalar());
+            self.names.in_double_words(&quote!(#rounded::<_, #scalar, _>(#function(#profile))))
         } else {
             let fields = self.fields(&quote!(#profile), &|field| {
                 self.symbolic().any(|(_, coefficient)| coefficient.depends_on(&field.ident))
@@ -320,13 +325,12 @@ impl<'a> Coefficients<'a> {
             FieldKind::F32 => quote!(<f64 as ::core::convert::From<f32>>::from(#value)),
             _ => value,
         };
-        let (scalar, constant, precise) =
-            (&self.names.scalar, self.names.constant(), self.names.generated("Precise"));
+        let (constant, precise) = (self.names.constant(), self.scalar());
         match (self.digits, kind) {
             (Digits::OfAWord, FieldKind::TypeParameter(_)) => value,
             (Digits::OfAWord, _) => quote!(#constant(#value)),
-            (Digits::OfTwo, FieldKind::TypeParameter(_)) => quote!(#precise::of(#value)),
-            (Digits::OfTwo, _) => quote!(#precise::<#scalar>::constant(#value, 0.0)),
+            (Digits::OfTwo, FieldKind::TypeParameter(_)) => quote!(<#precise>::of(#value)),
+            (Digits::OfTwo, _) => quote!(<#precise>::constant(#value, 0.0)),
         }
     }
 

@@ -250,7 +250,8 @@ fn effort(operations: &[Operations], shared: Option<Operations>) -> String {
         )
     });
     let legend = if operations.iter().any(|count| count.is_double) {
-        "Double words round a result only once; a × of them takes 24 plain operations, a + 11.\n\n"
+        "Double words round a result only once. A × of them takes 24 plain operations, or 9 if the processor \
+         multiplies and adds in one; a + takes 11.\n\n"
     } else {
         ""
     };

@@ -210,6 +210,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     let (Names { load_integral, limit, .. }, a) = (names, local("a"));
     // Not the method of that name: its receiver would be one more argument of the general solution.
     let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients, names).code;
+    let rounded_once = names.in_double_words(&rounded_once);
     quote! {
         #invert(
             #load_integral,

@@ -28,7 +28,7 @@ use crate::reading::item::{FieldKind, Item};
 use crate::reading::name::unraw;
 use crate::start::{Start, has_leading_term_beside_seeds};
 use coefficients::Coefficients;
-use operations::Operations;
+use operations::{Counted, Operations};
 
 /// A method that evaluates a closed form: its name, its variable and the sum.
 type Evaluator = (&'static str, &'static str, fn(&ClosedForms) -> &PowerSum);
@@ -55,6 +55,8 @@ struct Names {
     krate: Ident,
     /// The scalar type.
     scalar: Ident,
+    /// The constant that says how double words are multiplied.
+    fused: Ident,
     // The parameters of `radius_within` and `radii_within`.
     load_integral: Ident,
     load_integrals: Ident,
@@ -66,7 +68,8 @@ impl Names {
     fn of(item: &Item) -> Self {
         let [krate, load_integral, load_integrals, limit, radii] =
             ["cartcontact", "load_integral", "load_integrals", "limit", "radii"].map(local);
-        Names { krate, scalar: scalar_of(item), load_integral, load_integrals, limit, radii }
+        let (scalar, fused) = (scalar_of(item), local("FUSED"));
+        Names { krate, scalar, fused, load_integral, load_integrals, limit, radii }
     }
 
     /// The function that turns an `f64` literal into a scalar.
@@ -79,6 +82,12 @@ impl Names {
     fn number(&self, value: &Rational) -> TokenStream {
         let (constant, literal) = (self.constant(), literal(value));
         quote!(#constant(#literal))
+    }
+
+    /// The value of a block of code that computes in double words.
+    fn in_double_words(&self, code: &TokenStream) -> TokenStream {
+        let (evaluate, fused) = (self.generated("in_double_words"), &self.fused);
+        quote!(#evaluate!(#fused => { #code }))
     }
 
     /// The solution where a table or the leading term does not lead to the radius.
@@ -158,20 +167,21 @@ fn evaluators(
     names: &Names,
 ) -> (TokenStream, Vec<Operations>) {
     let scalar = &names.scalar;
-    let method = |name: &str, variable: &Ident, coefficients: &Coefficients<'_>, body: TokenStream| {
-        let (name, preamble) = (Ident::new(name, Span::call_site()), coefficients.preamble());
+    let method = |name: &str, variable: &Ident, body: TokenStream| {
+        let name = Ident::new(name, Span::call_site());
         quote! {
             #[inline]
-            fn #name(&self, #variable: #scalar) -> #scalar { #preamble #body }
+            fn #name(&self, #variable: #scalar) -> #scalar { #body }
         }
     };
     let (mut methods, mut operations) = (Vec::new(), Vec::new());
     for (name, variable, sum) in EVALUATORS {
         let (variable, sum) = (local(variable), sum(forms));
         let coefficients = coefficients.for_rounding_once(sum);
-        let value = power_sum::value(sum, &variable, &coefficients, names);
-        operations.push(value.operations);
-        methods.push(method(name, &variable, &coefficients, value.code));
+        let Counted { code, operations: count } = power_sum::value(sum, &variable, &coefficients, names);
+        let preamble = coefficients.preamble();
+        operations.push(count);
+        methods.push(method(name, &variable, names.in_double_words(&quote!(#preamble #code))));
     }
     for (name, sum) in [
         ("quick_approach", &forms.approach),
@@ -180,7 +190,8 @@ fn evaluators(
     ] {
         let a = local("a");
         let code = power_sum::quick_value(sum, &a, coefficients, names);
-        methods.push(method(name, &a, coefficients, code));
+        let preamble = coefficients.preamble();
+        methods.push(method(name, &a, quote!(#preamble #code)));
     }
     let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));

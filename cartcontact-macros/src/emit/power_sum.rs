@@ -92,10 +92,13 @@ impl Whole {
     }
 }
 
-/// The value of the sum at `x`, with one rounding besides those of the coefficients, which may be precise.
+/// The value of the sum at `x` in double words, with one rounding besides those of the coefficients, which may be
+/// precise.
 pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> Counted {
     let Some(whole) = Whole::of(sum).filter(|whole| whole.is_low() || whole.is_low_in_square()) else {
-        let code = by_powers("power_sum", sum, x, coefficients, names);
+        let (power_sum, terms, fused) =
+            (names.generated("power_sum"), terms(sum, coefficients, names), &names.fused);
+        let code = quote!(#power_sum::<_, _, _, #fused>(#x, #terms));
         return Counted { code, operations: Operations::in_library() };
     };
     let (lowest, stride) = (whole.lowest(), whole.stride());
@@ -104,9 +107,9 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, 
     // r² and an odd factor, in addition to the steps and the lowest power.
     let (function, beside) =
         if stride == 2 { ("precise_even_sum", 1 + lowest % 2) } else { ("precise_sum", 0) };
-    let function = names.generated(function);
+    let (function, fused) = (names.generated(function), &names.fused);
     Counted {
-        code: quote!(#function(#x, #lowest, #dense)),
+        code: quote!(#function::<_, _, #fused, _>(#x, #lowest, #dense)),
         operations: Operations::in_double_words(steps + lowest / stride + beside, steps),
     }
 }
@@ -125,8 +128,10 @@ pub(super) fn quick_value(
             let dense = whole.dense((lowest, 2), sum, coefficients);
             quote!(#even_sum(#x, #lowest, #dense))
         }
-        _ => in_quarters(sum, x, coefficients, names)
-            .unwrap_or_else(|| by_powers("quick_power_sum", sum, x, coefficients, names)),
+        _ => in_quarters(sum, x, coefficients, names).unwrap_or_else(|| {
+            let (power_sum, terms) = (names.generated("quick_power_sum"), terms(sum, coefficients, names));
+            quote!(#power_sum(#x, #terms))
+        }),
     }
 }
 
@@ -246,17 +251,6 @@ fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
     }
     let further = (1..exponent).map(|_| variable);
     quote!(#variable #(* #further)*)
-}
-
-fn by_powers(
-    function: &str,
-    sum: &PowerSum,
-    x: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
-    let (power_sum, terms) = (names.generated(function), terms(sum, coefficients, names));
-    quote!(#power_sum(#x, #terms))
 }
 
 /// The sum as terms (coefficient, exponent) to iterate over.

@@ -34,26 +34,34 @@ pub(super) fn methods(
     let (scalar, [a, r]) = (&names.scalar, ["a", "r"].map(local));
     let (kernel, precise) = precise_kernel(gap, forms, coefficients, names);
     let quick_kernel = quick_kernel(gap, forms, coefficients, names);
-    let method = |method, kernel, preamble: TokenStream, inline| {
+    let method = |method, kernel, inline| {
         let method = Ident::new(method, Span::call_site());
         quote! {
             #inline
-            fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar {
-                #preamble
-                #kernel
-            }
+            fn #method(&self, #a: #scalar, #r: #scalar) -> #scalar { #kernel }
         }
     };
+    let (preamble, quick_preamble) = (precise.preamble(), coefficients.preamble());
     [
-        method("pressure_kernel", kernel, precise.preamble(), quote!(#[inline])),
+        method("pressure_kernel", names.in_double_words(&quote!(#preamble #kernel)), quote!(#[inline])),
         // Loops over many radii use the quick kernel with wide vectors, which would end at a call.
-        method("quick_pressure_kernel", quick_kernel, coefficients.preamble(), quote!(#[inline(always)])),
+        method("quick_pressure_kernel", quote!(#quick_preamble #quick_kernel), quote!(#[inline(always)])),
     ]
 }
 
 fn call(function: &str, terms: TokenStream, names: &Names) -> TokenStream {
+    call_with(function, None, terms, names)
+}
+
+/// A call of a function with generic arguments.
+fn call_with(
+    function: &str,
+    arguments: Option<TokenStream>,
+    terms: TokenStream,
+    names: &Names,
+) -> TokenStream {
     let (function, [a, r]) = (names.generated(function), ["a", "r"].map(local));
-    quote!(#function(#a, #r, #terms))
+    quote!(#function #arguments (#a, #r, #terms))
 }
 
 fn quick_kernel(
@@ -83,12 +91,16 @@ fn precise_kernel<'a>(
     coefficients: &Coefficients<'a>,
     names: &Names,
 ) -> (TokenStream, Coefficients<'a>) {
+    let fused = &names.fused;
     if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
         let precise = coefficients.for_rounding_once(&forms.log_kernel);
-        return (call("even_pressure_kernel", weights(2, &forms.log_kernel, &precise), names), precise);
+        let weights = weights(2, &forms.log_kernel, &precise);
+        let arguments = quote!(::<_, _, #fused, _>);
+        return (call_with("even_pressure_kernel", Some(arguments), weights, names), precise);
     }
     let precise = coefficients.for_rounding_once(&forms.gap);
-    (call("pressure_kernel", power_sum::terms(&forms.gap, &precise, names), names), precise)
+    let (arguments, terms) = (quote!(::<_, _, _, #fused>), power_sum::terms(&forms.gap, &precise, names));
+    (call_with("pressure_kernel", Some(arguments), terms, names), precise)
 }
 
 /// The operations of the kernel for callers.

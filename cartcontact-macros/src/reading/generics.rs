@@ -81,6 +81,14 @@ impl Generics {
         types.any(|parameter| name == &parameter.name.to_string())
     }
 
+    /// The same and a constant parameter.
+    pub(crate) fn with_constant(&self, name: &Ident, kind: &TokenStream) -> Self {
+        let mut generics = self.clone();
+        let (name, declaration) = (name.to_token_stream(), quote!(const #name: #kind));
+        generics.parameters.push(Parameter { kind: Kind::Constant, name, declaration });
+        generics
+    }
+
     /// The same with a bound on a type parameter, which is added if it is not among the parameters.
     pub(crate) fn with_bound(&self, name: &Ident, bound: &TokenStream) -> Self {
         let mut generics = self.clone();

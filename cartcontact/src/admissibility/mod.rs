@@ -3,9 +3,9 @@
 mod slope;
 
 use crate::Scalar;
+use crate::dispatch::out_of_line;
 use crate::profile::Parameters;
 use crate::profile::ProfileError;
-use crate::radius::out_of_line;
 use crate::scalar::smallest_normal;
 use slope::Slope;
 

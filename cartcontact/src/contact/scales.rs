@@ -33,7 +33,7 @@ impl<T: Scalar> Scales<T> {
         // Fractions, because halves of words leave the format before the words do.
         let ((m, exponent), chi) = (split(medium.m()), medium.chi());
         let rest = if is_single::<T>() { REST_OF_QUARTER_PI_IN_SINGLE } else { REST_OF_QUARTER_PI };
-        let load = DoubleWord::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);
+        let load = <DoubleWord<T>>::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);
         let integral = DoubleWord::of(T::one()).over(load);
         let integral_per_load = scale(integral.rounded(), -exponent);
         let (integral_per_impulse, unit) = if chi.is_zero() {

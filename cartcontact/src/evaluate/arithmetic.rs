@@ -115,7 +115,7 @@ impl<T: Scalar> Ring<T> for Corrected<T> {
     }
     #[inline(always)]
     fn product(x: T, y: T) -> Self {
-        let product = DoubleWord::product(x, y);
+        let product: DoubleWord<T> = DoubleWord::product(x, y);
         Self { value: product.high(), lacks: product.low() }
     }
     #[inline(always)]
@@ -140,59 +140,59 @@ impl<T: Scalar> Ring<T> for Corrected<T> {
     }
 }
 
-impl<T: Scalar> Ring<T> for DoubleWord<T> {
-    #[inline]
+impl<T: Scalar, const FUSED: bool> Ring<T> for DoubleWord<T, FUSED> {
+    #[inline(always)]
     fn of(word: T) -> Self {
         Self::of(word)
     }
-    #[inline]
+    #[inline(always)]
     fn sum(x: T, y: T) -> Self {
         Self::sum(x, y)
     }
-    #[inline]
+    #[inline(always)]
     fn product(x: T, y: T) -> Self {
         Self::product(x, y)
     }
-    #[inline]
+    #[inline(always)]
     fn plus(self, other: Self) -> Self {
         Self::plus(self, other)
     }
-    #[inline]
+    #[inline(always)]
     fn plus_word(self, word: T) -> Self {
         Self::plus_word(self, word)
     }
-    #[inline]
+    #[inline(always)]
     fn times(self, other: Self) -> Self {
         Self::times(self, other)
     }
-    #[inline]
+    #[inline(always)]
     fn times_word(self, word: T) -> Self {
         Self::times_word(self, word)
     }
-    #[inline]
+    #[inline(always)]
     fn rounded(self) -> T {
         Self::rounded(self)
     }
 }
 
-impl<T: Scalar> Arithmetic<T> for DoubleWord<T> {
-    #[inline]
+impl<T: Scalar, const FUSED: bool> Arithmetic<T> for DoubleWord<T, FUSED> {
+    #[inline(always)]
     fn exponent(n: Exponent<T>) -> Self {
         n.double()
     }
-    #[inline]
+    #[inline(always)]
     fn term(c: Self, x: T, n: Exponent<T>) -> Self {
         double_term(c, x, n)
     }
-    #[inline]
+    #[inline(always)]
     fn kernel_of_real_exponent(inset: Self, ratio: Self, n: Exponent<T>) -> Self {
         real_exponent_kernel::kernel(inset, ratio, n.double())
     }
-    #[inline]
+    #[inline(always)]
     fn over(self, other: Self) -> Self {
         Self::over(self, other)
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         Self::sqrt(self)
     }

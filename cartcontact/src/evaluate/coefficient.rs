@@ -67,17 +67,17 @@ pub fn finite_or<T: Scalar>(product: T, sum: T) -> T {
 
 /// A coefficient with twice the digits of a word, unless the halves of its words overflow.
 #[derive(Clone, Copy, Debug)]
-pub struct Precise<T>(DoubleWord<T>);
+pub struct Precise<T, const FUSED: bool>(DoubleWord<T, FUSED>);
 
-impl<T: Scalar> Precise<T> {
+impl<T: Scalar, const FUSED: bool> Precise<T, FUSED> {
     /// A coefficient that is a word.
-    #[inline]
+    #[inline(always)]
     pub fn of(word: T) -> Self {
         Self(DoubleWord::of(word))
     }
 
     /// The sum of a literal and of what it lacks, at most half a unit in its last place.
-    #[inline]
+    #[inline(always)]
     pub fn constant(nearest: f64, rest: f64) -> Self {
         let word = T::constant(nearest);
         if !is_single::<T>() {
@@ -87,7 +87,7 @@ impl<T: Scalar> Precise<T> {
     }
 
     /// The power of a positive number, to first order in what its word lacks.
-    #[inline]
+    #[inline(always)]
     pub fn power(self, exponent: Exponent<T>) -> Self {
         let (high, n) = (self.0.high(), exponent.value());
         let power = double_term(DoubleWord::of(T::one()), high, exponent);
@@ -96,60 +96,60 @@ impl<T: Scalar> Precise<T> {
     }
 
     /// The product with a power of two, which rounds nothing.
-    #[inline]
+    #[inline(always)]
     pub fn scaled(self, power_of_two: f64) -> Self {
         Self(self.0.scaled(T::constant(power_of_two)))
     }
 
     /// The number, or the result of plain arithmetic where it is not finite.
     #[inline(always)]
-    fn checked(number: DoubleWord<T>, plain: T) -> Self {
+    fn checked(number: DoubleWord<T, FUSED>, plain: T) -> Self {
         if number.rounded().is_finite() { Self(number) } else { Self::of(plain) }
     }
 }
 
-impl<T: Scalar> Coefficient<T> for Precise<T> {
+impl<T: Scalar, const FUSED: bool> Coefficient<T> for Precise<T, FUSED> {
     #[inline(always)]
     fn parts(self) -> (T, Option<T>) {
         (self.0.high(), Some(self.0.low()))
     }
 }
 
-impl<T: Scalar> Add for Precise<T> {
+impl<T: Scalar, const FUSED: bool> Add for Precise<T, FUSED> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self::checked(self.0.plus(other.0), self.0.high() + other.0.high())
     }
 }
 
-impl<T: Scalar> Sub for Precise<T> {
+impl<T: Scalar, const FUSED: bool> Sub for Precise<T, FUSED> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<T: Scalar> Mul for Precise<T> {
+impl<T: Scalar, const FUSED: bool> Mul for Precise<T, FUSED> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self::checked(self.0.times(other.0), self.0.high() * other.0.high())
     }
 }
 
-impl<T: Scalar> Div for Precise<T> {
+impl<T: Scalar, const FUSED: bool> Div for Precise<T, FUSED> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         Self::checked(self.0.over(other.0), self.0.high() / other.0.high())
     }
 }
 
-impl<T: Scalar> Neg for Precise<T> {
+impl<T: Scalar, const FUSED: bool> Neg for Precise<T, FUSED> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self(-self.0)
     }
@@ -158,8 +158,9 @@ impl<T: Scalar> Neg for Precise<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dispatch::FUSES;
 
-    type Number = Precise<f64>;
+    type Number = Precise<f64, FUSES>;
 
     #[test]
     fn products_and_quotients_keep_what_is_lost() {
@@ -168,7 +169,7 @@ mod tests {
         let one = third * radius / (radius * radius * radius) * radius * radius * Number::of(3.0);
         let (high, low) = (one - Number::of(1.0)).parts();
         assert!((high + low.unwrap_or(f64::NAN)).abs() < 1e-31, "{high:e}");
-        let single = Precise::<f32>::constant(1.0 / 3.0, 1.850_371_707_708_594e-17).parts();
+        let single = Precise::<f32, FUSES>::constant(1.0 / 3.0, 1.850_371_707_708_594e-17).parts();
         assert!((1.0 / 3.0 - f64::from(single.0) - single.1.map_or(f64::NAN, f64::from)).abs() < 1e-15);
     }
 
@@ -191,7 +192,7 @@ mod tests {
         assert_eq!((Number::of(1.0) / (large * large)).parts().0, 0.0);
         assert_eq!(large.scaled(2f64.powi(20)).parts().0, f64::INFINITY);
         assert_eq!((Number::of(1.0) / Number::of(f64::INFINITY)).scaled(0.5).parts(), (0.0, Some(0.0)));
-        assert_eq!(Precise::<f32>::constant(1e300, 0.0).parts().0, f32::INFINITY);
+        assert_eq!(Precise::<f32, FUSES>::constant(1e300, 0.0).parts().0, f32::INFINITY);
         assert_eq!(Number::of(0.0).power(Exponent::in_parts(0, 0.5, 0.0)).parts().0, 0.0);
         assert!(Number::of(-1.0).power(Exponent::in_parts(0, 0.5, 0.0)).parts().0.is_nan());
     }

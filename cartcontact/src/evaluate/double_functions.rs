@@ -13,10 +13,19 @@ use super::bits::{exponent, nearest_integer, power_of_two};
 use super::double_word::DoubleWord;
 use super::series::{inverse_factorials, odd_reciprocals};
 use crate::Scalar;
+use crate::in_double_words;
 use crate::scalar::is;
 
 /// x^φ of a normal number above 0, for 0 ≤ φ < 1.
-pub(crate) fn fractional_power<T: Scalar>(x: T, phi: DoubleWord<T>) -> DoubleWord<T> {
+pub(crate) fn fractional_power<T: Scalar, const FUSED: bool>(
+    x: T,
+    phi: DoubleWord<T, FUSED>,
+) -> DoubleWord<T, FUSED> {
+    in_double_words!(FUSED => power_of::<T, FUSED>(x, phi.converted()).converted())
+}
+
+#[inline(always)]
+fn power_of<T: Scalar, const FUSED: bool>(x: T, phi: DoubleWord<T, FUSED>) -> DoubleWord<T, FUSED> {
     let (fraction, octaves) = split(x);
     let (fraction, octaves) = centred(DoubleWord::of(fraction), octaves);
     let beyond = fraction.plus_word(-T::one());
@@ -25,7 +34,11 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, phi: DoubleWord<T>) -> DoubleWor
 }
 
 /// ln(1 − depth) from the depth and the `ratio` 1 − depth, which is a normal number below 1; each has all its digits.
-pub(crate) fn double_log_of_ratio<T: Scalar>(ratio: DoubleWord<T>, depth: DoubleWord<T>) -> DoubleWord<T> {
+#[inline(always)]
+pub(crate) fn double_log_of_ratio<T: Scalar, const FUSED: bool>(
+    ratio: DoubleWord<T, FUSED>,
+    depth: DoubleWord<T, FUSED>,
+) -> DoubleWord<T, FUSED> {
     let octaves = exponent(ratio.high());
     let (fraction, octaves) = centred(ratio.scaled(power_of_two(-octaves)), octaves);
     // Where the ratio is near 1, the depth has the digits that the ratio has lost.
@@ -34,7 +47,8 @@ pub(crate) fn double_log_of_ratio<T: Scalar>(ratio: DoubleWord<T>, depth: Double
 }
 
 /// e^x − 1 for x ≤ 0.
-pub(crate) fn negative_exp_m1<T: Scalar>(x: DoubleWord<T>) -> DoubleWord<T> {
+#[inline(always)]
+pub(crate) fn negative_exp_m1<T: Scalar, const FUSED: bool>(x: DoubleWord<T, FUSED>) -> DoubleWord<T, FUSED> {
     // 2⁻¹¹⁵ is a normal number in either format.
     if x.high() < T::constant(-80.0) {
         return DoubleWord::of(-T::one());
@@ -45,7 +59,11 @@ pub(crate) fn negative_exp_m1<T: Scalar>(x: DoubleWord<T>) -> DoubleWord<T> {
 }
 
 /// The fraction and the exponent of a number, the fraction from 1/√2 to √2.
-fn centred<T: Scalar>(fraction: DoubleWord<T>, octaves: i32) -> (DoubleWord<T>, i32) {
+#[inline(always)]
+fn centred<T: Scalar, const FUSED: bool>(
+    fraction: DoubleWord<T, FUSED>,
+    octaves: i32,
+) -> (DoubleWord<T, FUSED>, i32) {
     if fraction.high() < T::constant(SQRT_2) {
         (fraction, octaves)
     } else {
@@ -54,7 +72,11 @@ fn centred<T: Scalar>(fraction: DoubleWord<T>, octaves: i32) -> (DoubleWord<T>, 
 }
 
 /// ln of (1 + `beyond`) 2^`octaves` for 1/√2 ≤ 1 + `beyond` < √2.
-fn logarithm<T: Scalar>(beyond: DoubleWord<T>, octaves: i32) -> DoubleWord<T> {
+#[inline(always)]
+fn logarithm<T: Scalar, const FUSED: bool>(
+    beyond: DoubleWord<T, FUSED>,
+    octaves: i32,
+) -> DoubleWord<T, FUSED> {
     let (one, two) = (T::one(), T::constant(2.0));
     let t = beyond.over(beyond.plus_word(two));
     let square = t.times(t);
@@ -66,7 +88,8 @@ fn logarithm<T: Scalar>(beyond: DoubleWord<T>, octaves: i32) -> DoubleWord<T> {
 }
 
 /// e^g − 1 and k, e^x = 2^k e^g.
-fn reduced_exponential<T: Scalar>(x: DoubleWord<T>) -> (DoubleWord<T>, i32) {
+#[inline(always)]
+fn reduced_exponential<T: Scalar, const FUSED: bool>(x: DoubleWord<T, FUSED>) -> (DoubleWord<T, FUSED>, i32) {
     let (octaves, count) = nearest_integer(x.high() * T::constant(LOG2_E));
     let g = x.plus(ln_2().times_word(-octaves));
     let rest = polynomial(g.high(), if is::<T, f32>() { &TAYLOR[..3] } else { &TAYLOR });
@@ -77,6 +100,7 @@ fn reduced_exponential<T: Scalar>(x: DoubleWord<T>) -> (DoubleWord<T>, i32) {
 }
 
 /// The polynomial with these coefficients of even and odd powers. The two halves do not wait for each other.
+#[inline(always)]
 fn polynomial<T: Scalar>(x: T, coefficients: &[[f64; 2]]) -> T {
     let square = x * x;
     let halves = coefficients.iter().rev().fold([T::zero(); 2], |[even, odd], &[of_even, of_odd]| {
@@ -86,7 +110,8 @@ fn polynomial<T: Scalar>(x: T, coefficients: &[[f64; 2]]) -> T {
 }
 
 /// ln 2 with what its word lacks, in either format.
-fn ln_2<T: Scalar>() -> DoubleWord<T> {
+#[inline(always)]
+fn ln_2<T: Scalar, const FUSED: bool>() -> DoubleWord<T, FUSED> {
     let low = if is::<T, f32>() { -1.904_654_299_957_768e-9 } else { 2.319_046_813_846_299_6e-17 };
     DoubleWord::sum(T::constant(LN_2), T::constant(low))
 }
@@ -102,20 +127,19 @@ mod tests {
     use super::*;
 
     /// |x/y − 1| in units of ε.
-    fn difference<T: Scalar>(x: DoubleWord<T>, y: DoubleWord<T>) -> f64 {
+    fn difference<T: Scalar, const FUSED: bool>(x: DoubleWord<T, FUSED>, y: DoubleWord<T, FUSED>) -> f64 {
         (x.plus(-y).high() / y.high()).abs().value() / T::default_epsilon().value()
     }
 
     /// The largest error of x^φ where it is a root, for x from 2^−`octaves` to 2^`octaves`.
-    fn largest_error_of_roots<T: Scalar>(octaves: f64) -> f64 {
+    fn largest_error_of_roots<T: Scalar, const FUSED: bool>(octaves: f64) -> f64 {
         let mut largest = 0.0_f64;
         for k in 0..=10_000 {
             let x = T::constant((octaves * (f64::from(k) / 5000.0 - 1.0)).exp2());
-            let root = DoubleWord::of(x).sqrt();
+            let root = DoubleWord::<T, FUSED>::of(x).sqrt();
             let powers = [(0.5, root), (0.25, root.sqrt()), (0.75, root.times(root.sqrt()))];
             for (phi, root) in powers {
-                largest =
-                    largest.max(difference(fractional_power(x, DoubleWord::of(T::constant(phi))), root));
+                largest = largest.max(difference(power_of(x, DoubleWord::of(T::constant(phi))), root));
             }
         }
         largest
@@ -123,20 +147,26 @@ mod tests {
 
     #[test]
     fn powers_of_halves_and_quarters_are_roots() {
-        for error in [largest_error_of_roots::<f64>(1000.0), largest_error_of_roots::<f32>(100.0)] {
+        let of_doubles = [
+            largest_error_of_roots::<f64, true>(1000.0),
+            largest_error_of_roots::<f64, false>(1000.0),
+            // The numbers nearest to 1.
+            largest_error_of_roots::<f64, false>(1e-13),
+        ];
+        let of_singles =
+            [largest_error_of_roots::<f32, true>(100.0), largest_error_of_roots::<f32, false>(100.0)];
+        for error in of_doubles.into_iter().chain(of_singles) {
             assert!(error < 0.005, "{error}");
         }
-        // The numbers nearest to 1.
-        assert!(largest_error_of_roots::<f64>(1e-13) < 0.005);
-        assert_eq!(fractional_power(1.0_f64, DoubleWord::of(0.3)).rounded(), 1.0);
+        assert_eq!(fractional_power(1.0, <DoubleWord<f64>>::of(0.3)).rounded(), 1.0);
     }
 
     /// The largest error of e^x − 1 with x = ln q over q from 1 down to `least`, where it is q − 1.
-    fn largest_error_of_decay<T: Scalar>(least: f64) -> f64 {
+    fn largest_error_of_decay<T: Scalar, const FUSED: bool>(least: f64) -> f64 {
         let mut largest = 0.0_f64;
         for k in 1..10_000 {
             let q = T::constant(least.powf(f64::from(k) / 1e4));
-            let depth = DoubleWord::sum(T::one(), -q);
+            let depth = DoubleWord::<T, FUSED>::sum(T::one(), -q);
             if q < T::one() {
                 let logarithm = double_log_of_ratio(DoubleWord::of(q), depth);
                 largest = largest.max(difference(negative_exp_m1(logarithm), -depth));
@@ -147,12 +177,16 @@ mod tests {
 
     #[test]
     fn exponentials_undo_logarithms() {
-        for error in [largest_error_of_decay::<f64>(1e-12), largest_error_of_decay::<f64>(1.0 - 1e-9)] {
+        let of_doubles = [
+            largest_error_of_decay::<f64, true>(1e-12),
+            largest_error_of_decay::<f64, false>(1e-12),
+            largest_error_of_decay::<f64, false>(1.0 - 1e-9),
+        ];
+        let of_singles =
+            [largest_error_of_decay::<f32, true>(1e-12), largest_error_of_decay::<f32, false>(0.999)];
+        for error in of_doubles.into_iter().chain(of_singles) {
             assert!(error < 0.005, "{error}");
         }
-        for error in [largest_error_of_decay::<f32>(1e-12), largest_error_of_decay::<f32>(0.999)] {
-            assert!(error < 0.005, "{error}");
-        }
-        assert_eq!(negative_exp_m1(DoubleWord::of(-1e5_f64)).rounded(), -1.0);
+        assert_eq!(negative_exp_m1(<DoubleWord<f64>>::of(-1e5)).rounded(), -1.0);
     }
 }

@@ -53,8 +53,8 @@ impl<T: Scalar> Exponent<T> {
     }
 
     /// n in twice the working precision.
-    #[inline]
-    pub(crate) fn double(self) -> DoubleWord<T> {
+    #[inline(always)]
+    pub(crate) fn double<const FUSED: bool>(self) -> DoubleWord<T, FUSED> {
         DoubleWord::sum(T::constant(f64::from(self.whole)), self.fraction).plus_word(self.rest)
     }
 }
@@ -77,7 +77,7 @@ mod tests {
         let decimal = Exponent::<f64>::in_parts(2, 0.3, 1.110_223_024_625_156_6e-17);
         let number = Exponent::of(2.3_f64);
         assert_eq!(decimal.value(), number.value());
-        let lacking = decimal.double().plus(-number.double()).rounded();
+        let lacking = decimal.double::<false>().plus(-number.double()).rounded();
         assert!((lacking - 1.776_356_839_400_250_5e-16).abs() < 1e-31, "{lacking:e}");
         let single = Exponent::<f32>::in_parts(2, 0.3, 1.110_223_024_625_156_6e-17);
         let lacking = 0.3 - (f64::from(single.fraction) + f64::from(single.rest));

@@ -27,7 +27,7 @@ pub(crate) fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coeffici
 /// Error for coefficients of one sign: at most (N + m + 2) ε, typically below 2 ε up to N = 12.
 #[inline]
 pub fn even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
-    let (exact, degree) = (DoubleWord::product(r, r), lowest / 2);
+    let (exact, degree) = (<DoubleWord<T>>::product(r, r), lowest / 2);
     let square = exact.rounded();
     let (value, slope) = value_and_slope(square, coefficients);
     let corrected = if degree == 0 {
@@ -46,24 +46,24 @@ pub fn even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; 
 ///
 /// Error for coefficients of one sign: 1/2 ulp, and that of the coefficients, which may be precise. For others, 2^−100
 /// times the sizes of the terms is added.
-#[inline]
-pub fn precise_sum<T: Scalar, C: Coefficient<T>, const N: usize>(
+#[inline(always)]
+pub fn precise_sum<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N: usize>(
     x: T,
     lowest: u32,
     coefficients: [C; N],
 ) -> T {
-    let sum = precise_horner(DoubleWord::of(x), lowest, &coefficients);
+    let sum = precise_horner(<DoubleWord<T, FUSED>>::of(x), lowest, &coefficients);
     sum.rounded_or(|| plain_horner(x, lowest, rounded(coefficients)))
 }
 
 /// r^lowest Σ c\[k\] r^(2k), rounded once, see [`precise_sum`].
-#[inline]
-pub fn precise_even_sum<T: Scalar, C: Coefficient<T>, const N: usize>(
+#[inline(always)]
+pub fn precise_even_sum<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N: usize>(
     r: T,
     lowest: u32,
     coefficients: [C; N],
 ) -> T {
-    let even = precise_horner(DoubleWord::product(r, r), lowest / 2, &coefficients);
+    let even = precise_horner(<DoubleWord<T, FUSED>>::product(r, r), lowest / 2, &coefficients);
     let sum = if lowest % 2 == 1 { even.times_word(r) } else { even };
     sum.rounded_or(|| plain_even_sum(r, lowest, rounded(coefficients)))
 }
@@ -80,13 +80,13 @@ fn plain_horner<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; 
 }
 
 #[inline(always)]
-fn precise_horner<T: Scalar, C: Coefficient<T>, const N: usize>(
-    x: DoubleWord<T>,
+fn precise_horner<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N: usize>(
+    x: DoubleWord<T, FUSED>,
     lowest: u32,
     coefficients: &[C; N],
-) -> DoubleWord<T> {
+) -> DoubleWord<T, FUSED> {
     let Some((&last, rest)) = coefficients.split_last() else { return DoubleWord::of(T::zero()) };
-    let step = |sum: DoubleWord<T>, &coefficient: &C| added(sum.times(x), coefficient);
+    let step = |sum: DoubleWord<T, FUSED>, &coefficient: &C| added(sum.times(x), coefficient);
     let sum = rest.iter().rev().fold(number(last), step);
     // One by one: a power of x alone may overflow although the result does not.
     (0..lowest).fold(sum, |sum, _| sum.times(x))
@@ -112,8 +112,6 @@ mod tests {
     fn small_integers_are_exact() {
         assert_eq!(even_sum(3.0, 0, [1.0, 2.0, 0.0, 5.0]), 1.0 + 18.0 + 5.0 * 729.0);
         assert_eq!(even_sum(3.0, 5, [1.0, 2.0]), 243.0 + 2.0 * 2187.0);
-        assert_eq!(precise_even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
-        assert_eq!(precise_sum(3.0, 1, [1.0, 2.0]), 3.0 + 2.0 * 9.0);
         assert_eq!(value_and_slope(2.0, [1.0, 0.0, 3.0]), (13.0, 12.0));
         // (x³ − y³)/(x − y) = x² + x y + y².
         assert_eq!(divided_difference(3.0, 2.0, [7.0, 0.0, 0.0, 1.0]), 19.0);
@@ -121,9 +119,18 @@ mod tests {
     }
 
     #[test]
-    fn even_sum_stays_finite_up_to_the_end_of_the_range() {
+    fn sums_stay_finite_up_to_the_end_of_the_range() {
         assert_eq!(even_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
-        assert_eq!(precise_even_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
-        assert_eq!(precise_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
+        precise_sums_are_exact::<true>();
+        precise_sums_are_exact::<false>();
+    }
+
+    fn precise_sums_are_exact<const FUSED: bool>() {
+        let even_sum = |r, lowest, coefficients| precise_even_sum::<_, _, FUSED, 2>(r, lowest, coefficients);
+        let sum = |x, lowest, coefficients| precise_sum::<_, _, FUSED, 2>(x, lowest, coefficients);
+        assert_eq!(even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
+        assert_eq!(sum(3.0, 1, [1.0, 2.0]), 3.0 + 2.0 * 9.0);
+        assert_eq!(even_sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
+        assert_eq!(sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
     }
 }

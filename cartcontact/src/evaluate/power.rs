@@ -7,6 +7,7 @@ use super::double_functions;
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
 use crate::Scalar;
+use crate::dispatch::out_of_line;
 use crate::scalar::{is_nothing, is_plain, smallest_normal};
 
 /// x^k by binary powering.
@@ -49,22 +50,27 @@ pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Expo
 }
 
 /// Σ c x^n over the terms (c, n), rounded once.
-#[inline]
-pub fn power_sum<T: Scalar, C: Coefficient<T>>(
-    x: T,
-    terms: impl IntoIterator<Item = (C, Exponent<T>), IntoIter: Clone>,
-) -> T {
-    weighted_power_sum(x, terms.into_iter().map(|(c, n)| (number(c), n)))
+#[inline(always)]
+pub fn power_sum<T, C, I, const FUSED: bool>(x: T, terms: I) -> T
+where
+    T: Scalar,
+    C: Coefficient<T>,
+    I: IntoIterator<Item = (C, Exponent<T>), IntoIter: Clone>,
+{
+    weighted_power_sum::<T, FUSED>(x, terms.into_iter().map(|(c, n)| (number(c), n)))
 }
 
 /// Σ c x^n with coefficients that are not rounded, rounded once.
-#[inline]
-pub(crate) fn weighted_power_sum<T: Scalar>(
+#[inline(always)]
+pub(crate) fn weighted_power_sum<T: Scalar, const FUSED: bool>(
     x: T,
-    terms: impl Iterator<Item = (DoubleWord<T>, Exponent<T>)> + Clone,
+    terms: impl Iterator<Item = (DoubleWord<T, FUSED>, Exponent<T>)> + Clone,
 ) -> T {
-    let term = |(c, n)| double_term(c, x, n);
-    let sum = terms.clone().map(term).fold(DoubleWord::of(T::zero()), DoubleWord::plus);
+    // No `fold`, which need not be inlined.
+    let mut sum = DoubleWord::of(T::zero());
+    for (c, n) in terms.clone() {
+        sum = sum.plus(double_term(c, x, n));
+    }
     sum.rounded_or(|| quick_power_sum(x, terms.map(|(c, n)| (c.rounded(), n))))
 }
 
@@ -148,7 +154,7 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     let power = if degree < 4 {
         integer_power(x, degree) * c
     } else {
-        let half = DoubleWord::of(x).power(degree / 2);
+        let half = <DoubleWord<T>>::of(x).power(degree / 2);
         let even = half.times_word(c).times(half);
         if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
@@ -157,23 +163,44 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
 }
 
 /// c x^n in twice the working precision; to a few digits more than a word has, if the exponent is no multiple of 1/4.
-pub(crate) fn double_term<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>) -> DoubleWord<T> {
-    let quick = || DoubleWord::of(quick_term(c.rounded(), x, n));
-    if x.is_zero() {
-        return quick();
+#[inline(always)]
+pub(crate) fn double_term<T: Scalar, const FUSED: bool>(
+    c: DoubleWord<T, FUSED>,
+    x: T,
+    n: Exponent<T>,
+) -> DoubleWord<T, FUSED> {
+    if !x.is_zero() {
+        let term = double_product(c, x, n, T::one());
+        if term.rounded().is_finite() {
+            return term;
+        }
     }
-    let term = double_product(c, x, n, T::one());
-    if term.rounded().is_finite() {
-        return term;
-    }
-    // The exact products overflow a little before their results do.
+    out_of_line(|| double_term_out_of_range(c, x, n))
+}
+
+/// A term that is zero, or near the end of the range: the exact products overflow a little before their results do.
+fn double_term_out_of_range<T: Scalar, const FUSED: bool>(
+    c: DoubleWord<T, FUSED>,
+    x: T,
+    n: Exponent<T>,
+) -> DoubleWord<T, FUSED> {
     let (down, up) = (T::constant(1.0 / 4_294_967_296.0), T::constant(4_294_967_296.0));
-    let term = double_product(c, x, n, down).scaled(up);
-    if term.rounded().is_finite() { term } else { quick() }
+    let term = if x.is_zero() { c } else { double_product(c, x, n, down).scaled(up) };
+    if !x.is_zero() && term.rounded().is_finite() {
+        term
+    } else {
+        DoubleWord::of(quick_term(c.rounded(), x, n))
+    }
 }
 
 /// The term times a power of two. It multiplies the middle value, as c may have no digits to spare.
-fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_two: T) -> DoubleWord<T> {
+#[inline(always)]
+fn double_product<T: Scalar, const FUSED: bool>(
+    c: DoubleWord<T, FUSED>,
+    x: T,
+    n: Exponent<T>,
+    power_of_two: T,
+) -> DoubleWord<T, FUSED> {
     let degree = n.whole.max(0) as u32;
     let even = if degree < 2 {
         c.scaled(power_of_two)
@@ -182,9 +209,12 @@ fn double_product<T: Scalar>(c: DoubleWord<T>, x: T, n: Exponent<T>, power_of_tw
         half.times(c).scaled(power_of_two).times(half)
     };
     let power = if degree & 1 == 1 { even.times_word(x) } else { even };
-    let term = power.times(double_fractional_power(x, n));
+    let mut term = power.times(double_fractional_power(x, n));
     // Only slopes of gaps with an exponent below 1.
-    (n.whole..0).fold(term, |term, _| term.over(DoubleWord::of(x)))
+    for _ in n.whole..0 {
+        term = term.over(DoubleWord::of(x));
+    }
+    term
 }
 
 /// [`term`] with every product rounded.
@@ -233,7 +263,8 @@ pub fn quarter_root<T: Scalar, const QUARTERS: u8>(x: T) -> T {
 }
 
 /// [`fractional_power`] in twice the working precision, or to a few digits more than a word has.
-fn double_fractional_power<T: Scalar>(x: T, n: Exponent<T>) -> DoubleWord<T> {
+#[inline(always)]
+fn double_fractional_power<T: Scalar, const FUSED: bool>(x: T, n: Exponent<T>) -> DoubleWord<T, FUSED> {
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
         Some(0) => DoubleWord::of(T::one()),
         Some(quarters) => quarter_power(DoubleWord::of(x), quarters, DoubleWord::sqrt, DoubleWord::times),
@@ -300,7 +331,7 @@ mod tests {
             for step in 0..2000 {
                 let x = with_half_its_digits(1.0 + f64::from(step) / 2001.0);
                 let (power, excess) = power_of_half_digits(x, k);
-                let error = DoubleWord::of(x).power(k).plus_word(-power).plus_word(excess).high();
+                let error = <DoubleWord<f64>>::of(x).power(k).plus_word(-power).plus_word(excess).high();
                 assert!(error.abs() < 0.501 * products * f64::EPSILON * power, "{x}^{k}: {error}");
             }
         }
@@ -324,9 +355,17 @@ mod tests {
 
     #[test]
     fn a_raised_sum_is_rounded_once_up_to_the_end_of_the_range() {
+        raised_sums_are_rounded_once::<true>();
+        raised_sums_are_rounded_once::<false>();
+    }
+
+    fn raised_sums_are_rounded_once<const FUSED: bool>() {
+        let raised = |c, x, n| {
+            weighted_power_sum::<f32, FUSED>(x, [(DoubleWord::of(c), Exponent::of(n).plus(4))].into_iter())
+        };
         for k in 1500..1700 {
             let x = k as f32 * 0.1;
-            let sum = weighted_power_sum(x, [(DoubleWord::of(1.5), Exponent::of(12.0).plus(4))].into_iter());
+            let sum = raised(1.5, x, 12.0);
             let exact = 1.5 * f64::from(x).powi(16);
             let error = (f64::from(sum) / exact - 1.0).abs() / f64::from(f32::EPSILON);
             assert!(error < 0.51, "{x}: {error} ε");
@@ -335,7 +374,7 @@ mod tests {
         for k in 1150..1200 {
             let x = k as f32 * 0.01;
             let c = 1e-34_f32;
-            let sum = weighted_power_sum(x, [(DoubleWord::of(c), Exponent::of(60.0).plus(4))].into_iter());
+            let sum = raised(c, x, 60.0);
             let exact = f64::from(c) * f64::from(x).powi(64);
             let error = (f64::from(sum) / exact - 1.0).abs() / f64::from(f32::EPSILON);
             assert!(error < 0.51, "{x}: {error} ε");
@@ -369,7 +408,9 @@ mod tests {
     fn nothing_times_a_power_out_of_range_is_nothing() {
         let [first, high] = [1.0, 48.0].map(Exponent::of);
         assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, Exponent::whole(52))), (0.0, 0.0));
-        assert_eq!(power_sum(1e20, [(2.0, first), (0.0, high)]), 2e20);
+        let terms = [(2.0, first), (0.0, high)];
+        assert_eq!(power_sum::<_, _, _, true>(1e20, terms), 2e20);
+        assert_eq!(power_sum::<_, _, _, false>(1e20, terms), 2e20);
     }
 
     #[test]

@@ -18,8 +18,6 @@
 //!
 //! Source of K: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (26), (28), doi 10.1016/j.mechrescom.2010.11.006.
 
-use core::marker::PhantomData;
-
 use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
 use super::double_word::DoubleWord;
@@ -35,13 +33,14 @@ const LONGEST_TENT: u32 = 72;
 const FEW: usize = 3;
 
 /// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
-#[inline]
-pub fn pressure_kernel<T: Scalar, C: Coefficient<T>>(
-    a: T,
-    r: T,
-    terms: impl IntoIterator<Item = (C, Exponent<T>)> + Clone,
-) -> T {
-    let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::PowerFirst);
+#[inline(always)]
+pub fn pressure_kernel<T, C, I, const FUSED: bool>(a: T, r: T, terms: I) -> T
+where
+    T: Scalar,
+    C: Coefficient<T>,
+    I: IntoIterator<Item = (C, Exponent<T>)> + Clone,
+{
+    let sum: DoubleWord<T, FUSED> = sum_of_kernels(a, r, terms.clone(), Order::PowerFirst);
     sum.rounded_or(|| {
         let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
         sum.rounded_or(|| sum_of_kernels::<T, Word<T>, C>(a, r, terms, Order::ZeroFirst).rounded())
@@ -51,14 +50,22 @@ pub fn pressure_kernel<T: Scalar, C: Coefficient<T>>(
 /// [`pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline]
 pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    let sum: Word<T> = sum_of_kernels(a, r, terms, Order::PowerFirst);
-    sum.rounded()
+    if r >= a {
+        return T::zero();
+    }
+    let edge = Edge::<T, Word<T>>::between(a, r);
+    let kernel = |term| edge.kernel_of_term(term, Order::PowerFirst).rounded();
+    terms.into_iter().map(kernel).fold(T::zero(), T::add)
 }
 
 /// G(a, r) of a gap of even powers, zero for r ≥ a, rounded once: `weights[k − 1]` is C/(n+2)² for n = 2 k.
-#[inline]
-pub fn even_pressure_kernel<T: Scalar, C: Coefficient<T>, const N: usize>(a: T, r: T, weights: [C; N]) -> T {
-    let sum: DoubleWord<T> = sum_of_even_kernels(a, r, &weights);
+#[inline(always)]
+pub fn even_pressure_kernel<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N: usize>(
+    a: T,
+    r: T,
+    weights: [C; N],
+) -> T {
+    let sum: DoubleWord<T, FUSED> = sum_of_even_kernels(a, r, &weights);
     sum.rounded_or(|| quick_even_pressure_kernel(a, r, rounded(weights)))
 }
 
@@ -104,32 +111,22 @@ enum Order {
     ZeroFirst,
 }
 
-#[inline]
+#[inline(always)]
 fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
     a: T,
     r: T,
     terms: impl IntoIterator<Item = (C, Exponent<T>)>,
     order: Order,
 ) -> A {
-    let zero = A::of(T::zero());
-    if r >= a {
-        return zero;
-    }
-    let (edge, two) = (Edge::<T, A>::between(a, r), T::constant(2.0));
-    terms.into_iter().fold(zero, |sum, (c, n)| {
-        let next = A::exponent(n.plus(2));
-        let weight = number::<T, A>(c).over(next.times(next).times_word(two));
-        // In two steps, because quick powers above the third take double words, too, and the exponents of most gaps are
-        // lower.
-        let times_power = |factor: A| A::term(factor, a, n).times_word(a).times_word(a);
-        if let Order::ZeroFirst = order {
-            let factor = weight.times(edge.kernel(n));
-            if factor.rounded().abs() >= smallest_normal() {
-                return sum.plus(times_power(factor));
-            }
+    let mut sum = A::of(T::zero());
+    if r < a {
+        let edge = Edge::between(a, r);
+        // No `fold`, which need not be inlined.
+        for term in terms {
+            sum = sum.plus(edge.kernel_of_term(term, order));
         }
-        sum.plus(times_power(weight).times(edge.kernel(n)))
-    })
+    }
+    sum
 }
 
 /// (a² − r²)² Σ_k w_k Σ_{j<k} (k−j) R^j A^(k−1−j) without a division, with A = a² and R = r². The sum over the
@@ -226,27 +223,50 @@ fn nested_sums<T: Scalar, A: Ring<T>>(a: A, r: A, weights: &[impl Coefficient<T>
     Some((d, sum))
 }
 
-/// Where a radius lies in the contact: 1 − q from a − r, and q = r/a.
+/// Where a radius lies in the contact of radius a: 1 − q from a − r, and q = r/a.
 struct Edge<T, A> {
+    a: T,
     inset: A,
     ratio: A,
-    word: PhantomData<T>,
 }
 
 impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
+    #[inline(always)]
     fn between(a: T, r: T) -> Self {
         let whole = A::of(a);
-        Self { inset: A::sum(a, -r).over(whole), ratio: A::of(r).over(whole), word: PhantomData }
+        Self { a, inset: A::sum(a, -r).over(whole), ratio: A::of(r).over(whole) }
+    }
+
+    /// C/(2 (n+2)²) a^(n+2) K(q) for a term (C, n).
+    #[inline(always)]
+    fn kernel_of_term<C: Coefficient<T>>(&self, (c, n): (C, Exponent<T>), order: Order) -> A {
+        let (next, two) = (A::exponent(n.plus(2)), T::constant(2.0));
+        let weight = number::<T, A>(c).over(next.times(next).times_word(two));
+        if let Order::ZeroFirst = order {
+            let factor = weight.times(self.kernel(n));
+            if factor.rounded().abs() >= smallest_normal() {
+                return self.times_power(factor, n);
+            }
+        }
+        self.times_power(weight, n).times(self.kernel(n))
+    }
+
+    /// `factor` a^(n+2), in two steps: quick powers above the third take double words, too, and the exponents of most
+    /// gaps are lower.
+    #[inline(always)]
+    fn times_power(&self, factor: A, n: Exponent<T>) -> A {
+        A::term(factor, self.a, n).times_word(self.a).times_word(self.a)
     }
 
     /// K(q) for the exponent n.
-    #[inline]
+    #[inline(always)]
     fn kernel(&self, n: Exponent<T>) -> A {
         let tent = if n.rest.is_zero() { self.tent(n.value()) } else { None };
         tent.unwrap_or_else(|| A::kernel_of_real_exponent(self.inset, self.ratio, n))
     }
 
     /// K(q) for a multiple n of 1/4, if its tent is not too long.
+    #[inline(always)]
     fn tent(&self, n: T) -> Option<A> {
         let quarters = n * T::constant(4.0);
         let count = floor(quarters);
@@ -269,6 +289,7 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
     }
 
     /// p = q^(2/β) and 1 − p.
+    #[inline(always)]
     fn root(&self, beta: u32) -> (A, A) {
         let (one, inset, ratio) = (T::one(), self.inset, self.ratio);
         match beta {
@@ -289,11 +310,14 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
 }
 
 /// Σ_{j=0}^{α+β−2} min(α (j+1), β (α+β−1−j)) p^j by Horner's rule.
+#[inline(always)]
 fn tent<T: Scalar, A: Arithmetic<T>>(alpha: u32, beta: u32, p: A) -> A {
-    (0..alpha + beta - 1).rev().fold(A::of(T::zero()), |sum, j| {
+    let mut sum = A::of(T::zero());
+    for j in (0..alpha + beta - 1).rev() {
         let coefficient = (alpha * (j + 1)).min(beta * (alpha + beta - 1 - j));
-        sum.times(p).plus_word(T::constant(f64::from(coefficient)))
-    })
+        sum = sum.times(p).plus_word(T::constant(f64::from(coefficient)));
+    }
+    sum
 }
 
 #[cfg(test)]
@@ -381,6 +405,26 @@ mod tests {
             }
         }
         [quick, precise]
+    }
+
+    /// The kernel of two terms by every form that is rounded once.
+    fn kernels_rounded_once<T: Scalar, const FUSED: bool>() -> impl Iterator<Item = [T; 2]> {
+        (1..400).flat_map(|k| {
+            let (a, r) = (T::constant(7.3 + f64::from(k) / 97.0), T::constant(f64::from(k) / 55.0));
+            let [b, c] = [0.025, 1.1e-4].map(T::constant);
+            let even = even_pressure_kernel::<T, T, FUSED, 2>(a, r, [b, c]);
+            // Fractions 0, 1/4, 1/2, and others.
+            [(2.0, 4.0), (1.25, 3.5), (2.3, 4.1), (0.7, 30.0)].map(|(n, p)| {
+                let terms = [(b, Exponent::of(T::constant(n))), (c, Exponent::of(T::constant(p)))];
+                [even, pressure_kernel::<_, _, _, FUSED>(a, r, terms)]
+            })
+        })
+    }
+
+    #[test]
+    fn fused_and_split_double_words_lead_to_the_same_bits() {
+        assert!(kernels_rounded_once::<f64, true>().eq(kernels_rounded_once::<f64, false>()));
+        assert!(kernels_rounded_once::<f32, true>().eq(kernels_rounded_once::<f32, false>()));
     }
 
     #[test]

@@ -15,6 +15,7 @@
 use super::double_functions::{double_log_of_ratio, negative_exp_m1};
 use super::double_word::DoubleWord;
 use crate::Scalar;
+use crate::in_double_words;
 use crate::scalar::is_plain;
 
 /// K(q) from 1 − q and q, with the error of about ten roundings.
@@ -58,14 +59,27 @@ fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
 }
 
 /// K(q) from 1 − q and q, to a few digits more than a word has.
-pub(crate) fn kernel<T: Scalar>(
-    inset: DoubleWord<T>,
-    ratio: DoubleWord<T>,
-    n: DoubleWord<T>,
-) -> DoubleWord<T> {
+pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
+    inset: DoubleWord<T, FUSED>,
+    ratio: DoubleWord<T, FUSED>,
+    n: DoubleWord<T, FUSED>,
+) -> DoubleWord<T, FUSED> {
     if !is_plain::<T>() {
         return DoubleWord::of(quick_kernel(inset.rounded(), ratio.rounded(), n.rounded()));
     }
+    in_double_words!(FUSED => {
+        let [inset, ratio, n] = [inset, ratio, n].map(DoubleWord::converted);
+        plain_kernel::<T, FUSED>(inset, ratio, n).converted()
+    })
+}
+
+/// [`kernel`] of numbers without derivatives.
+#[inline(always)]
+fn plain_kernel<T: Scalar, const FUSED: bool>(
+    inset: DoubleWord<T, FUSED>,
+    ratio: DoubleWord<T, FUSED>,
+    n: DoubleWord<T, FUSED>,
+) -> DoubleWord<T, FUSED> {
     let epsilon = T::default_epsilon();
     if ratio.high() <= epsilon * epsilon {
         // This leaves out at most 2 q² (1 − ln q), for any n.
@@ -82,7 +96,12 @@ pub(crate) fn kernel<T: Scalar>(
 }
 
 /// The binomial series for u = (n+2) δ < 1/4, in which no term is above 0.11 of the one before.
-fn kernel_near_edge<T: Scalar>(inset: DoubleWord<T>, next: DoubleWord<T>, n: DoubleWord<T>) -> DoubleWord<T> {
+#[inline(always)]
+fn kernel_near_edge<T: Scalar, const FUSED: bool>(
+    inset: DoubleWord<T, FUSED>,
+    next: DoubleWord<T, FUSED>,
+    n: DoubleWord<T, FUSED>,
+) -> DoubleWord<T, FUSED> {
     let (one, third) = (T::one(), DoubleWord::of(T::one()).over(DoubleWord::of(T::constant(3.0))));
     // The terms left out are 1e-18 of the factor of (n+1)/3 δ, and that product is below 0.08.
     let rest = (1..=16).rev().fold(one, |rest, j| {

@@ -111,7 +111,7 @@ pub(crate) fn halved_power_sum_steepness<T: Scalar>(
     // A loop, which compilers inline into the caller; a fold they do not.
     for (c, p) in terms {
         let term = halved_term(c, x, square, p).scaled(scale);
-        let value = DoubleWord::sum(sum.value, term.head());
+        let value = <DoubleWord<T>>::sum(sum.value, term.head());
         sum.value = value.high();
         sum.excess -= value.low() + term.rest();
         sum.add_derivatives(term.word(), p.value());

@@ -39,7 +39,7 @@ impl<T: Scalar> Fading<T> {
 
     /// Over a duration at a rate. What the product of the two loses counts in full where it is of many e-foldings.
     pub(super) fn over_duration(chi: T, duration: T) -> Self {
-        let product = DoubleWord::product(chi, duration);
+        let product = <DoubleWord<T>>::product(chi, duration);
         let (fading, lost) = (Self::over(product.high()), product.low());
         // The halves of huge numbers overflow.
         if fading.are_few || !lost.is_finite() {

@@ -21,9 +21,9 @@
 //! 1/2 ulp. Where powers are not whole, or are those of a root, J has more digits in this step, see
 //! [`steepness`](crate::evaluate::steepness); with whole powers up to seven roundings are divided by p ≥ 5.
 
-use super::out_of_line;
 use super::step::Target;
 use crate::Scalar;
+use crate::dispatch::out_of_line;
 use crate::evaluate::bits::{
     DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
     with_half_its_digits,

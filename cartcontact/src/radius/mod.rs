@@ -9,7 +9,7 @@
 //! | [`newton`] | all else | Newton's method inside a bracket |
 //!
 //! The first row that applies is tried. Load integrals that it cannot handle (zero, NaN, beyond the range) go
-//! [`out_of_line`] to the last two rows, which also name the fault. [`blocks`] finds many radii in vector code.
+//! [`out_of_line`](crate::dispatch::out_of_line) to the last two rows, which also name the fault. [`blocks`] finds many radii in vector code.
 
 mod blocks;
 pub(crate) mod leading_term;
@@ -21,13 +21,6 @@ pub(crate) mod whole_powers;
 
 use crate::Scalar;
 use crate::profile::RadiusError;
-
-/// Calls `solve` in a cold function of its own, so that the quick path before it stays small.
-#[cold]
-#[inline(never)]
-pub fn out_of_line<R>(solve: impl FnOnce() -> R) -> R {
-    solve()
-}
 
 /// Whether the radius has to be searched for: a load integral of zero has the radius zero.
 ///

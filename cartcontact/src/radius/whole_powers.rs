@@ -6,9 +6,9 @@
 
 use super::blocks::{fill, leading_blocks};
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
-use super::out_of_line;
 use super::step::Target;
 use crate::Scalar;
+use crate::dispatch::out_of_line;
 use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::evaluate::steepness::Steepness;
 use crate::profile::RadiusError;
