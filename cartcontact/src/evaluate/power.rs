@@ -184,13 +184,14 @@ fn double_term_out_of_range<T: Scalar, const FUSED: bool>(
     x: T,
     n: Exponent<T>,
 ) -> DoubleWord<T, FUSED> {
-    let (down, up) = (T::constant(1.0 / 4_294_967_296.0), T::constant(4_294_967_296.0));
-    let term = if x.is_zero() { c } else { double_product(c, x, n, down).scaled(up) };
-    if !x.is_zero() && term.rounded().is_finite() {
-        term
-    } else {
-        DoubleWord::of(quick_term(c.rounded(), x, n))
+    if !x.is_zero() {
+        let (down, up) = (T::constant(1.0 / 4_294_967_296.0), T::constant(4_294_967_296.0));
+        let term = double_product(c, x, n, down).scaled(up);
+        if term.rounded().is_finite() {
+            return term;
+        }
     }
+    DoubleWord::of(quick_term(c.rounded(), x, n))
 }
 
 /// The term times a power of two. It multiplies the middle value, as c may have no digits to spare.
