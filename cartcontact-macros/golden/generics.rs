@@ -250,6 +250,26 @@ const _: () = {
                 + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
+        fn approach_and_load_integral(&self, __a: S) -> (S, S) {
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
+                __FUSED >; 2usize] = __precise_coefficients(self);
+                (__cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(<
+                __cartcontact::generated::Precise < S, __FUSED > > ::scaled(__c0,
+                0.5f64), __cartcontact::generated::Exponent::whole(2)), (__c1 * <
+                __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.4444444444444444, 2.4671622769447922e-17),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]),
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
+                < __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.08333333333333333, 4.625929269271485e-18),
+                __cartcontact::generated::Exponent::whole(6)), (__c1 * <
+                __cartcontact::generated::Precise < S, __FUSED > >
+                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
+                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))])) }
+            )
+        }
+        #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
             __cartcontact::generated::in_double_words!(
                 __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,

@@ -178,6 +178,19 @@ const _: () = {
                 * __s * __s
         }
         #[inline]
+        fn approach_and_load_integral(&self, __a: T) -> (T, T) {
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
+                >; 1usize] = __precise_coefficients(self);
+                (__cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                2u32, [< __cartcontact::generated::Precise < T, __FUSED > >
+                ::scaled(__c0, 0.5f64)]), __cartcontact::generated::precise_even_sum:: <
+                _, _, __FUSED, _ > (__a, 6u32, [__c0 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.08333333333333333, 4.625929269271485e-18)])) }
+            )
+        }
+        #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             __cartcontact::generated::in_double_words!(
                 __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED

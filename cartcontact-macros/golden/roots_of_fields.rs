@@ -244,6 +244,33 @@ const _: () = {
                 + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
+        fn approach_and_load_integral(&self, __a: T) -> (T, T) {
+            __cartcontact::generated::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
+                < T, __FUSED >; 3usize] = __precise_coefficients(self);
+                (__cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0
+                * < __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.4444444444444444, 2.4671622769447922e-17),
+                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)), (__c1 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.3333333333333333, 1.850371707708594e-17),
+                __cartcontact::generated::Exponent::whole(4)), (__c2 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.2857142857142857, 1.586032892321652e-17),
+                __cartcontact::generated::Exponent::whole(5))]),
+                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
+                < __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
+                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.08333333333333333, 4.625929269271485e-18),
+                __cartcontact::generated::Exponent::whole(8)), (__c2 * <
+                __cartcontact::generated::Precise < T, __FUSED > >
+                ::constant(0.07936507936507936, 4.4056469231157e-18),
+                __cartcontact::generated::Exponent::whole(9))])) }
+            )
+        }
+        #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             __cartcontact::generated::in_double_words!(
                 __FUSED => { let [__c0, __c1, __c2] : [T; 3usize] = __coefficients(self);

@@ -56,8 +56,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
     pub fn approach(&self) -> T {
-        let stage = self.contact.precise_stage(self.time, self.radius);
-        self.contact.profile().approach(self.radius) + stage.strip(self.contact.integral_per_load())
+        let (approach, load_integral) = self.contact.profile().approach_and_load_integral(self.radius);
+        let loading = self.contact.loading(self.time);
+        let stage = self.contact.stage_of(loading, self.time, self.radius, load_integral);
+        approach + stage.strip(self.contact.integral_per_load())
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.

@@ -107,6 +107,36 @@ fn all_kernels_but_the_slope_of_a_cone_vanish_at_the_centre() {
     }
 }
 
+/// In one call they share the coefficients, which change no digit: neither where only the load integral takes double
+/// words, nor where both do, nor where numbers overflow.
+#[test]
+fn approach_and_load_integral_are_those_of_each_alone() {
+    #[gap_profile(c * r^2)]
+    struct Multiple<T> {
+        c: T,
+    }
+    #[gap_profile((1/inner - 1/outer) * r^2 / 2 + inner^0.5 * r^3.5 / 1e4, max_radius = 100 * inner)]
+    struct Nested<T> {
+        inner: T,
+        outer: T,
+    }
+    fn agree<T: cartcontact::Scalar>(profile: &impl GapProfile<T>) {
+        for exponent in -40..40 {
+            let a = T::constant(1.37_f64.powi(exponent));
+            let alone = (profile.approach(a), profile.load_integral(a));
+            assert_eq!(profile.approach_and_load_integral(a), alone, "{a}");
+        }
+    }
+    for k in 1..20 {
+        let c = 0.013 * f64::from(k);
+        agree(&Multiple { c });
+        agree(&Multiple { c: c as f32 });
+        agree(&Multiple { c: c as f32 * 1e37 });
+        agree(&Nested { inner: c, outer: 2.0 });
+        agree(&Nested { inner: c as f32, outer: 2.0 });
+    }
+}
+
 #[test]
 fn pressure_kernel_is_zero_outside() {
     for case in cases() {

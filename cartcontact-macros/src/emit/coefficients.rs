@@ -42,10 +42,10 @@ impl<'a> Coefficients<'a> {
         Self { item, geometry, names, digits: Digits::OfAWord }
     }
 
-    /// The same for a sum that is rounded once: with twice the digits, unless all its factors are constants or fields
+    /// The same for sums that are rounded once: with twice the digits, unless all their factors are constants or fields
     /// times powers of two, for which a word is enough.
-    pub(super) fn for_rounding_once(&self, sum: &PowerSum) -> Self {
-        let are_words = sum.summands.iter().all(|summand| self.is_word(summand));
+    pub(super) fn for_rounding_once<const N: usize>(&self, sums: [&PowerSum; N]) -> Self {
+        let are_words = sums.iter().flat_map(|sum| &sum.summands).all(|summand| self.is_word(summand));
         if are_words { *self } else { self.precise() }
     }
 

@@ -177,7 +177,7 @@ fn evaluators(
     let (mut methods, mut operations) = (Vec::new(), Vec::new());
     for (name, variable, sum) in EVALUATORS {
         let (variable, sum) = (local(variable), sum(forms));
-        let coefficients = coefficients.for_rounding_once(sum);
+        let coefficients = coefficients.for_rounding_once([sum]);
         let Counted { code, operations: count } = power_sum::value(sum, &variable, &coefficients, names);
         let preamble = coefficients.preamble();
         operations.push(count);
@@ -193,9 +193,29 @@ fn evaluators(
         let preamble = coefficients.preamble();
         methods.push(method(name, &a, quote!(#preamble #code)));
     }
+    methods.extend(approach_and_load_integral(forms, coefficients, names));
     let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
     operations.push(pressure_kernel::operations(&geometry.gap));
     (quote!(#(#methods)* #(#pressure_kernels)*), operations)
+}
+
+/// The method that evaluates both with the same coefficients, if these have to be computed.
+fn approach_and_load_integral(
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> Option<TokenStream> {
+    let sums = [&forms.approach, &forms.load_integral];
+    let (scalar, a, coefficients) = (&names.scalar, local("a"), coefficients.for_rounding_once(sums));
+    let preamble = coefficients.preamble();
+    let values = sums.map(|sum| power_sum::value(sum, &a, &coefficients, names).code);
+    let both = names.in_double_words(&quote!(#preamble (#(#values),*)));
+    (!preamble.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn approach_and_load_integral(&self, #a: #scalar) -> (#scalar, #scalar) { #both }
+        }
+    })
 }
 
 /// What the inversion uses besides methods: a table and the step from it, and the steps from a leading term.

@@ -93,12 +93,12 @@ fn precise_kernel<'a>(
 ) -> (TokenStream, Coefficients<'a>) {
     let fused = &names.fused;
     if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
-        let precise = coefficients.for_rounding_once(&forms.log_kernel);
+        let precise = coefficients.for_rounding_once([&forms.log_kernel]);
         let weights = weights(2, &forms.log_kernel, &precise);
         let arguments = quote!(::<_, _, #fused, _>);
         return (call_with("even_pressure_kernel", Some(arguments), weights, names), precise);
     }
-    let precise = coefficients.for_rounding_once(&forms.gap);
+    let precise = coefficients.for_rounding_once([&forms.gap]);
     let (arguments, terms) = (quote!(::<_, _, _, #fused>), power_sum::terms(&forms.gap, &precise, names));
     (call_with("pressure_kernel", Some(arguments), terms, names), precise)
 }

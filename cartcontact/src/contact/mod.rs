@@ -261,14 +261,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.stage_of(loading, time, radius, self.profile.quick_load_integral(radius))
     }
 
-    /// [`stage`](Self::stage) with a load integral that is rounded once.
-    // Inlined, so that an approach at the radius shares the coefficients.
-    #[inline(always)]
-    pub(crate) fn precise_stage(&self, time: T, radius: T) -> Stage<T> {
-        self.stage_of(self.loading(time), time, radius, self.profile.load_integral(radius))
-    }
-
-    fn stage_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Stage<T> {
+    /// The stage with a radius whose load integral is known.
+    pub(crate) fn stage_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Stage<T> {
         let surplus = loading.hereditary - self.load_per_integral() * load_integral;
         let surplus = surplus_that_counts(surplus, loading.force);
         Stage { time, radius, surplus, impulse: loading.impulse.into() }

@@ -5,6 +5,7 @@ use crate::Scalar;
 use crate::evaluate::binary::{scale, split};
 use crate::evaluate::bits::is_normal;
 use crate::evaluate::double_word::DoubleWord;
+use crate::in_double_words;
 use crate::medium::Medium;
 use crate::scalar::is_single;
 
@@ -33,21 +34,24 @@ impl<T: Scalar> Scales<T> {
         // Fractions, because halves of words leave the format before the words do.
         let ((m, exponent), chi) = (split(medium.m()), medium.chi());
         let rest = if is_single::<T>() { REST_OF_QUARTER_PI_IN_SINGLE } else { REST_OF_QUARTER_PI };
-        let load = <DoubleWord<T>>::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);
-        let integral = DoubleWord::of(T::one()).over(load);
-        let integral_per_load = scale(integral.rounded(), -exponent);
+        let (fraction_of_chi, exponent_of_chi) = split(chi);
+        let [load, integral, integral_times_chi] = in_double_words!(FUSED => {
+            let load = DoubleWord::<T, FUSED>::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);
+            let integral = DoubleWord::of(T::one()).over(load);
+            [load, integral, integral.times_word(fraction_of_chi)].map(DoubleWord::rounded)
+        });
+        let integral_per_load = scale(integral, -exponent);
         let (integral_per_impulse, unit) = if chi.is_zero() {
             // It may carry a derivative.
             (chi * integral_per_load, T::one())
         } else {
-            let (chi, exponent_of_chi) = split(chi);
             let exponent = exponent_of_chi - exponent;
             // The fraction of the product is from 1/2 to 4.
             let fits = is_normal::<T>(exponent - 1) && is_normal::<T>(exponent + 2);
             let of_unit = if fits { 0 } else { exponent / 2 };
-            (scale(integral.times_word(chi).rounded(), exponent - of_unit), scale(T::one(), of_unit))
+            (scale(integral_times_chi, exponent - of_unit), scale(T::one(), of_unit))
         };
-        let load_per_integral = scale(load.rounded(), exponent);
+        let load_per_integral = scale(load, exponent);
         Self { load_per_integral, integral_per_load, integral_per_impulse, unit }
     }
 

@@ -120,6 +120,13 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
+    /// The [`approach`](Self::approach) and the [`load_integral`](Self::load_integral), which share what they have in
+    /// common.
+    #[doc(hidden)]
+    fn approach_and_load_integral(&self, a: T) -> (T, T) {
+        (self.approach(a), self.load_integral(a))
+    }
+
     /// The approach as pressures need it: within 5 ε, which is quicker.
     #[doc(hidden)]
     fn quick_approach(&self, a: T) -> T {

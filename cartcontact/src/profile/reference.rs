@@ -22,6 +22,9 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     fn pressure_kernel(&self, a: T, r: T) -> T {
         (**self).pressure_kernel(a, r)
     }
+    fn approach_and_load_integral(&self, a: T) -> (T, T) {
+        (**self).approach_and_load_integral(a)
+    }
     fn quick_approach(&self, a: T) -> T {
         (**self).quick_approach(a)
     }
@@ -146,6 +149,9 @@ mod tests {
         fn highest_exponent(&self) -> f64 {
             19.0
         }
+        fn approach_and_load_integral(&self, _a: f64) -> (f64, f64) {
+            (20.0, 21.0)
+        }
         fn is_smooth_at_centre(&self) -> bool {
             true
         }
@@ -157,11 +163,12 @@ mod tests {
         }
     }
 
-    fn numbers(profile: impl GapProfile<f64>) -> Result<[f64; 19], RadiusError> {
+    fn numbers(profile: impl GapProfile<f64>) -> Result<[f64; 21], RadiusError> {
         let ([mut radii, mut within, mut slopes, mut drops], one) = ([[0.0]; 4], [1.0]);
         profile.radii(&one, &mut radii)?;
         profile.radii_within(&one, 1.0, &mut within)?;
         profile.fill_slopes_and_drops(1.0, (&one, &one), (&mut slopes, &mut drops));
+        let (approach, load_integral) = profile.approach_and_load_integral(1.0);
         Ok([
             profile.gap(1.0),
             profile.approach(1.0),
@@ -182,6 +189,8 @@ mod tests {
             slopes[0],
             drops[0],
             profile.highest_exponent(),
+            approach,
+            load_integral,
         ])
     }
 
