@@ -34,6 +34,7 @@ impl<T: Scalar> Scales<T> {
         // Fractions, because halves of words leave the format before the words do.
         let ((m, exponent), chi) = (split(medium.m()), medium.chi());
         let rest = if is_single::<T>() { REST_OF_QUARTER_PI_IN_SINGLE } else { REST_OF_QUARTER_PI };
+        // Of χ = 0 neither is used.
         let (fraction_of_chi, exponent_of_chi) = split(chi);
         let [load, integral, integral_times_chi] = in_double_words!(FUSED => {
             let load = DoubleWord::<T, FUSED>::of(T::frac_pi_4()).plus_word(T::constant(rest)).times_word(m);

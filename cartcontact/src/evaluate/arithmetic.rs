@@ -115,7 +115,7 @@ impl<T: Scalar> Ring<T> for Corrected<T> {
     }
     #[inline(always)]
     fn product(x: T, y: T) -> Self {
-        let product: DoubleWord<T> = DoubleWord::product(x, y);
+        let product = <DoubleWord<T>>::product(x, y);
         Self { value: product.high(), lacks: product.low() }
     }
     #[inline(always)]

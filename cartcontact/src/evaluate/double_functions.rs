@@ -16,7 +16,8 @@ use crate::Scalar;
 use crate::in_double_words;
 use crate::scalar::is;
 
-/// x^φ of a normal number above 0, for 0 ≤ φ < 1.
+/// x^φ of a normal number above 0, for 0 ≤ φ < 1. A function of its own, too long to be part of others: it chooses its
+/// instructions again.
 pub(crate) fn fractional_power<T: Scalar, const FUSED: bool>(
     x: T,
     phi: DoubleWord<T, FUSED>,
@@ -24,6 +25,7 @@ pub(crate) fn fractional_power<T: Scalar, const FUSED: bool>(
     in_double_words!(FUSED => power_of::<T, FUSED>(x, phi.converted()).converted())
 }
 
+/// [`fractional_power`] without that choice.
 #[inline(always)]
 fn power_of<T: Scalar, const FUSED: bool>(x: T, phi: DoubleWord<T, FUSED>) -> DoubleWord<T, FUSED> {
     let (fraction, octaves) = split(x);

@@ -50,12 +50,8 @@ where
 /// [`pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline]
 pub fn quick_pressure_kernel<T: Scalar>(a: T, r: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    if r >= a {
-        return T::zero();
-    }
-    let edge = Edge::<T, Word<T>>::between(a, r);
-    let kernel = |term| edge.kernel_of_term(term, Order::PowerFirst).rounded();
-    terms.into_iter().map(kernel).fold(T::zero(), T::add)
+    let sum: Word<T> = sum_of_kernels(a, r, terms, Order::PowerFirst);
+    sum.rounded()
 }
 
 /// G(a, r) of a gap of even powers, zero for r ≥ a, rounded once: `weights[k − 1]` is C/(n+2)² for n = 2 k.

@@ -58,7 +58,8 @@ fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
     sum
 }
 
-/// K(q) from 1 − q and q, to a few digits more than a word has.
+/// K(q) from 1 − q and q, to a few digits more than a word has. A function of its own, too long to be part of others: it
+/// chooses its instructions again.
 pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
     inset: DoubleWord<T, FUSED>,
     ratio: DoubleWord<T, FUSED>,
@@ -73,7 +74,7 @@ pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
     })
 }
 
-/// [`kernel`] of numbers without derivatives.
+/// [`kernel`] of numbers without derivatives, and without that choice.
 #[inline(always)]
 fn plain_kernel<T: Scalar, const FUSED: bool>(
     inset: DoubleWord<T, FUSED>,

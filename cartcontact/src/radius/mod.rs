@@ -9,7 +9,8 @@
 //! | [`newton`] | all else | Newton's method inside a bracket |
 //!
 //! The first row that applies is tried. Load integrals that it cannot handle (zero, NaN, beyond the range) go
-//! [`out_of_line`](crate::dispatch::out_of_line) to the last two rows, which also name the fault. [`blocks`] finds many radii in vector code.
+//! [`out_of_line`](crate::dispatch::out_of_line) to the last two rows, which also name the fault. [`blocks`] finds many
+//! radii in vector code.
 
 mod blocks;
 pub(crate) mod leading_term;
