@@ -49,19 +49,10 @@ pub(super) fn methods(
     ]
 }
 
-fn call(function: &str, terms: TokenStream, names: &Names) -> TokenStream {
-    call_with(function, None, terms, names)
-}
-
-/// A call of a function with generic arguments.
-fn call_with(
-    function: &str,
-    arguments: Option<TokenStream>,
-    terms: TokenStream,
-    names: &Names,
-) -> TokenStream {
-    let (function, [a, r]) = (names.generated(function), ["a", "r"].map(local));
-    quote!(#function #arguments (#a, #r, #terms))
+/// A call of a kernel with a, r and what else it takes.
+fn call(function: &TokenStream, terms: &TokenStream) -> TokenStream {
+    let [a, r] = ["a", "r"].map(local);
+    quote!(#function(#a, #r, #terms))
 }
 
 fn quick_kernel(
@@ -73,14 +64,15 @@ fn quick_kernel(
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
     let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
     if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
-        return call("quick_even_pressure_kernel", weights(2), names);
+        return call(&names.generated("quick_even_pressure_kernel"), &weights(2));
     }
     if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
-        return call("quick_whole_pressure_kernel", weights(1), names);
+        return call(&names.generated("quick_whole_pressure_kernel"), &weights(1));
     }
     let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients, names));
     in_root.unwrap_or_else(|| {
-        call("quick_pressure_kernel", power_sum::terms(&forms.gap, coefficients, names), names)
+        let terms = power_sum::terms(&forms.gap, coefficients, names);
+        call(&names.generated("quick_pressure_kernel"), &terms)
     })
 }
 
@@ -94,13 +86,14 @@ fn precise_kernel<'a>(
     let fused = &names.fused;
     if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
         let precise = coefficients.for_rounding_once([&forms.log_kernel]);
-        let weights = weights(2, &forms.log_kernel, &precise);
-        let arguments = quote!(::<_, _, #fused, _>);
-        return (call_with("even_pressure_kernel", Some(arguments), weights, names), precise);
+        let (function, weights) =
+            (names.generated("even_pressure_kernel"), weights(2, &forms.log_kernel, &precise));
+        return (call(&quote!(#function::<_, _, #fused, _>), &weights), precise);
     }
     let precise = coefficients.for_rounding_once([&forms.gap]);
-    let (arguments, terms) = (quote!(::<_, _, _, #fused>), power_sum::terms(&forms.gap, &precise, names));
-    (call_with("pressure_kernel", Some(arguments), terms, names), precise)
+    let (function, terms) =
+        (names.generated("pressure_kernel"), power_sum::terms(&forms.gap, &precise, names));
+    (call(&quote!(#function::<_, _, _, #fused>), &terms), precise)
 }
 
 /// The operations of the kernel for callers.
@@ -148,6 +141,5 @@ fn kernel_in_root(
     let (highest, index) = (number(whole.highest() - 2 * index), number(index));
     let (function, terms) =
         (names.generated("quick_pressure_kernel_in_root"), power_sum::terms(&forms.gap, coefficients, names));
-    let [a, r] = ["a", "r"].map(local);
-    Some(quote!(#function::<_, #index, #highest, _>(#a, #r, #pairs, #terms)))
+    Some(call(&quote!(#function::<_, #index, #highest, _>), &quote!(#pairs, #terms)))
 }
