@@ -5,12 +5,11 @@ use core::fmt;
 use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::dispatch::out_of_line;
+use crate::evaluate::double_power::{power_sum, weighted_power_sum};
 use crate::evaluate::double_word::DoubleWord;
 use crate::evaluate::exponent::Exponent;
 use crate::evaluate::halved::Halved;
-use crate::evaluate::power::{
-    power_sum, power_sum_and_log_slope, power_sum_drop, quick_power_sum, weighted_power_sum,
-};
+use crate::evaluate::power::{power_sum_and_log_slope, power_sum_drop, quick_power_sum};
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
 use crate::in_double_words;

@@ -1,9 +1,10 @@
 //! The arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, words
 //! corrected for rounded squares, and double words where the result itself is asked for.
 
+use super::double_power::double_term;
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
-use super::power::{double_term, term};
+use super::power::term;
 use super::real_exponent_kernel;
 use crate::Scalar;
 

@@ -6,9 +6,10 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::arithmetic::Ring;
+use super::double_power::double_term;
 use super::double_word::DoubleWord;
 use super::exponent::Exponent;
-use super::power::{double_term, real_power};
+use super::power::real_power;
 use crate::Scalar;
 use crate::scalar::is_single;
 
