@@ -1,7 +1,8 @@
 //! Criterion's measurements: for each benchmark the least time per element.
 //!
 //! It is the least, not the mean, because disturbances only add to a time: the least of a hundred samples repeats best,
-//! and ratios of such times repeat better than ratios of means.
+//! and ratios of such times repeat better than ratios of means. Where others use the processor, which can slow a
+//! benchmark down as long as it runs, `cargo bench -- --save-baseline second` keeps another run: the least of all counts.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -19,7 +20,7 @@ pub(crate) struct Measurements {
 }
 
 impl Measurements {
-    /// All measurements below a folder; files that are not criterion's are skipped.
+    /// All measurements below a folder, of all runs that were kept; files that are not criterion's are skipped.
     pub(crate) fn read(folder: &Path) -> Result<Self, Box<dyn Error>> {
         let mut measurements = Measurements { times: BTreeMap::new(), taken: None };
         measurements.add(folder)?;
@@ -44,16 +45,18 @@ impl Measurements {
     fn add(&mut self, folder: &Path) -> Result<(), Box<dyn Error>> {
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
-            if path.is_dir() && path.ends_with("new") {
-                if let Some((name, time)) = measurement(&path) {
-                    self.times.insert(name, time);
-                    let taken = fs::metadata(path.join("sample.json"))?.modified()?;
-                    let (first, last) = self.taken.unwrap_or((taken, taken));
-                    self.taken = Some((first.min(taken), last.max(taken)));
-                }
-            } else if path.is_dir() {
-                self.add(&path)?;
+            if !path.is_dir() {
+                continue;
             }
+            let Some((name, time)) = measurement(&path) else {
+                self.add(&path)?;
+                continue;
+            };
+            let least = self.times.entry(name).or_insert(time);
+            *least = least.min(time);
+            let taken = fs::metadata(path.join("sample.json"))?.modified()?;
+            let (first, last) = self.taken.unwrap_or((taken, taken));
+            self.taken = Some((first.min(taken), last.max(taken)));
         }
         Ok(())
     }
