@@ -1,5 +1,7 @@
 //! The radii of many load integrals, in blocks that compile to vector code.
 
+use core::iter;
+
 use super::table::{Row, Step, Table, digits};
 use crate::Scalar;
 use crate::dispatch::wide;
@@ -121,7 +123,8 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
 
     /// The radii of a block; false if one of them is not in the table or exceeds the limit.
     ///
-    /// Only the rows are copied one by one; the loops before and after handle several values at once.
+    /// Only the rows are copied one by one; the loops before and after handle several values at once. At increasing times
+    /// most blocks have one row, and no copies.
     #[inline(always)]
     fn block<const N: usize>(
         &self,
@@ -140,18 +143,34 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
             (*all_digits, *all_periods) = (digits(y), periods);
             found &= (from <= y) & (y < to);
         }
-        for (row, &digits) in rows.iter_mut().zip(&all_digits) {
-            *row = table.row(digits);
-        }
-        let places = all_digits.iter().zip(&all_periods);
-        for ((start, row), (&digits, &periods)) in starts.iter_mut().zip(&*rows).zip(places) {
-            *start = step.start(row, digits, periods);
-        }
-        let places = rows.iter().zip(&*starts).zip(load_integrals);
-        for (radius, ((row, &start), &load_integral)) in radii.iter_mut().zip(places) {
-            *radius = step.radius(row, start, load_integral);
+        let places = all_digits.iter().copied().zip(all_periods);
+        if let Some(row) = table.row_of_all(&all_digits) {
+            take_steps(step, iter::repeat(&row), places, starts, (load_integrals, radii));
+        } else {
+            for (row, &digits) in rows.iter_mut().zip(&all_digits) {
+                *row = table.row(digits);
+            }
+            take_steps(step, rows.iter(), places, starts, (load_integrals, radii));
         }
         // Usually there is no limit; no radius is within a limit of NaN.
         found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
+    }
+}
+
+/// The radii by a step from each row, for load integrals with these digits and periods.
+#[inline(always)]
+fn take_steps<'a, T: Scalar, S: Step<T>, const N: usize>(
+    step: S,
+    rows: impl Iterator<Item = &'a Row> + Clone,
+    places: impl Iterator<Item = (u32, i32)>,
+    starts: &mut [S::Start; N],
+    (load_integrals, radii): (&[T; N], &mut [T; N]),
+) {
+    for ((start, row), (digits, periods)) in starts.iter_mut().zip(rows.clone()).zip(places) {
+        *start = step.start(row, digits, periods);
+    }
+    let values = load_integrals.iter().zip(radii);
+    for ((row, &start), (&load_integral, radius)) in rows.zip(&*starts).zip(values) {
+        *radius = step.radius(row, start, load_integral);
     }
 }

@@ -123,7 +123,19 @@ impl Table {
     #[inline(always)]
     pub(super) fn row(&self, digits: u32) -> Row {
         let (rows, _) = self.rows.0.as_chunks();
-        Row(rows[usize::from((digits >> 21) as u8)])
+        Row(rows[usize::from(place(digits))])
+    }
+
+    /// The row of all these digits, if they have the same one.
+    #[inline(always)]
+    pub(super) fn row_of_all(&self, digits: &[u32]) -> Option<Row> {
+        let [first, .., last] = *digits else { return None };
+        // Where load integrals are in no order, a look at two of them usually settles it.
+        if place(first ^ last) != 0 {
+            return None;
+        }
+        let differing = digits.iter().fold(0, |all, digits| all | (digits ^ first));
+        (place(differing) == 0).then(|| self.row(first))
     }
 }
 
@@ -145,6 +157,12 @@ impl Row {
         let (places, _) = self.0.as_chunks();
         places[place]
     }
+}
+
+/// Where the row of these digits is.
+#[inline(always)]
+fn place(digits: u32) -> u8 {
+    (digits >> 21) as u8
 }
 
 /// 23 bits of the fraction of y, below the last bits of its exponent.
