@@ -521,19 +521,42 @@ const _: () = {
             }
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            if let ::core::result::Result::Err(__error) = __cartcontact::generated::check_range_of_fields::<
+                T,
+                _,
+            >(&["radius"], [self.radius]) {
+                return ::core::result::Result::Err(__error);
+            }
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [
+            let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
+            let __field_limit = <T as __cartcontact::Scalar>::constant(
+                <f64 as ::core::convert::From<f32>>::from(self.limit),
+            );
+            match __cartcontact::generated::check_product(
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                ],
-                ::core::option::Option::Some({
-                    let __field_limit = <T as __cartcontact::Scalar>::constant(
-                        <f64 as ::core::convert::From<f32>>::from(self.limit),
-                    );
-                    __field_limit
-                }),
-            ) {
+                    [],
+                    [__field_radius],
+                )
+                .and(
+                    __cartcontact::generated::check_product(
+                        (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                        [],
+                        [__field_radius],
+                    ),
+                )
+                .and_then(|()| __cartcontact::generated::checked_range(
+                    [
+                        (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                        (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                    ],
+                    ::core::option::Option::Some({
+                        let __field_limit = <T as __cartcontact::Scalar>::constant(
+                            <f64 as ::core::convert::From<f32>>::from(self.limit),
+                        );
+                        __field_limit
+                    }),
+                ))
+            {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({

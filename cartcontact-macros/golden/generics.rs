@@ -667,13 +667,20 @@ const _: () = {
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [
-                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+            let __field_c = self.c;
+            match __cartcontact::generated::check_product(
                     (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                ],
-                ::core::option::Option::None,
-            ) {
+                    [],
+                    [__field_c],
+                )
+                .and_then(|()| __cartcontact::generated::checked_range(
+                    [
+                        (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                        (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                    ],
+                    ::core::option::Option::None,
+                ))
+            {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({

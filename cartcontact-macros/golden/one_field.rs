@@ -377,11 +377,24 @@ const _: () = {
             }
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            if let ::core::result::Result::Err(__error) = __cartcontact::generated::check_range_of_fields::<
+                T,
+                _,
+            >(&["radius"], [self.radius]) {
+                return ::core::result::Result::Err(__error);
+            }
             let [__c0]: [T; 1usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
-                ::core::option::Option::None,
-            ) {
+            let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
+            match __cartcontact::generated::check_product(
+                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                    [],
+                    [__field_radius],
+                )
+                .and_then(|()| __cartcontact::generated::checked_range(
+                    [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
+                    ::core::option::Option::None,
+                ))
+            {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
                     ::core::result::Result::Err({

@@ -588,6 +588,12 @@ const _: () = {
             }
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            if let ::core::result::Result::Err(__error) = __cartcontact::generated::check_range_of_fields::<
+                T,
+                _,
+            >(&["c", "d", "e"], [self.c, self.d, self.e]) {
+                return ::core::result::Result::Err(__error);
+            }
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
             match __cartcontact::generated::checked_range(
                 [

@@ -3,8 +3,8 @@
 // Generated code reaches everything through this, so that a wrong path to the crate is one error.
 pub use crate as root;
 pub use crate::admissibility::{
-    check_coefficients, check_constants, check_positive, checked_range, inside_surfaces, not_above,
-    not_below_zero,
+    check_coefficients, check_constants, check_positive, check_product, check_range_of_fields, checked_range,
+    inside_surfaces, not_above, not_below_zero,
 };
 pub use crate::dispatch::{fused_or_split, out_of_line};
 pub use crate::evaluate::coefficient::{Precise, finite_or, rounded};

@@ -86,8 +86,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
     /// # Ok::<(), ProfileError>(())
     /// ```
     pub fn with_max_radius(terms: S, max_radius: T) -> Result<Self, ProfileError> {
-        let is_infinite = max_radius > T::zero() && !max_radius.is_finite();
-        Self::on_range(terms, if is_infinite { None } else { Some(max_radius) })
+        Self::on_range(terms, Some(max_radius))
     }
 
     fn on_range(terms: S, max_radius: Option<T>) -> Result<Self, ProfileError> {

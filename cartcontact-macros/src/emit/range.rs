@@ -12,7 +12,7 @@ use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
 use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
-use crate::reading::item::{Field, Item};
+use crate::reading::item::{Field, FieldKind, Item};
 use crate::reading::name::unraw;
 
 pub(super) fn methods(
@@ -114,14 +114,22 @@ impl Checked<'_> {
     }
 
     fn check(&self) -> TokenStream {
-        let (preamble, declared, range) = (self.coefficients.preamble(), self.declared(), self.range());
+        let (preamble, range, products) = (self.coefficients.preamble(), self.range(), self.products());
+        let (fields, range) = if products.is_empty() {
+            (TokenStream::new(), range)
+        } else {
+            (self.named(|field| field.used).0, quote!(#products.and_then(|()| #range)))
+        };
+        let (in_format, declared) = (self.in_format(), self.declared());
         let (krate, error) = (&self.names.krate, local("error"));
         let (named, constants) = (self.with_parameters(&error), self.constants());
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
+                #in_format
                 #declared
                 #constants
                 #preamble
+                #fields
                 match #range {
                     ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                     ::core::result::Result::Err(#error) => ::core::result::Result::Err(#named),
@@ -173,6 +181,43 @@ impl Checked<'_> {
         quote! {
             if let ::core::result::Result::Err(#error) = #check([#(#constants),*]) {
                 return ::core::result::Result::Err(#named);
+            }
+        }
+    }
+
+    /// Checks that the format does not round products of fields to zero: they would be no terms. Empty if it cannot.
+    fn products(&self) -> TokenStream {
+        let check = self.names.generated("check_product");
+        let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
+        let at_risk = terms.filter(|(Term { coefficient, .. }, _)| {
+            let is_field_at_least = coefficient.as_multiple_of_field().is_some_and(|c| c.abs() >= integer(1));
+            coefficient.as_constant().is_none() && !is_field_at_least
+        });
+        let mut checks = at_risk.filter_map(|(term, pair)| {
+            let parts = term.coefficient.factors_and_divisors()?;
+            let [factors, divisors] = parts.map(|parts| {
+                let values = parts.iter().map(|part| self.coefficients.expression(part));
+                quote!([#(#values),*])
+            });
+            Some(quote!(#check(#pair, #factors, #divisors)))
+        });
+        let first = checks.next();
+        first.map(|first| quote!(#first #(.and(#checks))*)).unwrap_or_default()
+    }
+
+    /// Refuses values of fields in f64 that the format of the contact does not hold.
+    fn in_format(&self) -> TokenStream {
+        let is_double = |field: &&Field| field.used && field.kind == FieldKind::F64;
+        let fields = self.item.fields.iter().filter(is_double).map(|field| &field.ident);
+        let names: Vec<String> = fields.clone().map(unraw).collect();
+        if names.is_empty() {
+            return TokenStream::new();
+        }
+        let (check, scalar, error) =
+            (self.names.generated("check_range_of_fields"), &self.names.scalar, local("error"));
+        quote! {
+            if let ::core::result::Result::Err(#error) = #check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*]) {
+                return ::core::result::Result::Err(#error);
             }
         }
     }

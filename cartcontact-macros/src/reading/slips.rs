@@ -204,6 +204,11 @@ impl Parser<'_> {
         }
         let is_call = matches!(self.rest.get(2), Some(TokenTree::Group(_)));
         let message = match &receiver.kind {
+            Kind::Name(name) if name != "self" && is_lower_case(name) && name != "r" && !is_call => {
+                format!(
+                    "fields are written by name alone; write `{member}`, or `{name}` if that is the field"
+                )
+            }
             Kind::Name(name) if name == "self" || (name != "r" && !is_call) => {
                 format!("fields are written by name alone; write `{member}`")
             }
@@ -219,6 +224,11 @@ impl Parser<'_> {
         };
         self.fault(Extent::between(receiver.extent, member.span().into()), message)
     }
+}
+
+/// Whether a name is written like that of a field, not like that of a type.
+fn is_lower_case(name: &Ident) -> bool {
+    !name.to_string().contains(char::is_uppercase)
 }
 
 fn is_whole(digits: &str) -> bool {

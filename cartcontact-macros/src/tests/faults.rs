@@ -195,6 +195,7 @@ fn each_fault_is_named() {
         ("r**2", "not `**`, as in"),
         ("r.powi(2)", "no methods"),
         ("self.radius*r", "write `radius`"),
+        ("k.x*r", "write `x`, or `k` if that is the field"),
         ("sin(r)", "without functions"),
         ("2 r", "an operator is missing"),
         ("(r)(r)", "an operator is missing"),

@@ -1,5 +1,6 @@
 //! Whether a geometry known at run time is admissible, and up to which radius.
 
+mod fields;
 mod slope;
 
 use crate::Scalar;
@@ -7,6 +8,7 @@ use crate::dispatch::out_of_line;
 use crate::profile::Parameters;
 use crate::profile::ProfileError;
 use crate::scalar::smallest_normal;
+pub use fields::{check_positive, check_product, check_range_of_fields};
 use slope::Slope;
 
 /// Checks the terms (C, n) of a gap and returns the end of its admissible range, or infinity if the end is known to lie
@@ -109,9 +111,13 @@ fn check_coefficient<T: Scalar>(c: T, n: T) -> Result<(), ProfileError> {
     if c.is_zero() || fits(c, n) { Ok(()) } else { Err(invalid(c, n)) }
 }
 
+/// What is wrong with a term that does not fit: its exponent, if no coefficient of usual size would fit.
 fn invalid<T: Scalar>(c: T, n: T) -> ProfileError {
-    let parameters = Parameters::default();
-    ProfileError::InvalidCoefficient { coefficient: c.value(), exponent: n.value(), parameters }
+    let (exponent, parameters) = (n.value(), Parameters::default());
+    if !fits(T::one(), n) {
+        return ProfileError::InvalidExponent { exponent };
+    }
+    ProfileError::InvalidCoefficient { coefficient: c.value(), exponent, parameters }
 }
 
 /// Whether C is a number and keeps its digits; twice C is the largest multiple of it in the closed forms.
@@ -126,7 +132,12 @@ fn has_digits<T: Scalar>(c: T, n: T) -> bool {
     c >= smallest_normal::<T>() * T::constant(2.0) * divisor
 }
 
-/// The end of the range of a geometry, up to the `requested` radius if there is one.
+/// Whether a requested radius is infinite, which means no limit.
+fn is_unlimited<T: Scalar>(max_radius: T) -> bool {
+    max_radius > T::zero() && !max_radius.is_finite()
+}
+
+/// The end of the range of a geometry, up to the `requested` radius if there is a finite one.
 ///
 /// # Errors
 ///
@@ -136,21 +147,20 @@ pub fn checked_range<T: Scalar>(
     terms: impl AsRef<[(T, T)]>,
     requested: Option<T>,
 ) -> Result<T, ProfileError> {
+    let requested = requested.filter(|max_radius| !is_unlimited(*max_radius));
     let end = admissible_range(terms, requested)?;
     match requested {
         None => Ok(end),
-        Some(max_radius) if !(max_radius > T::zero() && max_radius.is_finite()) => {
-            Err(ProfileError::InvalidMaxRadius {
-                max_radius: max_radius.value(),
-                parameters: Parameters::default(),
-            })
-        }
         Some(max_radius) if max_radius >= end => Err(ProfileError::NotAdmissible {
             max_radius: max_radius.value(),
             fails_at: end.value(),
             parameters: Parameters::default(),
         }),
-        Some(max_radius) => Ok(max_radius),
+        Some(max_radius) if max_radius > T::zero() => Ok(max_radius),
+        Some(max_radius) => Err(ProfileError::InvalidMaxRadius {
+            max_radius: max_radius.value(),
+            parameters: Parameters::default(),
+        }),
     }
 }
 
@@ -174,21 +184,6 @@ pub fn inside_surfaces<T: Scalar, const N: usize>(
             rim: rim.value(),
             parameters: Parameters::default(),
         }),
-    }
-}
-
-/// Checks the fields that a geometry declares positive.
-///
-/// # Errors
-///
-/// [`ProfileError::NotPositive`] for the first that is not a finite number above 0.
-pub fn check_positive<T: Scalar, const N: usize>(
-    names: &[&'static str; N],
-    values: [T; N],
-) -> Result<(), ProfileError> {
-    match names.iter().zip(values).find(|(_, value)| !(*value > T::zero() && value.is_finite())) {
-        None => Ok(()),
-        Some((field, value)) => Err(ProfileError::NotPositive { field, value: value.value() }),
     }
 }
 

@@ -82,10 +82,14 @@ impl fmt::Display for LoadError {
             }
             Self::InvalidForce { time, force } => write!(
                 f,
-                "the force at time {} is {}, but it must be finite and not negative, as tension would pull the \
-                 surfaces apart; give compression as a positive force",
+                "the force at time {} is {}, but it must be finite and not negative{}",
                 Shown(time),
-                Shown(force)
+                Shown(force),
+                if force < 0.0 {
+                    ", as tension would pull the surfaces apart; give compression as a positive force"
+                } else {
+                    "; check how it is computed"
+                }
             ),
             Self::InvalidImpulse { time, impulse } => write!(
                 f,

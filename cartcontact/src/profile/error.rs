@@ -85,6 +85,14 @@ pub enum ProfileError {
         /// Its value.
         value: f64,
     },
+    /// A field is a number of f64 that the format of the contact does not hold: too large, or too small for all its
+    /// digits.
+    OutOfFormat {
+        /// The name of the field.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A coefficient is not a number, is so small that it loses digits, or twice its size is infinite.
     InvalidCoefficient {
         /// The coefficient.
@@ -94,12 +102,12 @@ pub enum ProfileError {
         /// The parameters that the geometry depends on.
         parameters: Parameters,
     },
-    /// An exponent is not in the range from above 0 to 1024.
+    /// An exponent is not in the range from above 0 to 1024, or so near to 0 that the slope of the gap loses digits.
     InvalidExponent {
         /// The exponent.
         exponent: f64,
     },
-    /// The end of the range of contact radii is not a positive, finite number.
+    /// The end of the range of contact radii is not a positive number.
     InvalidMaxRadius {
         /// What was given, in mm.
         max_radius: f64,
@@ -155,11 +163,24 @@ impl fmt::Display for ProfileError {
                 "`{field}` is {}, but the geometry declares it positive; give it a finite value above 0",
                 Shown(value)
             ),
+            Self::OutOfFormat { field, value } => write!(
+                f,
+                "`{field}` is {}, which is out of the range of the format that the contact computes in; use units that \
+                 bring it nearer to 1, or a format with more exponents, such as f64",
+                Shown(value)
+            ),
             Self::InvalidCoefficient { coefficient, exponent, parameters } => write!(
                 f,
-                "{parameters}the coefficient of r^{exponent} is {}, but {}",
+                "{parameters}the coefficient of r^{} is {}, but {}",
+                Shown(exponent),
                 Shown(coefficient),
                 rule_for_coefficient(coefficient)
+            ),
+            Self::InvalidExponent { exponent } if exponent > 0.0 && exponent < 1.0 => write!(
+                f,
+                "the exponent is {}, so near to 0 that the slope of the gap would lose its digits; give one above {}",
+                Shown(exponent),
+                Shown(exponent)
             ),
             Self::InvalidExponent { exponent } => write!(
                 f,
@@ -169,15 +190,21 @@ impl fmt::Display for ProfileError {
             ),
             Self::InvalidMaxRadius { max_radius, parameters } => write!(
                 f,
-                "{parameters}the largest contact radius is {}, but it must be a positive number; if there is no limit, \
-                 use `Polynomial::new`, or leave `max_radius` out of the attribute",
+                "{parameters}the largest contact radius is {}, but it must be positive; if there is no limit, give \
+                 infinity, or use `Polynomial::new` or an attribute without `max_radius`",
                 Shown(max_radius)
             ),
             Self::NotOpening { exponent, coefficient, parameters } => write!(
                 f,
-                "{parameters}the gap does not open at r = 0: its leading term is {} r^{exponent}; the lowest power \
-                 needs a coefficient that is positive by more than rounding",
-                Shown(coefficient)
+                "{parameters}the gap does not open at r = 0: its leading term is {} r^{}; {}",
+                Shown(coefficient),
+                Shown(exponent),
+                if coefficient > 0.0 {
+                    "it is no more than rounding, or others outweigh it beyond radii too small for the format; check \
+                     the coefficients, or use a smaller unit of length"
+                } else {
+                    "the lowest power needs a coefficient that is positive by more than rounding"
+                }
             ),
             Self::BeyondSurface { max_radius, rim, parameters } => write!(
                 f,
@@ -231,7 +258,9 @@ pub fn with_parameters<T: Scalar, const N: usize>(
         | ProfileError::BeyondSurface { parameters, .. }
         | ProfileError::NotAdmissible { parameters, .. } => *parameters = Parameters::new(names, values),
         ProfileError::Empty => error = ProfileError::Vanishing { parameters: Parameters::new(names, values) },
-        ProfileError::InvalidExponent { .. } | ProfileError::NotPositive { .. } => {}
+        ProfileError::InvalidExponent { .. }
+        | ProfileError::NotPositive { .. }
+        | ProfileError::OutOfFormat { .. } => {}
     }
     error
 }

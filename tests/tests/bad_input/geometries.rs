@@ -28,17 +28,24 @@ fn coefficients_are_finite_and_exponents_positive() {
         let result = Polynomial::new([(0.025, 2.0), (1e-4, value)]);
         refused(result, |e| matches!(e, ProfileError::InvalidExponent { .. }), &value.to_string());
     }
+    let is_exponent = |e: &ProfileError| matches!(e, ProfileError::InvalidExponent { exponent: 1e-320 });
+    refused(Polynomial::new([(1.0, 1e-320)]), is_exponent, "so near to 0");
 }
 
 #[test]
 fn geometries_must_open_and_stay_open() {
     refused(Polynomial::new([(-0.5, 2.0)]), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.5");
+    // The second one outweighs the first where no number is as small.
+    for terms in [[(1e-200, 2.0), (-1e200, 2.25)], [(1e-300, 2.0), (-1e300, 3.0)]] {
+        let is_expected = |e: &ProfileError| matches!(e, ProfileError::NotOpening { .. });
+        refused(Polynomial::new(terms), is_expected, "use a smaller unit of length");
+    }
     let oblate = [(0.025, 2.0), (-1e-4, 4.0)];
     for value in NOT_A_SIZE.into_iter().filter(|&value| value != f64::INFINITY) {
         for terms in [oblate, [(0.025, 2.0), (1e-4, 4.0)]] {
             let is_limit = |e: &ProfileError| matches!(e, ProfileError::InvalidMaxRadius { .. });
             refused(Polynomial::with_max_radius(terms, value), is_limit, &value.to_string());
-            refused(Polynomial::with_max_radius(terms, value), is_limit, "use `Polynomial::new`");
+            refused(Polynomial::with_max_radius(terms, value), is_limit, "or use `Polynomial::new`");
         }
     }
     let result = Polynomial::with_max_radius(oblate, 14.5);
@@ -99,10 +106,14 @@ fn symbols_of_a_generated_geometry_are_checked() {
     refused(checked(f64::INFINITY, 10.0), |e| matches!(e, ProfileError::Vanishing { .. }), "radius = inf");
     refused(checked(-20.0, 10.0), |e| matches!(e, ProfileError::NotOpening { .. }), "-0.025");
     refused(checked(20.0, 40.0), |e| matches!(e, ProfileError::NotAdmissible { .. }), "40");
-    for value in NOT_A_SIZE {
+    for value in NOT_A_SIZE.into_iter().filter(|&value| value != f64::INFINITY) {
         let is_limit = |e: &ProfileError| matches!(e, ProfileError::InvalidMaxRadius { .. });
         refused(checked(20.0, value), is_limit, &value.to_string());
     }
+    let unlimited = Ball { radius: 20.0, limit: f64::INFINITY };
+    let polynomial = Polynomial::new([(1.0 / 40.0, 2.0), (-1.0 / 64_000.0, 4.0)]).map(|gap| gap.max_radius());
+    assert_eq!(GapProfile::<f64>::check(&unlimited), Ok(()));
+    assert_eq!(Ok(unlimited.max_radius()), polynomial);
     let contact = Contact::new(Ball { radius: -20.0, limit: 1.0 }, *paraboloid().medium(), Constant(1.0));
     refused(contact, |e| matches!(e, ContactError::Profile(ProfileError::NotOpening { .. })), "-0.025");
 }
@@ -129,8 +140,13 @@ fn fields_declared_positive_are_held_to_it() {
         let flat = Declared { radius: value as f32, depth: 0.5, limit: 10.0 };
         refused(flat.check(), is_radius, "`radius` is");
         let endless = Declared { radius: 20.0, depth: 0.5, limit: value };
-        refused(endless.check(), |e| matches!(e, ProfileError::InvalidMaxRadius { .. }), &value.to_string());
-        assert_eq!(endless.max_radius(), if value == f64::INFINITY { value } else { 0.0 });
+        if value == f64::INFINITY {
+            assert_eq!((endless.check(), endless.max_radius()), (Ok(()), value));
+        } else {
+            let is_limit = |e: &ProfileError| matches!(e, ProfileError::InvalidMaxRadius { .. });
+            refused(endless.check(), is_limit, &value.to_string());
+            assert_eq!(endless.max_radius(), 0.0);
+        }
     }
     let tiny = Declared { radius: 1e-200, depth: 0.5, limit: 10.0 };
     refused(tiny.check(), |e| matches!(e, ProfileError::InvalidCoefficient { .. }), "r^4");
@@ -205,6 +221,60 @@ fn constants_need_a_format_that_holds_them() {
         Constant(1.0),
     );
     assert!(matches!(contact, Err(ContactError::Profile(_))), "{contact:?}");
+}
+
+/// A format without them would leave out a term, whatever its sign.
+#[test]
+fn fields_need_a_format_that_holds_them() {
+    for value in [1e-60, -1e-60, 1e-320, 1e-42, 1e60] {
+        let gap = TwoFields { k: value, j: 1.0 };
+        let is_field = |e: &ProfileError| matches!(e, ProfileError::OutOfFormat { field: "k", .. });
+        refused(GapProfile::<f32>::check(&gap), is_field, &format!("`k` is {value:e}"));
+        let is_first = |e: &ProfileError| matches!(e, ProfileError::NotPositive { field: "k", .. });
+        let declared = DeclaredFields { k: value, j: 1.0 };
+        assert!(!GapProfile::<f32>::check(&declared).is_err_and(|e| is_first(&e)), "{value:e}");
+    }
+    let flat = Lens { near: 1e50, far: 2e50 };
+    let is_near = |e: &ProfileError| matches!(e, ProfileError::OutOfFormat { field: "near", .. });
+    refused(GapProfile::<f32>::check(&flat), is_near, "1e50");
+    assert_eq!(GapProfile::<f64>::check(&flat), Ok(()));
+    assert_eq!(GapProfile::<f32>::check(&TwoFields { k: 0.0, j: 1.0 }), Ok(()));
+}
+
+/// Nor does a product of numbers that the format holds count as nothing when it is too small.
+#[test]
+fn products_of_fields_need_a_format_that_holds_them() {
+    let check = |k, j| GapProfile::<f64>::check(&Powers { k, j });
+    assert_eq!([check(1e-90, 1e-90), check(0.0, 1.0), check(-0.0, 1.0)], [Ok(()); 3]);
+    let is_product = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { exponent: 2.0, .. });
+    refused(check(1e-200, 1e-200), is_product, "r^2 is 0, but only because the format");
+    refused(check(-1e-200, 1e-200), is_product, "with k = -1e-200, j = 1e-200");
+    let is_quotient = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { exponent: 4.0, .. });
+    refused(check(1.0, 1e150), is_quotient, "r^4 is 0");
+}
+
+#[gap_profile(k * r^2 + j * r^3)]
+struct TwoFields {
+    k: f64,
+    j: f64,
+}
+
+#[gap_profile(k * r^2 + j * r^3, positive)]
+struct DeclaredFields {
+    k: f64,
+    j: f64,
+}
+
+#[gap_profile(r^2 / (2 * near) - r^2 / (2 * far) + r^4)]
+struct Lens {
+    near: f64,
+    far: f64,
+}
+
+#[gap_profile(k * j * r^2 + 0.1 * r^3 + r^4 / j^3)]
+struct Powers {
+    k: f64,
+    j: f64,
 }
 
 /// A term that is zero in single precision, although at r = 9 it is larger than the other one.

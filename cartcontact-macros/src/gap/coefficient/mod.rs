@@ -117,6 +117,18 @@ impl Coefficient {
         fields.collect()
     }
 
+    /// The fields and sums whose positive powers, and whose negative ones, are multiplied in it; none if it is a sum
+    /// itself.
+    pub(crate) fn factors_and_divisors(&self) -> Option<[Vec<Self>; 2]> {
+        let [only] = self.products.as_slice() else { return None };
+        let with_sign = |is_negative: bool| {
+            let powers =
+                only.powers.iter().filter(move |(_, exponent)| exponent.is_negative() == is_negative);
+            powers.map(|(atom, _)| Coefficient::atom(atom.clone())).collect()
+        };
+        Some([false, true].map(with_sign))
+    }
+
     /// Whether it has a power whose exponent is not an integer.
     pub(crate) fn has_root(&self) -> bool {
         self.powers().any(|(_, exponent)| !exponent.is_integer()) || self.sums().any(Coefficient::has_root)
