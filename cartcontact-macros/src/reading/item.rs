@@ -99,6 +99,14 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
             .report(place, "a gap profile belongs on a struct; write `#[gap_profile(...)] struct Name;`");
         return None;
     };
+    if generics.has_type(&ident) {
+        let message = format!(
+            "the type parameter `{ident}` has the name of the struct, which an implementation could not name beside \
+             it; rename one of them"
+        );
+        diagnostics.report(ident.span(), message);
+        return None;
+    }
     let is_struct = keyword == "struct";
     let allowed = allowed(&tokens);
     let mut item = Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), is_struct };

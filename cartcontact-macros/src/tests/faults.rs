@@ -2,7 +2,18 @@
 
 use quote::quote;
 
-use super::{on_ball, on_unit};
+use super::{on_ball, on_unit, run};
+
+#[test]
+fn a_parameter_with_the_name_of_its_struct_is_refused() {
+    let item = quote!(
+        struct Ball<Ball> {
+            radius: Ball,
+        }
+    );
+    let messages = run(quote!(r ^ 2 / radius), item).err().unwrap_or_default();
+    assert!(matches!(&messages[..], [only] if only.contains("rename one of them")), "{messages:?}");
+}
 
 #[test]
 fn likely_slips_are_understood() {
