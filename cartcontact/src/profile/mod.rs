@@ -36,12 +36,13 @@ use crate::quadrature::Rule;
 /// the last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the
 /// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is left, within 8 ε:
 /// where a result is above 6e299, or 4e34 in f32, and where a result or a power on the way is hardly larger than the
-/// smallest normal number.
+/// smallest normal number. Terms of both signs that leave the format add up to NaN.
 ///
 /// Coefficients that depend on fields are not rounded, if `T` holds the fields: their products and quotients have twice
 /// the digits, and so have their powers, except those of dual numbers that are not whole. Powers such as a^-1.3 have 19
 /// digits, of which a difference of two that are nearly equal may lose some. Contact radii take such coefficients
-/// rounded. Products and quotients below the smallest normal number, of fields near 1e-160 or 1e160, are not refused.
+/// rounded. Products and quotients below the smallest normal number on the way, of fields near 1e-160 or 1e160, are
+/// refused only where a coefficient would be zero.
 ///
 /// # Examples
 ///
