@@ -8,6 +8,7 @@ use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
+use crate::scalar::is_plain;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
 ///
@@ -116,6 +117,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
     /// covered from the start.
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
+        if !is_plain::<T>() && (self.contact.medium().chi() * self.time).is_zero() {
+            // Nothing drains that could carry derivatives.
+            pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
+            return;
+        }
         let start = self.start_of_memory();
         let from_start = march(self.contact, start, (self.time, self.radius), start.radius);
         // A loop without branches; its values beyond the radius at the start mean nothing and are replaced by the next

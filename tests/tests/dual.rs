@@ -171,6 +171,38 @@ fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
     Ok(())
 }
 
+/// The rows of a field have the derivatives of single pressures, also at the start and where a time without a
+/// derivative comes before the same with one.
+#[test]
+fn rows_have_the_slopes_of_single_pressures() -> Result<(), Failure> {
+    let contact = joint(Plain, 0.0015, Constant(Dual64::from(100.0)));
+    let radii = [0.0, 2.0, 4.0].map(Dual64::from);
+    let plain = Dual64::from;
+    for times in [
+        &[variable(0.0)][..],
+        &[plain(0.0), variable(0.0), variable(0.0), plain(7.0)],
+        &[plain(200.0), variable(200.0)],
+        &[plain(0.0), plain(100.0), variable(100.0), variable(200.0), plain(200.0), variable(300.0)],
+        &[plain(9.0), variable(9.0), variable(90_000.0), plain(90_000.0), variable(90_001.0)],
+    ] {
+        let mut values = vec![plain(f64::NAN); times.len() * radii.len()];
+        contact.pressure_field(times, &radii, &mut values)?;
+        for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
+            let now = contact.at(t)?;
+            for (&r, &found) in radii.iter().zip(row) {
+                let expected = now.pressure(r);
+                let allowed = 2.0 * budget::PRESSURE.double * edge(now.radius().re, r.re);
+                assert_close(found.re, expected.re, allowed);
+                // Where only an earlier row has a derivative, two of the size of χ P cancel.
+                let size = expected.eps.abs().max(0.0015 * expected.re);
+                let error = (found.eps - expected.eps).abs() / size / f64::EPSILON;
+                assert!(error <= 4.0 * allowed, "{found} instead of {expected} at {t}: {error}");
+            }
+        }
+    }
+    Ok(())
+}
+
 /// At a knot the edge moves with the slope of the load after the knot: F′ + χ F = (π m/8) a⁴ δ₀′(t).
 #[test]
 fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {

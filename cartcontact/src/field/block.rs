@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::panel::Panel;
 use super::runs::{Run, Runs};
 use super::sweep::{Change, Changes, TILE, take_rows_from};
-use super::{BLOCK, is_long};
+use super::{BLOCK, may_be_apart};
 use crate::Scalar;
 use crate::contact::{Contact, ContactError};
 use crate::load::Load;
@@ -99,7 +99,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
         for &time in &times[..most] {
             let before = self.last();
-            if self.count > 0 && is_long(contact, before.time, time) {
+            if self.count > 0 && may_be_apart(contact, before.time, time) {
                 break;
             }
             let radius = contact.advancing_radius_at(time)?;

@@ -23,7 +23,7 @@ use crate::contact::{Contact, ContactError, check_length};
 use crate::load::Load;
 use crate::memory::faded_folds;
 use crate::profile::GapProfile;
-use crate::scalar::is_size;
+use crate::scalar::{is_plain, is_size};
 use crate::snapshot::Snapshot;
 use anchors::Anchors;
 use block::{Block, Edge};
@@ -103,9 +103,7 @@ where
     Ok(())
 }
 
-/// The contact at a time, if nothing of the pressures at the time `before` is left.
-///
-/// A history of many e-foldings takes long to follow, and rounds.
+/// The contact at a time, if its pressures do not follow from those at the time `before`.
 fn anew<'a, T, P, L>(
     contact: &'a Contact<T, P, L>,
     before: T,
@@ -116,14 +114,17 @@ where
     P: GapProfile<T>,
     L: Load<T>,
 {
-    if !is_long(contact, before, time) {
+    if !may_be_apart(contact, before, time) {
         return Ok(None);
     }
     let now = Snapshot::new(contact, time, contact.advancing_radius_at(time)?);
-    Ok((before < now.start_of_memory().time).then_some(now))
+    let is_apart = time <= before || before < now.start_of_memory().time;
+    Ok(is_apart.then_some(now))
 }
 
-/// Whether pressures fade below rounding between two times, unless forces fall as fast.
-fn is_long<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, from: T, to: T) -> bool {
-    contact.medium().chi() * (to - from) > faded_folds::<T>()
+/// Whether the pressures at a time may not follow from those at an earlier one: they fade below rounding in between,
+/// unless forces fall as fast, and a history of many e-foldings takes long to follow; or no time passes that could carry
+/// the derivatives that only the later time may have.
+fn may_be_apart<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, from: T, to: T) -> bool {
+    contact.medium().chi() * (to - from) > faded_folds::<T>() || !is_plain::<T>() && to <= from
 }
