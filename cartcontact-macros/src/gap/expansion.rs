@@ -73,7 +73,7 @@ pub(crate) fn expand(
 }
 
 const OVERWHELMED: &str =
-    "the terms that the order neglects are as large as the gap itself before max_radius";
+    "the terms that the order neglects may be as large as the gap itself before max_radius";
 const UNATTAINABLE: &str = "no order up to 128 is within this tolerance";
 const LESS: &str = "lower max_radius, or raise the tolerance";
 

@@ -233,7 +233,9 @@ pub trait GapProfile<T: Scalar> {
 
     /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its
     /// mean over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. With coefficients known
-    /// at run time it is some ε before the end, up to 100 ε where powers are above 100, and never beyond.
+    /// at run time it is never beyond the end, but before it by the rounding of their logarithms: mostly less than
+    /// 100 ε, hundreds where terms nearly cancel on the way or powers are high, and some thousand with coefficients as
+    /// small as 1e-30 as well.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long
