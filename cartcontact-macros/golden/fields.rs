@@ -559,19 +559,13 @@ const _: () = {
             {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err({
-                        let __field_radius = <T as __cartcontact::Scalar>::constant(
-                            self.radius,
-                        );
-                        let __field_limit = <T as __cartcontact::Scalar>::constant(
-                            <f64 as ::core::convert::From<f32>>::from(self.limit),
-                        );
+                    ::core::result::Result::Err(
                         __cartcontact::generated::with_parameters(
                             __error,
                             &["radius", "limit"],
                             [__field_radius, __field_limit],
-                        )
-                    })
+                        ),
+                    )
                 }
             }
         }

@@ -683,14 +683,13 @@ const _: () = {
             {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err({
-                        let __field_c = self.c;
+                    ::core::result::Result::Err(
                         __cartcontact::generated::with_parameters(
                             __error,
                             &["c"],
                             [__field_c],
-                        )
-                    })
+                        ),
+                    )
                 }
             }
         }

@@ -537,17 +537,13 @@ const _: () = {
             {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err({
-                        let __field_radius = <T as __cartcontact::Scalar>::constant(
-                            self.radius,
-                        );
-                        let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
+                    ::core::result::Result::Err(
                         __cartcontact::generated::with_parameters(
                             __error,
                             &["radius", "c"],
                             [__field_radius, __field_c],
-                        )
-                    })
+                        ),
+                    )
                 }
             }
         }

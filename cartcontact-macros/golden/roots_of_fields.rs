@@ -595,6 +595,9 @@ const _: () = {
                 return ::core::result::Result::Err(__error);
             }
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
+            let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
+            let __field_d = <T as __cartcontact::Scalar>::constant(self.d);
+            let __field_e = <T as __cartcontact::Scalar>::constant(self.e);
             match __cartcontact::generated::checked_range(
                 [
                     (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
@@ -605,16 +608,13 @@ const _: () = {
             ) {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err({
-                        let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
-                        let __field_d = <T as __cartcontact::Scalar>::constant(self.d);
-                        let __field_e = <T as __cartcontact::Scalar>::constant(self.e);
+                    ::core::result::Result::Err(
                         __cartcontact::generated::with_parameters(
                             __error,
                             &["c", "d", "e"],
                             [__field_c, __field_d, __field_e],
-                        )
-                    })
+                        ),
+                    )
                 }
             }
         }

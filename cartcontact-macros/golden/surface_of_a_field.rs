@@ -576,16 +576,13 @@ const _: () = {
             {
                 ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
                 ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err({
-                        let __field_radius = <T as __cartcontact::Scalar>::constant(
-                            self.radius,
-                        );
+                    ::core::result::Result::Err(
                         __cartcontact::generated::with_parameters(
                             __error,
                             &["radius"],
                             [__field_radius],
-                        )
-                    })
+                        ),
+                    )
                 }
             }
         }

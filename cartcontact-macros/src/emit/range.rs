@@ -114,25 +114,27 @@ impl Checked<'_> {
     }
 
     fn check(&self) -> TokenStream {
-        let (preamble, range, products) = (self.coefficients.preamble(), self.range(), self.products());
-        let (fields, range) = if products.is_empty() {
-            (TokenStream::new(), range)
-        } else {
-            (self.named(|field| field.used).0, quote!(#products.and_then(|()| #range)))
-        };
+        let (preamble, range) = (self.coefficients.preamble(), self.range());
         let (in_format, declared) = (self.in_format(), self.declared());
         let (krate, error) = (&self.names.krate, local("error"));
-        let (named, constants) = (self.with_parameters(&error), self.constants());
+        let mut checks = self.checks_of_terms();
+        let range = match checks.next() {
+            Some(first) => quote!(#first #(.and(#checks))*.and_then(|()| #range)),
+            None => range,
+        };
+        let (fields, names, values) = self.named(|field| field.used);
+        let with_parameters = self.names.generated("with_parameters");
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
                 #in_format
                 #declared
-                #constants
                 #preamble
                 #fields
                 match #range {
                     ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                    ::core::result::Result::Err(#error) => ::core::result::Result::Err(#named),
+                    ::core::result::Result::Err(#error) => ::core::result::Result::Err(
+                        #with_parameters(#error, &[#(#names),*], [#(#values),*])
+                    ),
                 }
             }
         }
@@ -167,42 +169,26 @@ impl Checked<'_> {
         quote!(#inside_surfaces(#range, [#(#surfaces),*]))
     }
 
-    /// Refuses constants beside the fields that the format does not hold: rounded to zero, they would be no terms.
-    fn constants(&self) -> TokenStream {
+    /// Checks of constants that not every format holds, and of products of fields: rounded to zero, they would be no
+    /// terms.
+    fn checks_of_terms(&self) -> impl Iterator<Item = TokenStream> {
         let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
-        let is_at_risk = |term: &Term| term.coefficient.as_constant().is_some() && !fits_every_format(term);
-        let constants: Vec<TokenStream> =
-            terms.filter(|(term, _)| is_at_risk(term)).map(|(_, pair)| pair).collect();
-        if constants.is_empty() {
-            return TokenStream::new();
-        }
-        let (check, error) = (self.names.generated("check_coefficients"), local("error"));
-        let named = self.with_parameters(&error);
-        quote! {
-            if let ::core::result::Result::Err(#error) = #check([#(#constants),*]) {
-                return ::core::result::Result::Err(#named);
+        terms.filter_map(|(term, pair)| {
+            if term.coefficient.as_constant().is_some() {
+                let check = self.names.generated("check_coefficients");
+                return (!fits_every_format(term)).then(|| quote!(#check([#pair])));
             }
-        }
-    }
-
-    /// Checks that the format does not round products of fields to zero: they would be no terms. Empty if it cannot.
-    fn products(&self) -> TokenStream {
-        let check = self.names.generated("check_product");
-        let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
-        let at_risk = terms.filter(|(Term { coefficient, .. }, _)| {
-            let is_field_at_least = coefficient.as_multiple_of_field().is_some_and(|c| c.abs() >= integer(1));
-            coefficient.as_constant().is_none() && !is_field_at_least
-        });
-        let mut checks = at_risk.filter_map(|(term, pair)| {
-            let parts = term.coefficient.factors_and_divisors()?;
-            let [factors, divisors] = parts.map(|parts| {
+            // A field itself is zero only if it is given so.
+            if term.coefficient.as_multiple_of_field().is_some_and(|c| c.abs() >= integer(1)) {
+                return None;
+            }
+            let [factors, divisors] = term.coefficient.factors_and_divisors()?.map(|parts| {
                 let values = parts.iter().map(|part| self.coefficients.expression(part));
                 quote!([#(#values),*])
             });
+            let check = self.names.generated("check_product");
             Some(quote!(#check(#pair, #factors, #divisors)))
-        });
-        let first = checks.next();
-        first.map(|first| quote!(#first #(.and(#checks))*)).unwrap_or_default()
+        })
     }
 
     /// Refuses values of fields in f64 that the format of the contact does not hold.
@@ -210,37 +196,15 @@ impl Checked<'_> {
         let is_double = |field: &&Field| field.used && field.kind == FieldKind::F64;
         let fields = self.item.fields.iter().filter(is_double).map(|field| &field.ident);
         let names: Vec<String> = fields.clone().map(unraw).collect();
-        if names.is_empty() {
-            return TokenStream::new();
-        }
-        let (check, scalar, error) =
-            (self.names.generated("check_range_of_fields"), &self.names.scalar, local("error"));
-        quote! {
-            if let ::core::result::Result::Err(#error) = #check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*]) {
-                return ::core::result::Result::Err(#error);
-            }
-        }
+        let (check, scalar) = (self.names.generated("check_range_of_fields"), &self.names.scalar);
+        refusal(&names, &quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])))
     }
 
     /// Refuses values of fields that were declared positive and are not.
     fn declared(&self) -> TokenStream {
         let (bindings, names, values) = self.named(|field| field.used && field.is_positive);
-        if names.is_empty() {
-            return TokenStream::new();
-        }
-        let (check, error) = (self.names.generated("check_positive"), local("error"));
-        quote! {
-            if let ::core::result::Result::Err(#error) = { #bindings #check(&[#(#names),*], [#(#values),*]) } {
-                return ::core::result::Result::Err(#error);
-            }
-        }
-    }
-
-    /// The error with its parameters named.
-    fn with_parameters(&self, error: &Ident) -> TokenStream {
-        let (bindings, names, values) = self.named(|field| field.used);
-        let with_parameters = self.names.generated("with_parameters");
-        quote!({ #bindings #with_parameters(#error, &[#(#names),*], [#(#values),*]) })
+        let check = self.names.generated("check_positive");
+        refusal(&names, &quote!({ #bindings #check(&[#(#names),*], [#(#values),*]) }))
     }
 
     /// The bindings of some fields, and their names and variables.
@@ -248,5 +212,18 @@ impl Checked<'_> {
         let bindings = self.coefficients.fields(&quote!(self), &wanted);
         let fields = self.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
         (bindings, fields.clone().map(unraw).collect(), fields.map(field_variable).collect())
+    }
+}
+
+/// Returns the error of a check of fields, if there are any.
+fn refusal(names: &[String], check: &TokenStream) -> TokenStream {
+    if names.is_empty() {
+        return TokenStream::new();
+    }
+    let error = local("error");
+    quote! {
+        if let ::core::result::Result::Err(#error) = #check {
+            return ::core::result::Result::Err(#error);
+        }
     }
 }

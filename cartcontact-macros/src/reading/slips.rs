@@ -204,13 +204,13 @@ impl Parser<'_> {
         }
         let is_call = matches!(self.rest.get(2), Some(TokenTree::Group(_)));
         let message = match &receiver.kind {
-            Kind::Name(name) if name != "self" && is_lower_case(name) && name != "r" && !is_call => {
-                format!(
-                    "fields are written by name alone; write `{member}`, or `{name}` if that is the field"
-                )
-            }
             Kind::Name(name) if name == "self" || (name != "r" && !is_call) => {
-                format!("fields are written by name alone; write `{member}`")
+                let alone = format!("fields are written by name alone; write `{member}`");
+                if name != "self" && is_lower_case(name) {
+                    format!("{alone}, or `{name}` if that is the field")
+                } else {
+                    alone
+                }
             }
             Kind::Number(_) if !is_call && member.to_string().starts_with(['e', 'E']) => {
                 "a decimal point has digits behind it, as in `1.0e-3`".to_owned()
