@@ -2,7 +2,8 @@
 //!
 //! It is the least, not the mean, because disturbances only add to a time: the least of a hundred samples repeats best,
 //! and ratios of such times repeat better than ratios of means. Where others use the processor, which can slow a
-//! benchmark down as long as it runs, `cargo bench -- --save-baseline second` keeps another run: the least of all counts.
+//! benchmark down as long as it runs, `cargo bench -p cartcontact -- --save-baseline second` keeps another run: the least
+//! of all counts.
 
 use std::collections::BTreeMap;
 use std::error::Error;

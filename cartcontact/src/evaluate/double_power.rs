@@ -90,7 +90,8 @@ fn double_product<T: Scalar, const FUSED: bool>(
     term
 }
 
-/// [`fractional_power`](super::power::fractional_power) in twice the working precision, or to a few digits more than a word has.
+/// [`fractional_power`](super::power::fractional_power) in twice the working precision, or to a few digits more than a
+/// word has.
 #[inline(always)]
 fn double_fractional_power<T: Scalar, const FUSED: bool>(x: T, n: Exponent<T>) -> DoubleWord<T, FUSED> {
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
