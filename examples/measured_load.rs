@@ -12,7 +12,7 @@
 use std::env;
 use std::error::Error;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use cartcontact::{Contact, Layer, Medium, gap_profile};
@@ -35,13 +35,20 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<_> = env::args_os().skip(1).map(PathBuf::from).collect();
     let mut out = io::stdout().lock();
-    let path = env::args_os().nth(1).map_or_else(|| PathBuf::from(DEFAULT_RECORD), PathBuf::from);
-    if ["--help", "-h"].iter().any(|help| path.as_os_str() == *help) {
+    if arguments.iter().any(|argument| ["--help", "-h"].iter().any(|help| argument.as_os_str() == *help)) {
         write!(out, "{HELP}")?;
         return Ok(());
     }
-    let record = LoadRecord::read(&path)?;
+    let path = match arguments.as_slice() {
+        [] => Path::new(DEFAULT_RECORD),
+        [record] => record,
+        [_, second, ..] => {
+            return Err(format!("only one record is read; leave out `{}`", second.display()).into());
+        }
+    };
+    let record = LoadRecord::read(path)?;
     let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
     let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, record.load()?)?;
     // All of them before the first is written, so that a load that falls too fast leaves no part of a table.

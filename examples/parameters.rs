@@ -30,7 +30,7 @@ impl BallInSocket {
 }
 
 fn main() -> ExitCode {
-    examples::finish(run())
+    examples::run("parameters", [], |[]| run())
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

@@ -19,7 +19,7 @@ use std::time::Instant;
 
 use cartcontact::{Contact, ContactError, Layer, Medium, MediumError, ProfileError, gap_profile, load};
 use examples::histogram::Histogram;
-use examples::options::{self, Flag};
+use examples::options::Flag;
 use indicatif::{ProgressBar, ProgressStyle};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
@@ -57,13 +57,10 @@ const SEED: Flag =
     Flag { name: "--seed", about: "which random numbers", default: 1, least: 0, most: u64::MAX };
 
 fn main() -> ExitCode {
-    examples::finish(run())
+    examples::run("parametric_study", [SCENES, THREADS, SEED], run)
 }
 
-fn run() -> Result<(), Box<dyn Error>> {
-    let Some([scenes, threads, seed]) = options::read("parametric_study", [SCENES, THREADS, SEED])? else {
-        return Ok(());
-    };
+fn run([scenes, threads, seed]: [u64; 3]) -> Result<(), Box<dyn Error>> {
     let population = Population::new()?;
     let threads = usize::try_from(threads)?;
     let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;

@@ -45,7 +45,7 @@ const LARGEST_RADIUS: f64 = 9.0;
 const FOLDER: &str = "target/cartcontact";
 
 fn main() -> ExitCode {
-    examples::finish(run())
+    examples::run("patellofemoral", [], |[]| run())
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

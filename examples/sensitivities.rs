@@ -41,7 +41,7 @@ fn contact<T: Scalar>(parameters: [T; 6]) -> Result<[T; 3], Box<dyn Error>> {
 }
 
 fn main() -> ExitCode {
-    examples::finish(run())
+    examples::run("sensitivities", [], |[]| run())
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

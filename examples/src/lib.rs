@@ -10,6 +10,17 @@ use std::error::Error;
 use std::io;
 use std::process::ExitCode;
 
+use options::Flag;
+
+/// Runs an example with the values of its options, or shows its help.
+pub fn run<const N: usize>(
+    example: &str,
+    flags: [Flag; N],
+    body: impl FnOnce([u64; N]) -> Result<(), Box<dyn Error>>,
+) -> ExitCode {
+    finish(options::read(example, flags).and_then(|values| values.map_or(Ok(()), body)))
+}
+
 /// Ends a program: an error is written to the standard error, and the exit code is 1.
 ///
 /// A reader that closes the pipe early, such as `head`, is no error.

@@ -29,7 +29,7 @@ impl LoadRecord {
     /// If the file cannot be read, and as [`parse`](Self::parse).
     pub fn read(path: &Path) -> Result<Self, Box<dyn Error>> {
         let text =
-            fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+            fs::read_to_string(path).map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
         Ok(Self::parse(path, &text)?)
     }
 

@@ -91,7 +91,9 @@ pub enum OptionError {
 impl fmt::Display for OptionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unknown(argument) => write!(f, "there is no option `{argument}`; `--help` lists them"),
+            Self::Unknown(argument) => {
+                write!(f, "there is no option `{argument}`; `--help` shows what there is")
+            }
             Self::Value(Flag { name, least, most, .. }, value) => {
                 write!(f, "`{name}` needs a whole number from {least} to {most}, but ")?;
                 match value {
@@ -129,7 +131,7 @@ mod tests {
     fn faults_are_named() {
         let range = "`--scenes` needs a whole number from 1 to 99, but ";
         let faults = [
-            ("--scene 7", "there is no option `--scene`; `--help` lists them".to_owned()),
+            ("--scene 7", "there is no option `--scene`; `--help` shows what there is".to_owned()),
             ("--scenes", format!("{range}nothing follows it")),
             ("--scenes many", format!("{range}it is `many`")),
             ("--scenes=0", format!("{range}it is `0`")),
