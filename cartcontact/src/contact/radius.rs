@@ -114,7 +114,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         // Early on a valid impulse, being a difference of nearly equal numbers, may be negative by rounding.
         let is_rounding = || {
             let rounding = impulse_tolerance(loading.hereditary, self.medium.chi());
-            rounding.is_finite() && loading.impulse.abs() <= rounding
+            loading.impulse.is_finite() && loading.impulse.abs() <= rounding
         };
         if !(is_size(loading.impulse) || is_rounding()) {
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));

@@ -1,6 +1,6 @@
 //! Faults of a history, which the solution then does not cover.
 
-use super::contradiction::{self, Contradiction};
+use super::contradiction::{Contradiction, impulse_tolerance};
 use super::{Load, LoadError};
 use crate::Scalar;
 
@@ -51,7 +51,7 @@ impl<T: Scalar> Fault<T> {
 pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> (T, T) {
     let hereditary = load.force(t) + chi * load.impulse(t);
     let negligible_force = hereditary * T::default_epsilon() * T::constant(64.0);
-    (negligible_force, contradiction::tolerance(hereditary, chi))
+    (negligible_force, impulse_tolerance(hereditary, chi))
 }
 
 /// Whether a number is a valid force, which may be negative by up to `negligible`.

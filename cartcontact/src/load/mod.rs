@@ -17,7 +17,7 @@ mod straight;
 use crate::Scalar;
 
 pub use constant::Constant;
-pub(crate) use contradiction::tolerance as impulse_tolerance;
+pub(crate) use contradiction::impulse_tolerance;
 pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
@@ -81,8 +81,12 @@ pub(crate) use shortest::Shortest;
 /// impl Live {
 ///     fn push(&mut self, time: f64, force: f64) {
 ///         if self.count == self.samples.len() {
-///             self.count /= 2;
-///             (0..self.count).for_each(|k| self.samples[k] = self.samples[2 * k]);
+///             // Every other sample, clamped anew, with the impulses of what is left.
+///             let count = std::mem::replace(&mut self.count, 1);
+///             for k in (2..count).step_by(2) {
+///                 let (time, force, _) = self.samples[k];
+///                 self.push(time, force);
+///             }
 ///         }
 ///         let (before, last, impulse) = self.samples[self.count - 1];
 ///         let force = force.max(last / (1.0 + self.chi * (time - before)));

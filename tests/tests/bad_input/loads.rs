@@ -1,5 +1,8 @@
 //! Loads that break the contract of a load are refused where they enter, or when they are used.
 
+use std::error::Error;
+use std::f64::consts::PI;
+
 use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, Medium};
 use tests::profiles::Paraboloid;
@@ -89,6 +92,34 @@ fn loads_of_a_users_own_are_checked_when_they_are_used() {
         let is_impulse = |e: &ContactError| matches!(e, ContactError::Load(LoadError::InvalidImpulse { .. }));
         refused(at(Wrong { force: 1.0, impulse: value }), is_impulse, &value.to_string());
     }
+}
+
+/// Its impulse is a difference that early on is negative by rounding.
+struct HalfCosine;
+
+impl Load<f64> for HalfCosine {
+    fn force(&self, t: f64) -> f64 {
+        50.0 * (1.0 - (PI * t).cos())
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        50.0 * (t - (PI * t).sin() / PI)
+    }
+}
+
+#[test]
+fn an_impulse_may_be_negative_by_rounding() -> Result<(), Box<dyn Error>> {
+    let time = 6.265493684408876e-9;
+    assert!(HalfCosine.impulse(time) < 0.0 && HalfCosine.force(time) > 0.0);
+    let at = |chi, time| -> Result<f64, Box<dyn Error>> {
+        let contact = Contact::new(Paraboloid, Medium::from_constants(0.375, chi)?, HalfCosine)?;
+        Ok(contact.at(time)?.peak_pressure())
+    };
+    assert!(at(1e-3, time)? > 0.0);
+    // Without drainage impulses do not count, not even if there is no force yet.
+    assert!(at(0.0, time)? > 0.0);
+    assert_eq!(at(0.0, 4.0056140261889765e-10)?, 0.0);
+    Ok(())
 }
 
 #[test]
