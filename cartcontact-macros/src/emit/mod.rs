@@ -138,7 +138,7 @@ pub(crate) fn solver(
             #header {
                 #evaluators
                 #inversion
-            #drops
+                #drops
                 #range
                 #quadrature_hints
             }
@@ -148,7 +148,7 @@ pub(crate) fn solver(
     quote!(#documented #scope)
 }
 
-/// Generated items in a scope of their own, without lints about code that is written elsewhere or by nobody.
+/// Generated items in a scope of their own, without lints on the struct itself or on numbers that nobody wrote.
 fn scope(item: &Item, content: &TokenStream) -> TokenStream {
     let allowed = &item.allowed;
     quote! {

@@ -64,7 +64,8 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
         return None;
     }
     match (&geometry.range, &geometry.proof) {
-        (_, Proof::AtRunTime) => None,
+        // No proof ends at a range that fields determine.
+        (_, Proof::AtRunTime) | (Range::Symbolic(_), Proof::OnRange) => None,
         (Range::Limited(end), proof) => {
             let is_end_of_proof = *proof == Proof::OnRange || geometry.truncation.is_some();
             let single = end.to_f32().and_then(|end| Rational::from_float(end.into()));
@@ -75,7 +76,6 @@ fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) ->
             Some(quote!(#function(#end)))
         }
         (Range::Unbounded, _) => Some(quote!(<#scalar as #krate::Scalar>::infinity())),
-        (Range::Symbolic(_), Proof::OnRange) => None,
         (Range::Symbolic(end), Proof::AllRadii { .. }) => {
             let (end, not_below_zero) = (coefficients.in_fields(end), names.generated("not_below_zero"));
             Some(quote!(#not_below_zero(#end)))

@@ -148,8 +148,7 @@ impl Joined {
             unchanged &= !step.add(coefficient, residue);
         }
         step.add(&mut self.inverse, inverse_residue);
-        let next_modulus = &self.modulus * prime;
-        self.modulus = next_modulus;
+        self.modulus *= prime;
         self.primes += 1;
         unchanged
     }

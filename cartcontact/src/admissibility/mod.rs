@@ -5,8 +5,7 @@ mod slope;
 
 use crate::Scalar;
 use crate::dispatch::out_of_line;
-use crate::profile::Parameters;
-use crate::profile::ProfileError;
+use crate::profile::{Parameters, ProfileError};
 use crate::scalar::smallest_normal;
 pub use fields::{check_positive, check_product, check_range_of_fields};
 use slope::Slope;

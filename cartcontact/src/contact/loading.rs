@@ -18,7 +18,7 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether the load has all its digits: as it is, divided by π m/4, times χ and times t.
+    /// Whether F, χ F, ∫F and the load integral are normal numbers, as far as they count.
     #[inline(always)]
     pub(super) fn has_digits(&self, chi: T, load_integral: T) -> bool {
         let (force, least) = (self.force, smallest_normal());

@@ -92,7 +92,8 @@ mod tests {
             assert_eq!(scales::<f64>(0.375 * unit, 0.0015 * unit), exact);
         }
     }
-    /// Of χ/m, which is subnormal in one of the two systems of units.
+
+    /// The quotient χ/m is subnormal in one of the two systems of units.
     #[test]
     fn other_units_change_no_digit() {
         let load_integral = |length: f32, force: f32| {

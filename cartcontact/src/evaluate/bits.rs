@@ -42,7 +42,7 @@ pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
     ((exponent + bias::<T>() - 1) as u32) < (2 * bias::<T>()) as u32
 }
 
-/// 2⁸ log₂ x plus a constant, for positive x, less 23 at most.
+/// 2⁸ log₂ x plus a constant, too low by 23 at most, for positive x.
 ///
 /// Exponent and first digits, read as an integer. It is converted without a conversion instruction, which would wait
 /// for the earlier content of its register.

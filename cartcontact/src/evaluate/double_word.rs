@@ -43,7 +43,7 @@ impl<T: Scalar, const FUSED: bool> DoubleWord<T, FUSED> {
         if FUSED && is_plain::<T>() {
             return Self { high, low: x.mul_add(y, -high) };
         }
-        let ((x_head, x_tail), (y_head, y_tail)) = (split(x), split(y));
+        let ((x_head, x_tail), (y_head, y_tail)) = (halves(x), halves(y));
         let low = ((x_head * y_head - high) + x_head * y_tail + x_tail * y_head) + x_tail * y_tail;
         Self { high, low }
     }
@@ -170,7 +170,7 @@ impl<T: Scalar, const FUSED: bool> core::ops::Neg for DoubleWord<T, FUSED> {
 
 /// Cuts x into two halves of at most half the digits each, whose products are exact (Veltkamp).
 #[inline(always)]
-fn split<T: Scalar>(x: T) -> (T, T) {
+fn halves<T: Scalar>(x: T) -> (T, T) {
     // 2^⌈p/2⌉ + 1 for the precision p = 53 of f64 and p = 24 of f32.
     let splitter = if is_single::<T>() { T::constant(4097.0) } else { T::constant(134_217_729.0) };
     let scaled = splitter * x;

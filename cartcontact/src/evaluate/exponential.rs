@@ -28,7 +28,7 @@ pub(crate) fn loss<T: Scalar>(x: T) -> T {
         return -(-x).exp_m1();
     }
     let (gain, power) = reduced(x);
-    // Without octaves the difference is exactly zero; with some it exceeds what is subtracted from it by at least 0.29.
+    // For n = 0 the difference is exact; for n ≥ 1 the result is at least 1 − 1/√2 = 0.29, so that nothing cancels.
     if x > T::constant(longest::<T>()) { T::one() } else { (T::one() - power) - gain }
 }
 
@@ -36,9 +36,9 @@ pub(crate) fn loss<T: Scalar>(x: T) -> T {
 #[inline(always)]
 fn reduced<T: Scalar>(x: T) -> (T, T) {
     let is_single = is::<T, f32>();
-    let (_, high, low) = if is_single { SINGLE } else { DOUBLE };
+    let Reduction { ln_2_high, ln_2_low, .. } = if is_single { SINGLE } else { DOUBLE };
     let (n, octaves) = nearest_integer(x * T::constant(core::f64::consts::LOG2_E));
-    let g = (n * T::constant(high) - x) + n * T::constant(low);
+    let g = (n * T::constant(ln_2_high) - x) + n * T::constant(ln_2_low);
     let square = g * g;
     let row = |k: usize| four_terms(&TAYLOR[k], g, square);
     let fourth = square * square;
@@ -55,15 +55,22 @@ fn reduced<T: Scalar>(x: T) -> (T, T) {
 /// The largest x for which anything is left: what is added to a power of two may be subnormal from there on.
 #[inline(always)]
 fn longest<T: Scalar>() -> f64 {
-    if is::<T, f32>() { SINGLE.0 } else { DOUBLE.0 }
+    if is::<T, f32>() { SINGLE.longest } else { DOUBLE.longest }
 }
 
-/// The largest x; ln 2 in two parts.
-type Reduction = (f64, f64, f64);
+/// The largest x, and ln 2 in two parts.
+struct Reduction {
+    longest: f64,
+    ln_2_high: f64,
+    ln_2_low: f64,
+}
+
 /// The high part has 21 digits fewer than f64, and its multiples go up to 1022.
-const DOUBLE: Reduction = (700.0, 0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
+const DOUBLE: Reduction =
+    Reduction { longest: 700.0, ln_2_high: 0.693_147_180_369_123_8, ln_2_low: 1.908_214_929_270_587_7e-10 };
 /// The high part has 9 digits fewer than f32, and its multiples go up to 126.
-const SINGLE: Reduction = (80.0, 0.693_145_751_953_125, 1.428_606_820_309_417_3e-6);
+const SINGLE: Reduction =
+    Reduction { longest: 80.0, ln_2_high: 0.693_145_751_953_125, ln_2_low: 1.428_606_820_309_417_3e-6 };
 
 /// 1/k! from k = 2 on.
 const TAYLOR: [[f64; 4]; 3] = inverse_factorials(2);

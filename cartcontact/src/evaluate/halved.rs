@@ -7,7 +7,7 @@
 //! ```
 //!
 //! the first part is exact. The second, a share of 2⁻²⁴, or 2⁻¹¹ in single precision, is rounded: it is off by less
-//! than 2⁻⁷⁵ of the product, or 2⁻³³, which is ε/1000. That is less exact than a
+//! than 2⁻⁷⁵ of the product, or in single precision 2⁻³³ = ε/1000. That is less exact than a
 //! [`DoubleWord`](super::double_word::DoubleWord) and takes a third of its operations.
 
 use super::bits::with_half_its_digits;

@@ -22,7 +22,7 @@ pub fn integer_power<T: Scalar>(x: T, k: u32) -> T {
 }
 
 /// x^k, k ≥ 8, of a number with half its digits, and its excess, which comes from the rounding of the fourth power.
-/// What remains are as few rounded products as in the power k/2 of a number.
+/// No more products are rounded than in the power k/2 of a number.
 #[inline(always)]
 pub fn power_of_half_digits<T: Scalar>(x: T, k: u32) -> (T, T) {
     let square = x * x;

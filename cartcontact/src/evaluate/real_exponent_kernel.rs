@@ -104,7 +104,7 @@ fn kernel_near_edge<T: Scalar, const FUSED: bool>(
     n: DoubleWord<T, FUSED>,
 ) -> DoubleWord<T, FUSED> {
     let (one, third) = (T::one(), DoubleWord::of(T::one()).over(DoubleWord::of(T::constant(3.0))));
-    // The terms left out are 1e-18 of the factor of (n+1)/3 δ, and that product is below 0.08.
+    // The terms left out are 1e-18 of the factor of (n+1)/3 δ, and that product is at most 1/12.
     let rest = (1..=16).rev().fold(one, |rest, j| {
         let share = T::constant(1.0 / f64::from(j + 3)) * inset.high();
         one - (n.high() - T::constant(f64::from(j))) * share * rest

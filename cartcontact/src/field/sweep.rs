@@ -254,7 +254,7 @@ fn from_line<T>(values: &[T]) -> [Range<usize>; 2] {
 mod tests {
     use super::*;
 
-    /// Rows taken with wide vectors, beside the same arithmetic value by value; `T` is exact in either.
+    /// Rows taken with wide vectors agree to the last bit with the same arithmetic value by value.
     fn check<T: Scalar>() {
         let width = TILE + 37;
         let grid =

@@ -80,8 +80,8 @@ impl<T: Scalar> ForceSeries<T> {
     /// Leaves out the coefficients that are noise, in a step that ends at `end`.
     ///
     /// After a long history the times of the nodes are rounded by a share of the step, and the forces with them.
-    /// Coefficients then no longer decrease, but from some degree on are as large as the last. They count N² times in
-    /// F′, in which no rule expects such waves. The series still has the forces at both ends, so that steps join, and
+    /// Coefficients then no longer decrease, but from some degree on are as large as the last. F′ multiplies them by up
+    /// to N², and no quadrature rule resolves such waves. The series still has the forces at both ends, so that steps join, and
     /// what a pressure gains and loses during them remains that of one history.
     fn denoised(mut self, end: T) -> Self {
         let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
@@ -153,7 +153,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// Whether the force falls so far that its rounding at the start counts at the end.
     ///
-    /// A fall by less than e^(−χ t) is that of forces that are rounding themselves.
+    /// A fall to 1/16 within two e-foldings is faster than e^(−χ t): such forces are rounding themselves.
     pub(crate) fn falls_far(&self) -> bool {
         let share = T::constant(1.0 / 16.0);
         self.last() < self.size * share && self.folds > T::constant(2.0)

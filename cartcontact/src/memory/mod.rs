@@ -95,8 +95,8 @@ impl<T: Scalar> Stage<T> {
 
 /// The surplus of a stage, unless it is too large for its radius to be taken as exact to first order.
 ///
-/// A surplus of x times the force is a pressure of x times the force, and shifts all ages by x e-foldings; to first
-/// order the two cancel, since a held load has little more to drain. When the hereditary load is at least 1/√ε times
+/// A surplus of x times the force adds a pressure of first order in x, and shifts all ages by x e-foldings, which takes
+/// as much away, since a held load has little more to drain. When the hereditary load is at least 1/√ε times
 /// the force, its rounding makes x² larger than rounding. Leaving the surplus out moves the radius by no more than a
 /// rounding error.
 pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {

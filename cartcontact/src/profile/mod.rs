@@ -26,9 +26,10 @@ use crate::quadrature::Rule;
 /// Results are [`gap`](Self::gap), [`approach`](Self::approach) and [its slope](Self::approach_slope),
 /// [`load_integral`](Self::load_integral), [`log_kernel`](Self::log_kernel),
 /// [`pressure_kernel`](Self::pressure_kernel), [`radius`](Self::radius), [`radii`](Self::radii) and
-/// [`max_radius`](Self::max_radius). The solver calls the methods after it on the way to pressures, and
-/// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check). Programs have little use for them; a profile of
-/// your own may keep the provided ones, unless it has powers above the 64th.
+/// [`max_radius`](Self::max_radius). The methods after `max_radius` serve the solver, and
+/// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check); programs have little use for them. A profile of
+/// your own has to provide [`radius_within`](Self::radius_within) and may keep the provided ones, unless it has powers
+/// above the 64th.
 ///
 /// # Accuracy
 ///

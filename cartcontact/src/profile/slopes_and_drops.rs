@@ -67,27 +67,15 @@ pub fn fill_by_functions<T: Scalar>(
 pub fn fill_slopes_and_drops<T: Scalar, P: GapProfile<T> + ?Sized>(
     profile: &P,
     a: T,
-    places: Places<'_, T>,
-    values: SlopesAndDrops<'_, T>,
-    terms: impl IntoIterator<Item = (T, Exponent<T>), IntoIter: Clone>,
-) {
-    let terms = terms.into_iter().map(|(c, p)| (term_of_drop(c, a, p), p.value()));
-    fill_by_powers(profile, a, places, values, terms);
-}
-
-/// The same for the `terms` (j, p) of J(a).
-#[inline(always)]
-fn fill_by_powers<T: Scalar, P: GapProfile<T> + ?Sized>(
-    profile: &P,
-    a: T,
     (radii, depths): Places<'_, T>,
     (slopes, drops): SlopesAndDrops<'_, T>,
-    terms: impl Iterator<Item = (T, T)> + Clone,
+    terms: impl IntoIterator<Item = (T, Exponent<T>), IntoIter: Clone>,
 ) {
     // The bits of a number with derivatives do not give its logarithm.
     if !is_plain::<T>() {
         return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
     }
+    let terms = terms.into_iter().map(|(c, p)| (term_of_drop(c, a, p), p.value()));
     let places = radii.chunks(BLOCK).zip(depths.chunks(BLOCK));
     let values = slopes.chunks_mut(BLOCK).zip(drops.chunks_mut(BLOCK));
     for ((radii, depths), (slopes, drops)) in places.zip(values) {

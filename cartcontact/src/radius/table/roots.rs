@@ -40,7 +40,7 @@ pub struct Roots<const N: usize> {
     pub series: [f64; N],
 }
 
-/// Quotients lie between 2 to minus this and 2 to this.
+/// Quotients y/C lie between 2^−2100 and 2^2100.
 const MOST_OCTAVES: u32 = 2100;
 /// Binary digits of the fixed-point 1/K, rounded up. For 5 ≤ K ≤ 64 and up to 4300 octaves the quotient is too large by
 /// less than 0.005, never enough to reach the next integer, and the product before the shift is below 2³².
@@ -181,7 +181,7 @@ fn share<T: Scalar, const DIGITS: u32>(ratio: T) -> T {
 /// A symbol C that load integrals are divided by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Divisor<T> {
-    /// One over C, over the power of two of the exponent: between 1/2 and 2.
+    /// 2^`exponent`/C, above 1/2 and at most 1.
     inverse: T,
     /// The exponent of C; that of no normal number if C has no table.
     exponent: i32,
