@@ -1,11 +1,14 @@
-//! What tests of radii share: the exact radius, and a comparison of many radii at once with radii one by one.
+//! What tests of radii share: the exact radius, geometries in both formats with the decades of their radii, and a
+//! comparison of many radii at once with radii one by one.
 
 use core::fmt::Debug;
 
 use cartcontact::GapProfile;
 
-use crate::measure::Exact;
+use crate::budget;
+use crate::measure::{Errors, Exact};
 use crate::oracle::{Profile, double};
+use crate::random::Stream;
 
 /// The radius at which J of the terms (C, n) is `load_integral`.
 #[must_use]
@@ -29,5 +32,69 @@ pub fn assert_same_one_by_one(profile: &dyn GapProfile<f64>, load_integrals: &[f
         assert_eq!(profile.radii(load_integrals, &mut radii), Ok(()), "{place:?}");
         let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
         assert!(load_integrals.iter().map(single).eq(radii), "{place:?}");
+    }
+}
+
+/// A geometry in both formats, with its terms (C, n) as written.
+#[allow(missing_debug_implementations, reason = "profiles are mostly unit structs without `Debug`")]
+pub struct Kind {
+    /// In `f64`.
+    pub double: &'static dyn GapProfile<f64>,
+    /// In `f32`.
+    pub single: &'static dyn GapProfile<f32>,
+    /// The terms.
+    pub terms: &'static [(&'static str, &'static str)],
+    /// The decades in which radii are drawn.
+    pub decades: [f64; 2],
+}
+
+impl Kind {
+    /// The load integral of a random radius.
+    fn load_integral(&self, stream: &mut Stream) -> f64 {
+        let [from, to] = self.decades;
+        self.double.load_integral(stream.magnitude(from, to))
+    }
+}
+
+/// Asserts that random radii are within [`budget::RADIUS_OF_SUMS`] times the condition number at the radius.
+///
+/// # Panics
+///
+/// If a radius is not.
+pub fn assert_exact(kinds: &[Kind], condition: impl Fn(&Kind, f64) -> f64) {
+    let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
+    let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
+    for (index, kind) in (0..).zip(kinds) {
+        let (oracle, mut stream) = (Profile::of_decimals(kind.terms), Stream::of_case(1, index));
+        for _ in 0..200 {
+            let load_integral = kind.load_integral(&mut stream);
+            let place = (kind.terms, load_integral);
+            let expected = Exact::from(&oracle.radius(&double(load_integral)));
+            let found = kind.double.radius(load_integral).unwrap_or(f64::NAN);
+            let condition = condition(kind, found);
+            errors.add(found, expected, condition, &place);
+
+            let single = load_integral as f32;
+            if single.is_normal() {
+                let expected = Exact::from(&oracle.radius(&double(single.into())));
+                let found = kind.single.radius(single).unwrap_or(f32::NAN);
+                errors_of_single.add(found.into(), expected, condition, &place);
+            }
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
+
+/// Asserts that slices of random load integrals have the radii that these have one by one.
+///
+/// # Panics
+///
+/// If a radius differs.
+pub fn assert_slices_are_the_same(kinds: &[Kind]) {
+    for (index, kind) in (0..).zip(kinds) {
+        let mut stream = Stream::of_case(2, index);
+        let load_integrals: Vec<f64> = (0..500).map(|_| kind.load_integral(&mut stream)).collect();
+        assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);
     }
 }

@@ -5,7 +5,7 @@ use tests::budget;
 use tests::condition::{of_radius, of_sizes};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
-use tests::radii::assert_same_one_by_one;
+use tests::radii::{Kind, assert_exact, assert_slices_are_the_same};
 use tests::random::Stream;
 
 #[gap_profile(0.02 * r^(2/3) + 1e-3 * r^2)]
@@ -36,22 +36,9 @@ struct FifthsOfFields<T> {
     d: T,
 }
 
-/// A geometry in both formats, with its terms as written and as numbers.
-struct Kind {
-    double: &'static dyn GapProfile<f64>,
-    single: &'static dyn GapProfile<f32>,
-    terms: &'static [(&'static str, &'static str)],
-    numbers: &'static [(f64, f64)],
-}
-
 macro_rules! kinds {
     ($($profile:ident: $terms:expr,)*) => {
-        [$(Kind {
-            double: &$profile,
-            single: &$profile,
-            terms: &$terms,
-            numbers: &$profile::TERMS,
-        }),*]
+        [$(Kind { double: &$profile, single: &$profile, terms: &$terms, decades: [-1.5, 0.75] }),*]
     };
 }
 
@@ -65,48 +52,20 @@ const KINDS: [Kind; 7] = kinds! {
     Hundredths: [("0.02", "2.37"), ("1e-3", "3.5")],
 };
 
-impl Kind {
-    /// The factor on the error of a radius.
-    fn condition(&self, a: f64) -> f64 {
-        let terms = self.numbers;
-        let is_sum = terms.iter().all(|&(c, _)| c > 0.0);
-        let of_differences = if is_sum { 1.0 } else { budget::RADIUS_OF_DIFFERENCES };
-        of_differences * of_radius(self.double, &of_sizes(terms), a)
-    }
-}
-
 #[test]
 fn radii_are_exact() {
-    let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
-    let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
-    for (index, kind) in (0..).zip(&KINDS) {
-        let (oracle, mut stream) = (Profile::of_decimals(kind.terms), Stream::of_case(1, index));
-        for _ in 0..200 {
-            let size = stream.magnitude(-1.5, 0.75);
-            let load_integral = kind.double.load_integral(size);
-            let condition = kind.condition(size);
-            let place = (kind.terms, load_integral);
-            let expected = Exact::from(&oracle.radius(&double(load_integral)));
-            errors.add(kind.double.radius(load_integral).unwrap_or(f64::NAN), expected, condition, &place);
-
-            let single = load_integral as f32;
-            let expected = Exact::from(&oracle.radius(&double(single.into())));
-            let found = kind.single.radius(single).unwrap_or(f32::NAN);
-            errors_of_single.add(found.into(), expected, condition, &place);
+    assert_exact(&KINDS, |kind, a| {
+        if kind.terms.iter().any(|(coefficient, _)| coefficient.starts_with('-')) {
+            budget::RADIUS_OF_DIFFERENCES * of_radius(&Fifths, &of_sizes(&Fifths::TERMS), a)
+        } else {
+            1.0
         }
-    }
-    errors.check();
-    errors_of_single.check();
+    });
 }
 
 #[test]
 fn slices_have_the_same_radii() {
-    for (index, kind) in (0..).zip(&KINDS) {
-        let mut stream = Stream::of_case(2, index);
-        let load_integrals: Vec<f64> =
-            (0..500).map(|_| kind.double.load_integral(stream.magnitude(-1.5, 0.75))).collect();
-        assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);
-    }
+    assert_slices_are_the_same(&KINDS);
 }
 
 #[test]

@@ -1,11 +1,7 @@
 //! Contact radii of geometries that have no table, and radii outside its rows.
 
-use cartcontact::{GapProfile, gap_profile};
-use tests::budget;
-use tests::measure::{Errors, Exact};
-use tests::oracle::{Profile, double};
-use tests::radii::assert_same_one_by_one;
-use tests::random::Stream;
+use cartcontact::gap_profile;
+use tests::radii::{Kind, assert_exact, assert_slices_are_the_same};
 
 /// The table has rows only below r = 1.2.
 #[gap_profile(0.02 * r^2 + 1e-6 * r^64)]
@@ -38,15 +34,6 @@ struct TwoFields<T> {
 struct Halves<T> {
     c: T,
     d: T,
-}
-
-/// A geometry in both formats, with its terms as written.
-struct Kind {
-    double: &'static dyn GapProfile<f64>,
-    single: &'static dyn GapProfile<f32>,
-    terms: &'static [(&'static str, &'static str)],
-    /// The decades in which radii are drawn.
-    decades: [f64; 2],
 }
 
 const KINDS: [Kind; 7] = [
@@ -92,36 +79,10 @@ const KINDS: [Kind; 7] = [
 
 #[test]
 fn radii_are_exact() {
-    let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
-    let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
-    for (index, kind) in (0..).zip(&KINDS) {
-        let (oracle, mut stream) = (Profile::of_decimals(kind.terms), Stream::of_case(1, index));
-        let [from, to] = kind.decades;
-        for _ in 0..200 {
-            let load_integral = kind.double.load_integral(stream.magnitude(from, to));
-            let place = (kind.terms, load_integral);
-            let expected = Exact::from(&oracle.radius(&double(load_integral)));
-            errors.add(kind.double.radius(load_integral).unwrap_or(f64::NAN), expected, 1.0, &place);
-
-            let single = load_integral as f32;
-            if single.is_normal() {
-                let expected = Exact::from(&oracle.radius(&double(single.into())));
-                let found = kind.single.radius(single).unwrap_or(f32::NAN);
-                errors_of_single.add(found.into(), expected, 1.0, &place);
-            }
-        }
-    }
-    errors.check();
-    errors_of_single.check();
+    assert_exact(&KINDS, |_, _| 1.0);
 }
 
 #[test]
 fn slices_have_the_same_radii() {
-    for (index, kind) in (0..).zip(&KINDS) {
-        let mut stream = Stream::of_case(2, index);
-        let [from, to] = kind.decades;
-        let load_integrals: Vec<f64> =
-            (0..500).map(|_| kind.double.load_integral(stream.magnitude(from, to))).collect();
-        assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);
-    }
+    assert_slices_are_the_same(&KINDS);
 }
