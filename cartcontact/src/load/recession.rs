@@ -124,13 +124,27 @@ enum Halving {
     Over,
 }
 
+impl Halving {
+    /// Of a panel that begins at a `time` and is as long as a step, on the way to an `end`.
+    ///
+    /// Always if half of it is no less than `short`, and is a half: rounded, it may reach to the end like the whole.
+    fn of<T: Scalar>(step: T, (least, short): (T, T), (time, end): (T, T)) -> Self {
+        if step <= least + least {
+            Self::Over
+        } else if step <= short + short || time + step * T::constant(0.5) + least >= end {
+            Self::Limited
+        } else {
+            Self::Free
+        }
+    }
+}
+
 impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     /// Continues to a time before which there is no knot, and through a jump there.
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
-        let (half, epsilon) = (T::constant(0.5), T::default_epsilon());
         let mut step = end - self.time;
         let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
-        let least = (end * epsilon * T::constant(4.0)).max(smallest_normal());
+        let least = (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal());
         let whole = step;
         while self.time < end {
             let short = (whole * self.shortest.length()).max(least);
@@ -142,18 +156,10 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             if fault.is_some() {
                 return fault;
             }
-            // Always if half of it is no less than `short`, and is a half: rounded, it may reach to the end like the
-            // whole.
-            let halving = if step <= least + least {
-                Halving::Over
-            } else if step <= short + short || self.time + step * half + least >= end {
-                Halving::Limited
-            } else {
-                Halving::Free
-            };
+            let halving = Halving::of(step, (least, short), (self.time, end));
             self.crest = match self.finding(&force, (stop, impulse), halving) {
                 None => {
-                    step *= half;
+                    step *= T::constant(0.5);
                     continue;
                 }
                 Some(Finding::Falls(since) | Finding::SeemsToFall(since)) => {

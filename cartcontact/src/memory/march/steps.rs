@@ -115,26 +115,32 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 pace.halve();
                 continue;
             }
-            let middle = start + (stop - start) * T::constant(0.5);
-            let mut halves = self.clone();
-            halves.advance_smooth(&self.force_series(middle), middle);
-            if halves.now.radius <= self.transition.reach && stop - start > pace.shortest.length() {
-                // Nothing of the first half counts, so the second would only be compared with itself.
-                *self = halves;
-                pace.double();
-                continue;
-            }
-            halves.advance_smooth(&halves.force_series(stop), stop);
-            let mut whole = self.clone();
-            whole.advance_smooth(&force, stop);
-            let radius = halves.now.radius;
-            if whole.transition.agrees_with(&halves.transition, radius, self.condition_of(radius)) {
-                *self = halves;
-                pace.double();
-            } else if !pace.halve() {
-                *self = halves;
-                pace.give_up();
-            }
+            self.advance_in_halves(&force, stop, &mut pace);
+        }
+    }
+
+    /// Continues along the halves of a step, or only shortens it if they do not add what the whole does.
+    fn advance_in_halves(&mut self, force: &ForceSeries<T>, stop: T, pace: &mut Pace<T>) {
+        let start = self.now.time;
+        let middle = start + (stop - start) * T::constant(0.5);
+        let mut halves = self.clone();
+        halves.advance_smooth(&self.force_series(middle), middle);
+        if halves.now.radius <= self.transition.reach && stop - start > pace.shortest.length() {
+            // Nothing of the first half counts, so the second would only be compared with itself.
+            *self = halves;
+            pace.double();
+            return;
+        }
+        halves.advance_smooth(&halves.force_series(stop), stop);
+        let mut whole = self.clone();
+        whole.advance_smooth(force, stop);
+        let radius = halves.now.radius;
+        if whole.transition.agrees_with(&halves.transition, radius, self.condition_of(radius)) {
+            *self = halves;
+            pace.double();
+        } else if !pace.halve() {
+            *self = halves;
+            pace.give_up();
         }
     }
 
