@@ -30,10 +30,12 @@ pub(super) fn block(
 /// The stand-in for a faulty profile: that of a gap that depends on fields if any field is marked as used.
 ///
 /// The number of terms and the value of a number depend on a constant that consists of the errors. The compiler then
-/// reports only these errors, and none about a pattern for some terms or an assertion on a radius.
+/// reports only these errors, and none about a pattern for some terms or an assertion on a radius. There are none if the
+/// compiler has reported the struct itself.
 pub(super) fn stub(item: &Item, errors: &TokenStream, names: &Names) -> TokenStream {
     let faults = local("FAULTS");
-    let constant = quote!(const #faults: ::core::primitive::usize = { #errors };);
+    let value = if errors.is_empty() { quote!(0) } else { quote!({ #errors }) };
+    let constant = quote!(const #faults: ::core::primitive::usize = #value;);
     if item.fields.iter().any(|field| field.used) {
         let terms = of_fields(item, names, &faults, &quote!(loop {}));
         return quote!(#constant #terms);

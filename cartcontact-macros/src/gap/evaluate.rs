@@ -100,7 +100,7 @@ impl<'a> Evaluator<'a> {
                 Some(constant(Coefficient::positive_field(ident.clone()), extent))
             }
             Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
-            Meaning::Unknown if !self.item.is_struct => None,
+            Meaning::Undecided => None,
             Meaning::Unknown => {
                 let remedy = self.item.remedy(name, self.place);
                 self.fault(extent, format!("`{name}` is unknown; {remedy}"))

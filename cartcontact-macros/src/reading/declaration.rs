@@ -38,6 +38,7 @@ impl Declaration {
             Some(TokenTree::Group(content)) => Some(content.clone()),
             _ => None,
         };
+        let generics = generics.without_self(ident);
         Some(Declaration { keyword: keyword.clone(), ident: ident.clone(), generics, content })
     }
 }

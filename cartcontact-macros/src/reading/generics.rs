@@ -1,6 +1,6 @@
 //! The parameters of the annotated struct and their bounds, as an implementation repeats them.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use crate::reading::{between_commas, is_punct, length_before, ungrouped};
@@ -75,6 +75,17 @@ impl Generics {
         self.predicates.extend(between_commas(tokens).iter().map(|predicate| quote!(#(#predicate)*)));
     }
 
+    /// The same with the struct's own type in place of `Self`, which the bounds of a function cannot name.
+    pub(super) fn without_self(mut self, ident: &Ident) -> Self {
+        let arguments = self.arguments();
+        let own = quote!(#ident #arguments);
+        let declarations = self.parameters.iter_mut().map(|parameter| &mut parameter.declaration);
+        for tokens in declarations.chain(&mut self.predicates) {
+            *tokens = with_type_for_self(tokens.clone(), &own);
+        }
+        self
+    }
+
     /// Whether this is the name of a type parameter.
     pub(crate) fn has_type(&self, name: &Ident) -> bool {
         let mut types = self.parameters.iter().filter(|parameter| parameter.kind == Kind::Type);
@@ -118,6 +129,19 @@ impl Generics {
     }
 }
 
+fn with_type_for_self(tokens: TokenStream, own: &TokenStream) -> TokenStream {
+    let each = tokens.into_iter().map(|token| match token {
+        TokenTree::Ident(name) if name == "Self" => own.clone(),
+        TokenTree::Group(group) => {
+            let mut replaced = Group::new(group.delimiter(), with_type_for_self(group.stream(), own));
+            replaced.set_span(group.span());
+            replaced.to_token_stream()
+        }
+        other => other.into(),
+    });
+    each.collect()
+}
+
 fn in_angles(list: Vec<TokenStream>) -> TokenStream {
     if list.is_empty() { TokenStream::new() } else { quote!(<#(#list),*>) }
 }
@@ -155,6 +179,19 @@ mod tests {
         assert!(bounded.has_type(&format_ident!("S")) && !bounded.has_type(&format_ident!("N")));
         let same = bounded.with_bound(&format_ident!("T"), &quote!(Copy));
         assert_eq!(same.declared().to_string(), bounded.declared().to_string());
+    }
+
+    #[test]
+    fn bounds_name_the_type_of_the_struct() {
+        let tokens: Vec<TokenTree> =
+            quote!(<T: Into<Option<(Self, T)>>, const N: usize>).into_iter().collect();
+        let (mut generics, _) = Generics::parameters(&tokens);
+        let predicates: Vec<TokenTree> = quote!(Self: Sized).into_iter().collect();
+        generics.add_predicates(&predicates);
+        let generics = generics.without_self(&format_ident!("Ball"));
+        let declared = quote!(<T: Into<Option<(Ball<T, { N }>, T)>>, const N: usize>);
+        assert_eq!(generics.declared().to_string(), declared.to_string());
+        assert_eq!(generics.bounds().to_string(), quote!(where Ball<T, { N }>: Sized).to_string());
     }
 
     #[test]

@@ -21,8 +21,8 @@ pub(crate) struct Item {
     pub(crate) fields: Vec<Field>,
     /// The other fields: naming one in a profile is a fault of its type.
     pub(super) others: Vec<(Ident, Extent)>,
-    /// If it is not a struct, names in a profile cannot be judged.
-    pub(crate) is_struct: bool,
+    /// If it is not a struct, or the compiler reports a field, names in a profile cannot be judged.
+    has_known_fields: bool,
 }
 
 /// A field that can be a symbol.
@@ -49,6 +49,8 @@ pub(crate) enum Meaning<'a> {
     /// The field has a type that cannot stand in a gap, which is written here.
     WrongType(Extent),
     Unknown,
+    /// It may be a field of something that is no sound struct, which is reported.
+    Undecided,
 }
 
 /// The item without further gap profiles, which are reported: each would implement the same trait again.
@@ -107,9 +109,9 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
         diagnostics.report(ident.span(), message);
         return None;
     }
-    let is_struct = keyword == "struct";
-    let allowed = allowed(&tokens);
-    let mut item = Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), is_struct };
+    let (has_known_fields, allowed) = (keyword == "struct", allowed(&tokens));
+    let mut item =
+        Item { ident, generics, allowed, fields: Vec::new(), others: Vec::new(), has_known_fields };
     if keyword == "enum" {
         diagnostics.report(
             keyword.span(),
@@ -132,7 +134,15 @@ impl Item {
     /// Adds the field `name: type`, which may follow attributes and a visibility.
     fn declare(&mut self, field: &[TokenTree], diagnostics: &mut Diagnostics) {
         let colon = length_before(field, |token| is_punct(token, ':'));
-        let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else { return };
+        let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else {
+            self.has_known_fields = false;
+            return;
+        };
+        let ty = &ty[..length_before(ty, |token| is_punct(token, '='))];
+        if !is_type(ty) {
+            self.has_known_fields = false;
+            return;
+        }
         if unraw(ident) == "r" {
             diagnostics.report(
                 ident.span(),
@@ -152,6 +162,7 @@ impl Item {
         }
         match self.others.iter().find(|(ident, _)| is_same(ident, name)) {
             Some((_, ty)) => Meaning::WrongType(*ty),
+            None if !self.has_known_fields => Meaning::Undecided,
             None => Meaning::Unknown,
         }
     }
@@ -202,6 +213,18 @@ fn has_other_meaning(name: &Ident) -> bool {
     is_word || known_number(name).is_some() || unit::is_unit(&written)
 }
 
+/// Whether tokens may be one type. Those that are not, as where a comma is missing before the next field, are reported
+/// by the compiler.
+fn is_type(ty: &[TokenTree]) -> bool {
+    match ty {
+        [] => false,
+        [TokenTree::Ident(first), TokenTree::Ident(_) | TokenTree::Literal(_), ..] => {
+            ["dyn", "extern", "impl", "unsafe"].iter().any(|word| first == word)
+        }
+        _ => true,
+    }
+}
+
 /// `f64` and `f32` under any path, or one of the struct's own type parameters.
 fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
     match ty {
@@ -247,6 +270,23 @@ mod tests {
         assert_eq!(kinds, [&FieldKind::F64, &FieldKind::F32, &FieldKind::TypeParameter(format_ident!("T"))]);
         assert!(matches!(item.meaning(&format_ident!("name")), Meaning::WrongType(_)));
         assert!(matches!(item.meaning(&format_ident!("d")), Meaning::WrongType(_)));
+    }
+
+    #[test]
+    fn fields_that_the_compiler_reports_are_no_faults_of_the_gap() {
+        for fields in
+            ["c: f64 pub d: f64", "c f64", "f64", "c = f64, d: f64", "d: f64, c:", "c: mut f64", "c: f 64"]
+        {
+            let fields: TokenStream = fields.parse().unwrap();
+            let (item, messages) = item(quote!(struct Ball { #fields }));
+            assert!(messages.is_empty());
+            assert!(matches!(item.unwrap().meaning(&format_ident!("c")), Meaning::Undecided), "{fields}");
+        }
+        for ty in ["dyn Debug", "unsafe fn(f64)", "Vec<dyn Debug>", "crate::Units", "[f64; 3]"] {
+            let ty: TokenStream = ty.parse().unwrap();
+            let (item, _) = item(quote!(struct Ball { c: #ty }));
+            assert!(matches!(item.unwrap().meaning(&format_ident!("c")), Meaning::WrongType(_)), "{ty}");
+        }
     }
 
     #[test]

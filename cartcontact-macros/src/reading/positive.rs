@@ -35,7 +35,7 @@ impl Positive {
                     field.is_positive = true;
                     None
                 }
-                None => Some(no_number(&name, item)),
+                None => no_number(&name, item),
             };
             if let Some(message) = fault {
                 diagnostics.report(name.span(), message);
@@ -94,13 +94,19 @@ fn syntax(item: &Item) -> String {
     format!("`positive` names fields, or stands alone for all of them; write `positive = {example}`")
 }
 
-/// Why a name cannot be declared.
-fn no_number(name: &Ident, item: &Item) -> String {
+/// Why a name cannot be declared, unless what is wrong with its field is reported elsewhere.
+fn no_number(name: &Ident, item: &Item) -> Option<String> {
     if name == "r" {
-        return "`r` is the distance from the axis and positive anyway; name fields only".to_owned();
+        return Some("`r` is the distance from the axis and positive anyway; name fields only".to_owned());
     }
-    if let Meaning::WrongType(_) = item.meaning(name) {
-        return format!("only real numbers can be positive; remove the field `{name}`, or make it an `f64`");
+    match item.meaning(name) {
+        Meaning::WrongType(_) => {
+            let message =
+                format!("only real numbers can be positive; remove the field `{name}`, or make it an `f64`");
+            return Some(message);
+        }
+        Meaning::Undecided => return None,
+        Meaning::Symbol(_) | Meaning::Unknown => {}
     }
     let remedy = match closest(&name.to_string(), item.field_names()) {
         Some(field) => format!("did you mean `{field}`?"),
@@ -109,7 +115,7 @@ fn no_number(name: &Ident, item: &Item) -> String {
         }
         None => format!("its symbols are `{}`", item.field_names().join("`, `")),
     };
-    format!("`{name}` is not a field of `{}`; {remedy}", item.ident)
+    Some(format!("`{name}` is not a field of `{}`; {remedy}", item.ident))
 }
 
 #[cfg(test)]

@@ -42,6 +42,20 @@ struct Labelled<'a, T: ?Sized, const N: usize> {
 #[derive(Debug)]
 struct N;
 
+/// Bounds that name the struct.
+#[gap_profile(r^2 / (2 * radius))]
+struct Own<S: Labels<Option<Self>>, const N: usize>
+where
+    Self: Sized,
+{
+    radius: f64,
+    label: S,
+}
+
+trait Labels<T> {}
+
+impl<T> Labels<T> for &str {}
+
 /// Parameters that the geometry does not use.
 #[gap_profile(r^2 / 40)]
 #[derive(Default)]
@@ -108,6 +122,8 @@ fn structs_of_macros_are_read() {
 fn parameters_of_all_kinds_are_kept() {
     assert_eq!(radius(&Any { radius: 20.0_f64 }), radius(&Bounded { radius: 20.0_f64 }));
     assert_eq!(radius(&Any { radius: 20.0_f64 }), radius(&Where { radius: 20.0_f64 }));
+    let own = Own::<_, 3> { radius: 20.0, label: "patella" };
+    assert_eq!((radius::<f64>(&own), own.label), (radius(&Any { radius: 20.0_f64 }), "patella"));
     let labelled = Labelled { radius: 20.0, label: "patella", tags: [1, 2, 3] };
     assert_eq!(labelled.label.len() + labelled.tags.len(), 10);
     assert_eq!(format!("{N:?}"), "N");
