@@ -15,8 +15,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cartcontact::{Contact, Layer, Medium, gap_profile};
-use examples::load_record::LoadRecord;
+use cartcontact::load::Load;
+use cartcontact::{Contact, ContactError, Layer, Medium, gap_profile};
+use examples::load_record::{Knot, LoadRecord};
 
 const DEFAULT_RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/stair_loading.csv");
 
@@ -52,13 +53,27 @@ fn run() -> Result<(), Box<dyn Error>> {
     let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
     let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, record.load()?)?;
     // All of them before the first is written, so that a load that falls too fast leaves no part of a table.
-    let states = record.knots().iter().map(|&(time, _)| contact.at(time)).collect::<Result<Vec<_>, _>>();
-    let states = states.map_err(|error| record.locate(error))?;
+    let states = states(&contact, record.knots()).map_err(|error| record.locate(error))?;
 
     writeln!(out, "time_s,force_n,radius_mm,approach_mm,peak_pressure_mpa")?;
-    for (&(time, force), now) in record.knots().iter().zip(states) {
-        let (radius, approach, peak_pressure) = (now.radius(), now.approach(), now.peak_pressure());
+    for (&(time, force), [radius, approach, peak_pressure]) in record.knots().iter().zip(states) {
         writeln!(out, "{time},{force},{radius:.5},{approach:.6},{peak_pressure:.6}")?;
     }
     Ok(())
+}
+
+/// Contact radius, approach and peak pressure at every knot.
+fn states<L: Load<f64>>(
+    contact: &Contact<f64, Patellofemoral, L>,
+    knots: &[Knot],
+) -> Result<Vec<[f64; 3]>, ContactError> {
+    let times: Vec<f64> = knots.iter().map(|&(time, _)| time).collect();
+    let mut peak_pressures = vec![0.0; times.len()];
+    // Each time begins where the last one ended, instead of with the first knot.
+    contact.pressure_field(&times, &[0.0], &mut peak_pressures)?;
+    let states = times.iter().zip(peak_pressures).map(|(&time, peak_pressure)| {
+        let now = contact.at(time)?;
+        Ok([now.radius(), now.approach(), peak_pressure])
+    });
+    states.collect()
 }
