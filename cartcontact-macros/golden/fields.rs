@@ -303,35 +303,37 @@ const _: () = {
                     [],
                     <T as __cartcontact::Scalar>::constant(1.5f64),
                 );
-                __TABLE
-                    .radius(
-                        __load_integral,
-                        __limit,
-                        __units,
-                        |__a| __steepness(__a, [__c0, __c1]),
-                    )
+                __cartcontact::generated::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __units,
+                    |__a| __steepness(__a, [__c0, __c1]),
+                )
             } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        match (__cartcontact::generated::WholePowers::<
-                            _,
-                            _,
-                            _,
-                            2usize,
-                            1,
-                        > {
-                            coefficients: [
-                                __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                                __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                            ],
-                            powers: [6, 8],
-                            steepness: __quick_steepness,
-                            last_steepness: __quick_steepness,
-                            per_unit: <T as __cartcontact::Scalar>::constant(1.5f64),
-                        })
-                            .radius(__load_integral, __limit)
-                        {
+                        match __cartcontact::generated::WholePowers::radius(
+                            &__cartcontact::generated::WholePowers::<
+                                _,
+                                _,
+                                _,
+                                2usize,
+                                1,
+                            > {
+                                coefficients: [
+                                    __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                                    __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                                ],
+                                powers: [6, 8],
+                                steepness: __quick_steepness,
+                                last_steepness: __quick_steepness,
+                                per_unit: <T as __cartcontact::Scalar>::constant(1.5f64),
+                            },
+                            __load_integral,
+                            __limit,
+                        ) {
                             ::core::option::Option::Some(__a) => {
                                 ::core::result::Result::Ok(__a)
                             }
@@ -404,33 +406,34 @@ const _: () = {
                 [],
                 <T as __cartcontact::Scalar>::constant(1.5f64),
             );
-            __TABLE
-                .radii_also_outside(
-                    (__load_integrals, __radii),
-                    __limit,
-                    __units,
-                    #[inline(always)]
-                    move |__a| __steepness(__a, [__c0, __c1]),
-                    #[inline(always)]
-                    |__load_integral, __more| {
-                        (__cartcontact::generated::WholePowers::<_, _, _, 2usize, 1> {
-                            coefficients: [
-                                __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                                __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                            ],
-                            powers: [6, 8],
-                            steepness: __quick_steepness,
-                            last_steepness: __quick_steepness,
-                            per_unit: <T as __cartcontact::Scalar>::constant(1.5f64),
-                        })
-                            .solve(__load_integral, __more)
+            __cartcontact::generated::Table::radii_also_outside(
+                &__TABLE,
+                (__load_integrals, __radii),
+                __limit,
+                __units,
+                #[inline(always)]
+                move |__a| __steepness(__a, [__c0, __c1]),
+                #[inline(always)]
+                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
+                    &__cartcontact::generated::WholePowers::<_, _, _, 2usize, 1> {
+                        coefficients: [
+                            __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                            __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                        ],
+                        powers: [6, 8],
+                        steepness: __quick_steepness,
+                        last_steepness: __quick_steepness,
+                        per_unit: <T as __cartcontact::Scalar>::constant(1.5f64),
                     },
-                    |__load_integral| __cartcontact::GapProfile::radius_within(
-                        self,
-                        __load_integral,
-                        __limit,
-                    ),
-                )
+                    __load_integral,
+                    __more,
+                ),
+                |__load_integral| __cartcontact::GapProfile::radius_within(
+                    self,
+                    __load_integral,
+                    __limit,
+                ),
+            )
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {

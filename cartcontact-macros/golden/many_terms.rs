@@ -325,13 +325,13 @@ const _: () = {
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             match {
                 let __units = __cartcontact::generated::OwnUnits;
-                __TABLE
-                    .radius(
-                        __load_integral,
-                        __limit,
-                        __units,
-                        |__a| __steepness(__a, []),
-                    )
+                __cartcontact::generated::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __units,
+                    |__a| __steepness(__a, []),
+                )
             } {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
@@ -531,19 +531,19 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let __units = __cartcontact::generated::OwnUnits;
-            __TABLE
-                .radii(
-                    (__load_integrals, __radii),
+            __cartcontact::generated::Table::radii(
+                &__TABLE,
+                (__load_integrals, __radii),
+                __limit,
+                __units,
+                #[inline(always)]
+                move |__a| __steepness(__a, []),
+                |__load_integral| __cartcontact::GapProfile::radius_within(
+                    self,
+                    __load_integral,
                     __limit,
-                    __units,
-                    #[inline(always)]
-                    move |__a| __steepness(__a, []),
-                    |__load_integral| __cartcontact::GapProfile::radius_within(
-                        self,
-                        __load_integral,
-                        __limit,
-                    ),
-                )
+                ),
+            )
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {

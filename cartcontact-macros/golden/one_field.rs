@@ -216,23 +216,22 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            match __TABLE
-                .radius(
-                    __load_integral,
-                    __limit,
-                    __cartcontact::generated::SingleTerm::<
-                        _,
-                        6,
-                        1,
-                        4,
-                    >::of_inverse({
-                        let __field_radius = <T as __cartcontact::Scalar>::constant(
-                            self.radius,
-                        );
-                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
-                    }),
-                )
-            {
+            match __cartcontact::generated::Roots::radius(
+                &__TABLE,
+                __load_integral,
+                __limit,
+                __cartcontact::generated::SingleTerm::<
+                    _,
+                    6,
+                    1,
+                    4,
+                >::of_inverse({
+                    let __field_radius = <T as __cartcontact::Scalar>::constant(
+                        self.radius,
+                    );
+                    <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                }),
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -252,23 +251,22 @@ const _: () = {
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
             let __limit = <T as __cartcontact::Scalar>::infinity();
-            match __TABLE
-                .radius(
-                    __load_integral,
-                    __limit,
-                    __cartcontact::generated::SingleTerm::<
-                        _,
-                        6,
-                        1,
-                        4,
-                    >::of_inverse({
-                        let __field_radius = <T as __cartcontact::Scalar>::constant(
-                            self.radius,
-                        );
-                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
-                    }),
-                )
-            {
+            match __cartcontact::generated::Roots::radius(
+                &__TABLE,
+                __load_integral,
+                __limit,
+                __cartcontact::generated::SingleTerm::<
+                    _,
+                    6,
+                    1,
+                    4,
+                >::of_inverse({
+                    let __field_radius = <T as __cartcontact::Scalar>::constant(
+                        self.radius,
+                    );
+                    <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                }),
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -289,27 +287,27 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            __TABLE
-                .radii(
-                    (__load_integrals, __radii),
+            __cartcontact::generated::Roots::radii(
+                &__TABLE,
+                (__load_integrals, __radii),
+                __limit,
+                __cartcontact::generated::SingleTerm::<
+                    _,
+                    6,
+                    1,
+                    4,
+                >::of_inverse({
+                    let __field_radius = <T as __cartcontact::Scalar>::constant(
+                        self.radius,
+                    );
+                    <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                }),
+                |__load_integral| __cartcontact::GapProfile::radius_within(
+                    self,
+                    __load_integral,
                     __limit,
-                    __cartcontact::generated::SingleTerm::<
-                        _,
-                        6,
-                        1,
-                        4,
-                    >::of_inverse({
-                        let __field_radius = <T as __cartcontact::Scalar>::constant(
-                            self.radius,
-                        );
-                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
-                    }),
-                    |__load_integral| __cartcontact::GapProfile::radius_within(
-                        self,
-                        __load_integral,
-                        __limit,
-                    ),
-                )
+                ),
+            )
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {

@@ -328,19 +328,21 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            match (__cartcontact::generated::WholePowers::<_, _, _, 3usize, 2> {
-                coefficients: [
-                    __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
-                    __c1 * <T as __cartcontact::Scalar>::constant(0.13330078125f64),
-                    __c2 * <T as __cartcontact::Scalar>::constant(0.126953125f64),
-                ],
-                powers: [13, 16, 18],
-                steepness: __quick_steepness,
-                last_steepness: __last_steepness,
-                per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
-            })
-                .radius(__load_integral, __limit)
-            {
+            match __cartcontact::generated::WholePowers::radius(
+                &__cartcontact::generated::WholePowers::<_, _, _, 3usize, 2> {
+                    coefficients: [
+                        __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
+                        __c1 * <T as __cartcontact::Scalar>::constant(0.13330078125f64),
+                        __c2 * <T as __cartcontact::Scalar>::constant(0.126953125f64),
+                    ],
+                    powers: [13, 16, 18],
+                    steepness: __quick_steepness,
+                    last_steepness: __last_steepness,
+                    per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
+                },
+                __load_integral,
+                __limit,
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -413,8 +415,8 @@ const _: () = {
                 (__load_integrals, __radii),
                 __limit,
                 #[inline(always)]
-                |__load_integral, __more| {
-                    (__cartcontact::generated::WholePowers::<_, _, _, 3usize, 2> {
+                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
+                    &__cartcontact::generated::WholePowers::<_, _, _, 3usize, 2> {
                         coefficients: [
                             __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
                             __c1
@@ -425,9 +427,10 @@ const _: () = {
                         steepness: __quick_steepness,
                         last_steepness: __last_steepness,
                         per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
-                    })
-                        .solve(__load_integral, __more)
-                },
+                    },
+                    __load_integral,
+                    __more,
+                ),
                 |__load_integral| __cartcontact::GapProfile::radius_within(
                     self,
                     __load_integral,

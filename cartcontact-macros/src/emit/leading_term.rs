@@ -15,9 +15,9 @@ const HIGHEST_POWER: u32 = 80;
 
 /// The radius from the leading term, if that term leads to it.
 pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let Names { load_integral, limit, .. } = names;
+    let (Names { load_integral, limit, .. }, kind) = (names, names.generated("WholePowers"));
     match whole_powers(&forms.stepped, coefficients, names) {
-        Some(powers) => quote!((#powers).radius(#load_integral, #limit)),
+        Some(powers) => quote!(#kind::radius(&#powers, #load_integral, #limit)),
         None => radius_of_real_powers(forms, coefficients, names),
     }
 }
@@ -67,11 +67,11 @@ pub(super) fn solve(
     names: &Names,
 ) -> Option<TokenStream> {
     let powers = whole_powers(&forms.stepped, coefficients, names)?;
-    let (load_integral, more) = (&names.load_integral, local("more"));
+    let (load_integral, more, kind) = (&names.load_integral, local("more"), names.generated("WholePowers"));
     Some(quote! {
         // Without the attribute, wide vectors would end at the call.
         #[inline(always)]
-        |#load_integral, #more| (#powers).solve(#load_integral, #more)
+        |#load_integral, #more| #kind::solve(&#powers, #load_integral, #more)
     })
 }
 

@@ -33,11 +33,11 @@ pub(super) fn radius_and_radii(
     names: &Names,
 ) -> [TokenStream; 2] {
     let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
-    let general = names.by_radius_within();
+    let (general, kind) = (names.by_radius_within(), names.generated("Roots"));
     let Names { load_integral, load_integrals, limit, radii, .. } = names;
     [
-        quote!(#table.radius(#load_integral, #limit, #term)),
-        quote!(#table.radii((#load_integrals, #radii), #limit, #term, #general,)),
+        quote!(#kind::radius(&#table, #load_integral, #limit, #term)),
+        quote!(#kind::radii(&#table, (#load_integrals, #radii), #limit, #term, #general,)),
     ]
 }
 

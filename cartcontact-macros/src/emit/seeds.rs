@@ -41,6 +41,7 @@ pub(super) fn radius_and_radii(
     let (variables, _) = coefficients.variables();
     let binding = units(seeds, stepped, coefficients, names);
     let (table, steepness, general) = (table::name(), name(), names.by_radius_within());
+    let kind = names.generated("Table");
     let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
         (names, ["a", "units"].map(local));
     let step = quote!(|#a| #steepness(#a, #variables));
@@ -49,11 +50,12 @@ pub(super) fn radius_and_radii(
     [
         quote!({
             #binding
-            #table.radius(#load_integral, #limit, #units, #step)
+            #kind::radius(&#table, #load_integral, #limit, #units, #step)
         }),
         quote! {
             #binding
-            #table.#method(
+            #kind::#method(
+                &#table,
                 (#load_integrals, #radii),
                 #limit,
                 #units,

@@ -2,6 +2,7 @@
 
 mod colliding_names;
 mod constants;
+mod extension_traits;
 mod generics;
 mod lints;
 mod no_prelude;

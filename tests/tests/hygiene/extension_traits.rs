@@ -1,0 +1,56 @@
+//! A trait in scope that gives every value methods named like those that generated code calls.
+
+use cartcontact::gap_profile;
+
+use super::{OF_BALL, radius};
+
+#[allow(dead_code, reason = "its methods are in the way on purpose")]
+trait Extension: Sized {
+    fn radius(self) {}
+    fn radii(self) {}
+    fn radii_also_outside(self) {}
+    fn solve(self) {}
+    fn with_exact_power(self) {}
+    fn scaled(self) {}
+    fn map(self) {}
+    fn sqrt(self) {}
+}
+
+impl<T> Extension for T {}
+
+#[gap_profile(r^2 / 40)]
+struct OneTerm;
+
+#[gap_profile(r^2 / 40 + r^2.5 / 1e30 + r^4 / 1e30)]
+struct Constants;
+
+#[gap_profile(r^2 / (2 * radius))]
+struct OneField {
+    radius: f64,
+}
+
+#[gap_profile(r^2 / (2 * radius) + curvature * r^4)]
+struct Fields {
+    radius: f64,
+    curvature: f64,
+}
+
+#[gap_profile(r^2 / (2 * radius) + curvature * r^2.71 - curvature * r^4)]
+struct RealPowers {
+    radius: f64,
+    curvature: f64,
+}
+
+#[test]
+fn methods_in_scope_are_not_called() {
+    let (ball, curvature) = (20.0, 1e-30);
+    for radius in [
+        radius::<f64>(&OneTerm),
+        radius::<f64>(&Constants),
+        radius::<f64>(&OneField { radius: ball }),
+        radius::<f64>(&Fields { radius: ball, curvature }),
+        radius::<f64>(&RealPowers { radius: ball, curvature }),
+    ] {
+        assert!((radius / OF_BALL - 1.0).abs() < 1e-12, "{radius}");
+    }
+}
