@@ -45,12 +45,13 @@ impl<'a> Evaluator<'a> {
 
     /// An expression without r, such as a radius.
     pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
-        let coefficient = self.shape_at(Place::Coefficient, expression)?.as_coefficient();
+        let shape = self.shape_at(Place::Coefficient, expression)?;
+        let coefficient = shape.as_coefficient();
         if coefficient.is_none() {
-            self.diagnostics.report(
-                expression.extent,
-                format!("{subject} must not depend on r; write a number, or an expression in the fields"),
-            );
+            let rule =
+                if shape.surfaces.is_empty() { "must not depend on r" } else { "must not be a surface" };
+            let message = format!("{subject} {rule}; write a number, or an expression in the fields");
+            self.diagnostics.report(expression.extent, message);
         }
         coefficient
     }
@@ -101,6 +102,10 @@ impl<'a> Evaluator<'a> {
             }
             Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
             Meaning::Undecided => None,
+            // With another type it would be no number either.
+            Meaning::WrongType(_) if matches!(self.place, Place::Number) => {
+                Some(constant(Coefficient::field(name.clone()), extent))
+            }
             Meaning::Unknown => {
                 let remedy = self.item.remedy(name, self.place);
                 self.fault(extent, format!("`{name}` is unknown; {remedy}"))

@@ -15,7 +15,7 @@ use crate::gap::range::Range;
 use crate::gap::rim::{rim, share_of_rim};
 use crate::gap::shape::Shape;
 use crate::gap::surface::Surface;
-use crate::gap::truncation::{HIGHEST_ORDER, Neglected};
+use crate::gap::truncation::{HIGHEST_ORDER, Neglected, Unprovable};
 use crate::number::{Rational, decimal, fraction, integer};
 
 /// A shape whose surfaces have become powers of r.
@@ -74,8 +74,18 @@ pub(crate) fn expand(
 
 const OVERWHELMED: &str =
     "the terms that the order neglects may be as large as the gap itself before max_radius";
-const UNATTAINABLE: &str = "no order up to 128 is within this tolerance";
 const LESS: &str = "lower max_radius, or raise the tolerance";
+
+/// Why a search for an order has found none, and what to do.
+fn unattainable(search: &Result<Option<u32>, Unprovable>) -> String {
+    match search {
+        Ok(_) => format!("no order up to {HIGHEST_ORDER} is within this tolerance; {LESS}"),
+        Err(Unprovable { order }) => format!(
+            "no order below {order} is within this tolerance, and what others neglect cannot be compared with it beside \
+             these exponents; lower max_radius, raise the tolerance, or round the exponents, as in `r^2.5`"
+        ),
+    }
+}
 
 fn without_surfaces(powers: &Polynomial, options: &Options) -> Result<Expanded, Fault> {
     let order = options.order.as_ref().map(|(_, extent)| *extent);
@@ -137,15 +147,16 @@ impl Expansion<'_> {
         let order = match request {
             Request::Order(order, None) => *order,
             Request::Order(order, Some((tolerance, _))) => {
-                if !neglected.is_within(tolerance, *order).map_err(|rule| (self.place, rule))? {
+                if !neglected.is_within(tolerance, *order).map_err(|order| self.unprovable(order))? {
                     return Err(self.too_low(*order, tolerance, neglected)?);
                 }
                 *order
             }
-            Request::Smallest((tolerance, place)) => {
-                let smallest = neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule))?;
-                smallest.ok_or_else(|| Fault::from((*place, UNATTAINABLE)).otherwise(LESS))?
-            }
+            Request::Smallest((tolerance, place)) => match neglected.smallest_order(tolerance) {
+                Ok(Some(smallest)) => smallest,
+                Err(unprovable @ Unprovable { order: 2 }) => return Err(self.unprovable(unprovable)),
+                none => return Err(Fault::from((*place, unattainable(&none)))),
+            },
         };
         // The range has been compared with the rims.
         let unchecked = Vec::new();
@@ -186,15 +197,17 @@ impl Expansion<'_> {
     }
 
     fn too_low(&self, order: u32, tolerance: &Rational, neglected: &Neglected) -> Result<Fault, Fault> {
-        let size = match neglected.bound(order).map_err(|rule| (self.place, rule))? {
+        let size = match neglected.bound(order).map_err(|order| self.unprovable(order))? {
             Some(bound) => format!("up to {} of the gap", decimal(&bound)),
             None => "terms as large as the gap".to_owned(),
         };
         let shown = decimal(tolerance);
         let rule = format!("order {order} neglects {size}, more than the tolerance of {shown}");
-        let higher = self.smallest_order(tolerance)?;
-        let otherwise = if higher.is_some() { LESS.to_owned() } else { format!("{UNATTAINABLE}; {LESS}") };
-        Ok(Fault::from((self.place, rule)).or_order(higher).otherwise(otherwise))
+        let fault = Fault::from((self.place, rule));
+        Ok(match self.smallest_order(tolerance) {
+            Ok(Some(higher)) => fault.or_order(Some(higher)).otherwise(LESS),
+            none => fault.otherwise(unattainable(&none)),
+        })
     }
 
     fn overwhelmed(&self) -> Fault {
@@ -213,9 +226,17 @@ impl Expansion<'_> {
     }
 
     /// The smallest order within the tolerance, whatever order was requested.
-    fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Fault> {
-        let Ok(neglected) = self.neglected(HIGHEST_ORDER) else { return Ok(None) };
-        neglected.smallest_order(tolerance).map_err(|rule| (self.place, rule).into())
+    fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Unprovable> {
+        self.neglected(HIGHEST_ORDER).map_or(Ok(None), |neglected| neglected.smallest_order(tolerance))
+    }
+
+    fn unprovable(&self, Unprovable { order }: Unprovable) -> Fault {
+        let lower = if order > 2 { "lower the order, " } else { "" };
+        let message = format!(
+            "what order {order} neglects cannot be compared with a tolerance beside these exponents; {lower}round the \
+             exponents, as in `r^2.5`, or write a number for the order and no tolerance"
+        );
+        (self.place, message).into()
     }
 }
 

@@ -1,5 +1,7 @@
 //! The radii that a geometry is declared for.
 
+use num_traits::One;
+
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::number::{self, Rational};
 
@@ -26,7 +28,8 @@ impl Range {
         if !radius.is_positive() {
             return Err(NOT_POSITIVE);
         }
-        number::nearest(&radius).and_then(Rational::from_float).map(Self::Limited).ok_or(UNREPRESENTABLE)
+        let unrepresentable = if radius < Rational::one() { TOO_SMALL } else { UNREPRESENTABLE };
+        number::nearest(&radius).and_then(Rational::from_float).map(Self::Limited).ok_or(unrepresentable)
     }
 
     pub(crate) fn end(&self) -> Option<Coefficient> {
@@ -39,4 +42,6 @@ impl Range {
 }
 
 const NOT_POSITIVE: &str = "max_radius must be greater than 0; leave it out if the gap has no end";
+const TOO_SMALL: &str =
+    "max_radius is too small for an `f64`; use a unit of length that brings it nearer to 1";
 const UNREPRESENTABLE: &str = "max_radius does not fit into an `f64`; leave it out if the gap has no end";

@@ -42,8 +42,11 @@ const SAMPLES: u32 = 16;
 /// An estimate may be too large by this share: sums of `f64` lose more only next to a zero of the gap.
 const UNCERTAIN: f64 = 1e-6;
 
-const UNPROVABLE: &str = "what the surfaces neglect cannot be compared with a tolerance beside these exponents; round \
-                          them, as in `r^2.5`, or write a number for the order and no tolerance";
+/// What this order neglects cannot be compared with a tolerance: beside fractional exponents the degree of the proof is
+/// too high, and higher orders only raise it.
+pub(crate) struct Unprovable {
+    pub(crate) order: u32,
+}
 
 /// The number of terms of a series that an order asks for.
 fn count(order: u32) -> usize {
@@ -121,7 +124,7 @@ impl Neglected {
     }
 
     /// Whether |E| ≤ ε Φ on the whole range.
-    pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, &'static str> {
+    pub(crate) fn is_within(&self, tolerance: &Rational, order: u32) -> Result<bool, Unprovable> {
         for Side { powers, factor } in self.sides(order, tolerance) {
             let mut difference = self.kept(order);
             difference.map(|value| *value = &*value * tolerance);
@@ -131,7 +134,7 @@ impl Neglected {
             if !difference.first().is_some_and(|(_, value)| value.is_positive()) {
                 return Ok(false);
             }
-            let end = first_zero(&difference).map_err(|_| UNPROVABLE)?;
+            let end = first_zero(&difference).map_err(|_| Unprovable { order })?;
             if end.is_some_and(|mut end| end.compare(&self.radius) != Ordering::Greater) {
                 return Ok(false);
             }
@@ -140,7 +143,7 @@ impl Neglected {
     }
 
     /// A proved bound of |E|/Φ, an `f64` of three digits; nothing if that is above 1.
-    pub(crate) fn bound(&self, order: u32) -> Result<Option<Rational>, &'static str> {
+    pub(crate) fn bound(&self, order: u32) -> Result<Option<Rational>, Unprovable> {
         if self.sides(order, &Rational::zero()).is_empty() {
             return Ok(Some(Rational::zero()));
         }
@@ -162,7 +165,7 @@ impl Neglected {
 
     /// The smallest order within a tolerance, if there is one. If the e_j have different signs, an order within it may
     /// be followed by one that is not, so all are tried from the lowest on.
-    pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, &'static str> {
+    pub(crate) fn smallest_order(&self, tolerance: &Rational) -> Result<Option<u32>, Unprovable> {
         let wanted = tolerance.to_f64().unwrap_or(0.0).max(f64::MIN_POSITIVE) * (1.0 + UNCERTAIN);
         for order in (2..=self.highest_order).step_by(2) {
             if self.estimate(order) <= wanted && self.is_within(tolerance, order)? {

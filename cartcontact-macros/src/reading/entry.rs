@@ -69,6 +69,11 @@ impl Entry {
         }
     }
 
+    /// Whether it begins as an option does.
+    fn is_option(&self) -> bool {
+        self.assignment().is_some() && is_name_of_option(self.tokens.first())
+    }
+
     /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`, `max-radius =
     /// 6`. None of these has a meaning in an expression.
     pub(super) fn without_equals(&self) -> Option<String> {
@@ -193,19 +198,27 @@ pub(super) fn mentions(names: &[&str], tokens: impl IntoIterator<Item = TokenTre
 pub(super) fn entries(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Entry> {
     let mut entries = Vec::new();
     let mut current = Entry { tokens: Vec::new(), place: Span::call_site() };
-    for token in tokens {
-        match token {
-            TokenTree::Punct(comma) if comma.as_char() == ',' => {
-                if current.tokens.is_empty() {
-                    diagnostics.report(comma.span(), "nothing stands before this comma; remove it");
-                }
-                let next = Entry { tokens: Vec::new(), place: comma.span() };
-                entries.push(core::mem::replace(&mut current, next));
-            }
-            token => current.tokens.push(token),
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        let is_meant_as_comma =
+            is_punct(&token, ';') && (current.is_option() || is_name_of_option(tokens.peek()));
+        if is_meant_as_comma {
+            diagnostics
+                .report(token.span(), "a gap and its options are separated by commas; write `,` for `;`");
+        } else if !is_punct(&token, ',') {
+            current.tokens.push(token);
+            continue;
+        } else if current.tokens.is_empty() {
+            diagnostics.report(token.span(), "nothing stands before this comma; remove it");
         }
+        let next = Entry { tokens: Vec::new(), place: token.span() };
+        entries.push(core::mem::replace(&mut current, next));
     }
     entries.push(current);
     entries.retain(|entry| !entry.tokens.is_empty());
     entries
+}
+
+fn is_name_of_option(token: Option<&TokenTree>) -> bool {
+    matches!(token, Some(TokenTree::Ident(name)) if OPTIONS.iter().any(|option| name == option))
 }

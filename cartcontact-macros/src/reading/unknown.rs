@@ -35,6 +35,10 @@ impl Item {
             _ if knows_r => ("only `r` is known here; ".to_owned(), "`r`".to_owned()),
             _ => (String::new(), "a number".to_owned()),
         };
+        // Names may contain a centred dot, which formulas have for products.
+        if written.contains('·') {
+            return format!("a product is written with `*`; write `{}`", written.replace('·', " * "));
+        }
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
             None if matches!(place, Place::Number) => "write a number".to_owned(),

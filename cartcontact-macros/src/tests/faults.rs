@@ -16,6 +16,23 @@ fn a_parameter_with_the_name_of_its_struct_is_refused() {
 }
 
 #[test]
+fn a_field_is_no_exponent_whatever_its_type() {
+    for kind in [quote!(f64), quote!(i32)] {
+        let item = quote!(
+            struct Knee {
+                c: f64,
+                n: #kind,
+            }
+        );
+        let messages = run(quote!(c * r ^ n), item).err().unwrap_or_default();
+        assert!(
+            matches!(&messages[..], [only] if only.contains("an exponent must be a number")),
+            "{messages:?}"
+        );
+    }
+}
+
+#[test]
 fn likely_slips_are_understood() {
     for (text, rule) in [
         ("r^2 max_radius = 6", "a comma is missing before `max_radius`"),
@@ -35,7 +52,10 @@ fn likely_slips_are_understood() {
         ("r^2, max_radius", "write it as in `max_radius = 6.0`"),
         ("r^2, max_radius = 6,5", "write `6.5`"),
         ("2*r^2 + 0,5*r^4", "write `0.5`"),
-        ("r^2; max_radius = 6", "a comma is missing before `max_radius`"),
+        ("r^2; max_radius = 6", "write `,` for `;`"),
+        ("max_radius = 6; r^2", "write `,` for `;`"),
+        ("k·r^2 + r^4", "a product is written with `*`; write `k * r`"),
+        ("r^2, max_radius = sphere(2)", "max_radius must not be a surface"),
         ("r^2, max_radius = inf", "leave out a range without an end"),
         ("r^2, max_radius = f64::INFINITY", "leave out a range without an end"),
         ("upper = sphere(10), lower = sphere(inf), order = 4", "write a flat body as `lower = 0`"),
@@ -383,7 +403,7 @@ fn faults_of_all_terms_are_reported_together() {
         ("upper = r^2, tibia = sphere(20) + raduis, order = 4", &["write `lower =`", "`raduis`"]),
         ("a = r^2, b = r^2, c = r^2", &["remove `a =`", "`b` is not", "`c` is not"]),
         ("a = r^2, a = r^2", &["remove `a =`", "given twice"]),
-        ("gap = r^2; max_radius = 3", &["a comma is missing", "remove `gap =`"]),
+        ("gap = r^2; max_radius = 3", &["write `,` for `;`", "remove `gap =`"]),
         ("phi = r^2 max_radius = 3", &["a comma is missing", "remove `phi =`"]),
         ("gap = sphere(10) order = 4", &["a comma is missing", "remove `gap =`"]),
         ("r^2 - r^4, depth = 3 max_radius = 0.1", &["a comma is missing"]),

@@ -342,7 +342,7 @@ fn each_fault_of_a_surface_is_named() {
         ("r^2/sphere(10), order = 4", "nor be a divisor"),
         ("r^sphere(10), order = 4", "an exponent must be a number"),
         ("sphere(r), order = 4", "must not depend on r"),
-        ("sphere(sphere(2)), order = 4", "must not depend on r"),
+        ("sphere(sphere(2)), order = 4", "must not be a surface"),
         ("conic(10, r), order = 4", "must not depend on r"),
         ("sphere(), order = 4", "as in `sphere(20)`"),
         ("sphere(1, 2), order = 4", "write `sphere(1.2)` or `conic(1, 2)`"),
@@ -354,6 +354,18 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(10), order = 4, tolerance = 1e-6", "as in `max_radius = 6.0`"),
         ("sphere(10), order = auto, max_radius = 6", "add one, as in `tolerance = 1e-6`"),
         ("sphere(10), order = auto, max_radius = 9.99, tolerance = 1e-9", "no order up to 128"),
+        (
+            "sphere(10) + 1e-9 * r^2.35, order = auto, max_radius = 8, tolerance = 1e-9",
+            "no order below 70 is within this tolerance, and what others neglect cannot be compared",
+        ),
+        (
+            "sphere(10) + 1e-9 * r^2.3, order = 4, max_radius = 8, tolerance = 1e-12",
+            "order 4 neglects up to 0.0724 of the gap, more than the tolerance of 1e-12; no order below 100",
+        ),
+        (
+            "sphere(10) + 1e-9 * r^2.3547, order = 4, max_radius = 8, tolerance = 1e-9",
+            "what order 4 neglects cannot be compared with a tolerance beside these exponents; lower the order",
+        ),
         ("sphere(10) - sphere(9) + 0.01*r^2, order = 2, max_radius = 8.9", "as large as the gap itself"),
     ] {
         let messages = on_unit(text).err().unwrap();

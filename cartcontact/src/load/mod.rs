@@ -137,7 +137,7 @@ pub(crate) use shortest::Shortest;
     message = "`{Self}` is not a load with forces of type `{T}`",
     label = "not a load",
     note = "a constant load is `load::Constant(100.0)`, with a decimal point",
-    note = "a measured load is `load::PiecewiseLinear::new(...)` of pairs (time, force)",
+    note = "a measured load is `load::PiecewiseLinear::new(...)?` of pairs (time, force), with `?`",
     note = "all numbers of a contact have one type: in a contact of f32 that is `load::Constant(100.0_f32)`",
     note = "for any other implement `Load`: it also needs the integral of the force over time"
 )]

@@ -65,7 +65,7 @@ use crate::quadrature::Rule;
     message = "`{Self}` is not a gap profile",
     label = "not a gap profile",
     note = "for a geometry known at compile time write `#[gap_profile(...)]` above the struct",
-    note = "for one known at run time give the pairs (coefficient, exponent) to `Polynomial::new`"
+    note = "one known at run time is `Polynomial::new(...)?` of pairs (coefficient, exponent), with `?`"
 )]
 pub trait GapProfile<T: Scalar> {
     /// The gap Φ(r) between the undeformed surfaces, in mm.
