@@ -32,6 +32,13 @@ struct Wide<T> {
     d: T,
 }
 
+#[gap_profile(c * r + d * r^30 + k * r^60, positive)]
+struct Steep {
+    c: f64,
+    d: f64,
+    k: f64,
+}
+
 #[gap_profile(b * r^2.5 + c * r^4 + d * r^5)]
 struct Halves<T> {
     b: T,
@@ -259,6 +266,16 @@ fn slices_have_the_same_radii() {
         load_integrals[150] = -1.0;
         let refused = profile.radii(&load_integrals, &mut radii);
         assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: -1.0 }));
+    }
+}
+
+/// Some of these need more steps than others.
+#[test]
+fn radii_do_not_depend_on_their_neighbours() {
+    for (index, (c, d, k)) in (0..).zip([(1.0, 1.0, 1.0), (0.3, 0.2, 1.0), (1.0, 1e-3, 1e-9)]) {
+        let mut stream = Stream::of_case(4, index);
+        let load_integrals: Vec<f64> = (0..10_000).map(|_| stream.magnitude(-6.0, 6.0)).collect();
+        assert_same_one_by_one(&Steep { c, d, k }, &load_integrals, &(c, d, k));
     }
 }
 

@@ -133,9 +133,26 @@ pub(super) fn find_blocks<T: Scalar>(
         radii,
         #[inline(always)]
         |load_integrals, radii| {
-            if !block(load_integrals, radii, limit, 0, solve)
-                && !block(load_integrals, radii, limit, MORE_STEPS, solve)
-            {
+            let are_found = block(
+                load_integrals,
+                radii,
+                limit,
+                #[inline(always)]
+                |load_integral| solve(load_integral, 0),
+            );
+            // Each with more steps only if it needs them, so that no radius depends on its neighbours.
+            let are_found = are_found
+                || block(
+                    load_integrals,
+                    radii,
+                    limit,
+                    #[inline(always)]
+                    |load_integral| {
+                        let (first, again) = (solve(load_integral, 0), solve(load_integral, MORE_STEPS));
+                        if first.1 { first } else { again }
+                    },
+                );
+            if !are_found {
                 return false;
             }
             for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
@@ -154,14 +171,13 @@ fn block<T: Scalar>(
     load_integrals: &[T; BLOCK],
     radii: &mut [T; BLOCK],
     limit: T,
-    more: u32,
-    solve: &impl Fn(T, u32) -> (T, bool),
+    solve: impl Fn(T) -> (T, bool),
 ) -> bool {
     // An array of its own, which cannot alias what is read.
     let mut values = [T::zero(); BLOCK];
     let mut are_found = true;
     for (value, &load_integral) in values.iter_mut().zip(load_integrals) {
-        let (radius, is_found) = solve(load_integral, more);
+        let (radius, is_found) = solve(load_integral);
         *value = radius;
         are_found &= is_found & (radius <= limit);
     }
