@@ -33,7 +33,8 @@ impl<T: Scalar> Layer<T> {
     /// The time in which fluid diffuses through the layer, in s: results hold for times that are short compared with
     /// it.
     ///
-    /// `poisson_ratio` is that of the solid matrix, ν. Without permeability the time is infinite.
+    /// `poisson_ratio` is that of the solid matrix, ν. Without permeability the time is infinite; beyond the range of the
+    /// format it is rounded, to 0 or infinity.
     ///
     /// # Formula
     ///

@@ -16,8 +16,9 @@ use crate::evaluate::bits::nearest_integer;
 ///   varies;
 /// - those with respect to time at a knot;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
-///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, because the values alone decide how closely a force is
-///   followed. A knot where the parameter begins to act and some after it, or a small b, remedy that.
+///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight, such as p in
+///   F t^p at p = 1 (off by 3e-5), because the values alone decide how closely a force is followed. A knot where the
+///   parameter begins to act and some after it, a small b, or a p next to 1 remedy that.
 ///
 /// # Examples
 ///

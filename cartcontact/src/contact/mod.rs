@@ -11,6 +11,7 @@ use core::fmt;
 
 pub use error::ContactError;
 pub(crate) use loading::Loading;
+pub(crate) use radii::recedes_within;
 use scales::Scales;
 
 use crate::load::Load;
@@ -160,7 +161,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Empty { what: "times" });
         }
         check_length("radii", radii.len(), times.len())?;
-        radii::fill(self, times, radii, !self.recedes_until(radii::latest(times)))
+        radii::fill(self, times, radii, !recedes_within(self, times))
     }
 
     /// [`radii`](Self::radii) where the caller knows that the edge does not [recede](Self::recedes_until) up to any

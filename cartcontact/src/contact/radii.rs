@@ -8,14 +8,50 @@ use super::common_sizes::CommonSizes;
 use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::dispatch::wide;
-use crate::load::Load;
+use crate::load::{Load, rounding_of};
 use crate::profile::GapProfile;
+use crate::scalar::is_size;
 
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
 const BLOCK: usize = 256;
 
+/// Whether the load falls too fast up to the latest of some times.
+///
+/// A search through a history of very many waves may miss what some of the times show. So where the hereditary load falls
+/// most from one of them to the next, the history up to there is searched as well.
+pub(crate) fn recedes_within<T: Scalar, P: GapProfile<T>, L: Load<T>>(
+    contact: &Contact<T, P, L>,
+    times: &[T],
+) -> bool {
+    contact.recedes_until(latest(times))
+        || !contact.load.is_linear_between_knots()
+            && deepest_fall(contact, times).is_some_and(|time| contact.recedes_until(time))
+}
+
+/// The time at the end of the deepest fall of the hereditary load from one of the times to the next, or the other way
+/// round, if there is one that is more than rounding.
+fn deepest_fall<T: Scalar, P: GapProfile<T>, L: Load<T>>(
+    contact: &Contact<T, P, L>,
+    times: &[T],
+) -> Option<T> {
+    let mut valid = times.iter().filter(|&&time| is_size(time));
+    let hereditary_at = |time: T| (time, contact.loading(time).hereditary);
+    let mut before = hereditary_at(*valid.next()?);
+    let mut deepest = (T::zero(), None);
+    for &time in valid {
+        let now = hereditary_at(time);
+        let ((_, first), (end, last)) = if now.0 < before.0 { (now, before) } else { (before, now) };
+        let fall = first - last;
+        if fall > rounding_of(first) && fall > deepest.0 {
+            deepest = (fall, Some(end));
+        }
+        before = now;
+    }
+    deepest.1
+}
+
 /// The latest of the times that a contact may be asked for; 0 if there is none.
-pub(super) fn latest<T: Scalar>(times: &[T]) -> T {
+fn latest<T: Scalar>(times: &[T]) -> T {
     times
         .iter()
         .fold(T::zero(), |latest, &time| if (time > latest) & time.is_finite() { time } else { latest })
@@ -60,7 +96,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
             || self.take_load_integrals(),
         );
         (is_common || self.take_unusual_load_integrals())
-            && (is_advancing || !self.contact.recedes_until(latest(self.times)))
+            && (is_advancing || !recedes_within(self.contact, self.times))
             && self.take_radii()
             && (is_common && self.has_common_radii() || self.keeps_digits())
     }

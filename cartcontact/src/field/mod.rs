@@ -19,7 +19,7 @@ mod runs;
 mod sweep;
 
 use crate::Scalar;
-use crate::contact::{Contact, ContactError, check_length};
+use crate::contact::{Contact, ContactError, check_length, recedes_within};
 use crate::load::Load;
 use crate::memory::faded_folds;
 use crate::profile::GapProfile;
@@ -77,7 +77,7 @@ where
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
     // Once for all rows: searching the history of a user-defined load takes as long as many of them.
-    if times.last().is_some_and(|&last| contact.recedes_until(last)) {
+    if recedes_within(contact, times) {
         times.iter().try_for_each(|&time| contact.radius_at(time).map(drop))?;
     }
     first.pressures(radii, &mut values[..width]);

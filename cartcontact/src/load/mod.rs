@@ -22,6 +22,7 @@ pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
+pub(crate) use recession::rounding_of;
 pub(crate) use shortest::Shortest;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
@@ -29,9 +30,10 @@ pub(crate) use shortest::Shortest;
 /// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip
 /// or must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the
 /// contact recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not
-/// report are found too, at the cost of thousands of calls of [`force`](Self::force) each: about fifty between two
-/// times to full accuracy, some five hundred kinks to 1e-12. With more of them pressures are off, by 1e-7 with a
-/// thousand and by up to 3e-3 with several thousand: sampled data need `next_knot`, or [`PiecewiseLinear`]. An
+/// report are found too, at the cost of thousands of calls of [`force`](Self::force) each. Some five hundred kinks
+/// between two times are found to 1e-12; a thousand put pressures off by up to 1e-7, several thousand by 3e-3. Of jumps
+/// thirty are found to full accuracy; fifty put pressures off by up to 5e-12, a hundred by 5e-10, two hundred by 3e-6,
+/// and five hundred by 2e-3. Sampled data and loads with steps need `next_knot`, or are a [`PiecewiseLinear`]. An
 /// oscillating load is followed wave by wave: a pressure takes some 40 forces for each wave of the last forty
 /// e-foldings, however small the waves are.
 ///
@@ -191,9 +193,10 @@ pub trait Load<T: Scalar> {
     ///
     /// The provided method follows the force between knots as closely as it varies. It finds every fall of a smooth
     /// load by more than rounding, 8 ε of the hereditary load, and falls by √ε of the force in ripples that are too
-    /// short for its steps. It needs some 17 forces for each panel of a few radians of an oscillation, or a few
-    /// e-foldings of a decay, and up to 1e5 where forces are the rounding of something larger, as 1 − cos t is at
-    /// first. A load that knows the answer should give it.
+    /// short for its steps. Of a wave that falls hardly faster than e^(−χ t) this holds up to 1e5 periods; then the
+    /// answer may be one of the later waves, and from 1e7 periods on there may be none. It needs some 17 forces for
+    /// each panel of a few radians of an oscillation, or a few e-foldings of a decay, and up to 1e5 where forces are
+    /// the rounding of something larger, as 1 − cos t is at first. A load that knows the answer should give it.
     ///
     /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with three
     /// forces for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them together

@@ -62,7 +62,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
 }
 
 /// By how much rounding may make a hereditary load fall in a panel; near zero all numbers are rounded alike.
-fn rounding_of<T: Scalar>(hereditary: T) -> T {
+pub(crate) fn rounding_of<T: Scalar>(hereditary: T) -> T {
     hereditary.max(smallest_normal()) * T::default_epsilon() * T::constant(8.0)
 }
 

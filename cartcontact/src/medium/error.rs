@@ -84,7 +84,7 @@ impl fmt::Display for MediumError {
 }
 
 // Also for errors of `Medium::against_rigid`.
-const BARE: &str = "`Medium::against_rigid` takes the layer of one body alone, if the other is bare";
+const BARE: &str = "if this body is bare, `Medium::against_rigid` takes the layer of the other one";
 const NO_NUMBER: &str = "check what it is computed from";
 
 fn remedy_for_thickness(thickness: f64) -> &'static str {
