@@ -56,6 +56,19 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// # Accuracy
     ///
     /// Within 1 + a δ₀′/δ₀ units in the last place, times the condition number of J where terms of both signs cancel.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
+    /// let now = contact.at(200.0)?;
+    /// // That of a paraboloid C r² is C a²/2.
+    /// let (a, approach): (f64, f64) = (now.radius(), now.approach());
+    /// assert!((approach - 0.025 * a * a / 2.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn approach(&self) -> T {
         let (approach, load_integral) = self.contact.profile().approach_and_load_integral(self.radius);
         let loading = self.contact.loading(self.time);
@@ -86,6 +99,18 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
     /// result.
     ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
+    /// let now = contact.at(200.0)?;
+    /// assert!(now.pressure(0.0) > now.pressure(3.0) && now.pressure(3.0) > 0.0);
+    /// assert_eq!((now.pressure(-3.0), now.pressure(now.radius())), (now.pressure(3.0), 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # References
     ///
     /// Eq. (28), doi 10.1016/j.mechrescom.2010.11.006.
@@ -110,6 +135,18 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// In single precision it is within 16 units under a user-defined load that falls for more than twenty e-foldings, step
     /// by step, because the decay over each step is rounded.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
+    /// let [first, last] = [contact.at(0.0)?, contact.at(200.0)?];
+    /// // The contact spreads, and the same force is carried by a wider disc.
+    /// assert!(first.peak_pressure() > last.peak_pressure());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }

@@ -64,6 +64,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # Errors
     ///
     /// [`ContactError`] if the values of the geometry's parameters or of the load are not usable.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let gap = Polynomial::new([(0.025, 2.0)])?;
+    /// assert!(Contact::new(gap, medium, load::Constant(100.0)).is_ok());
+    /// assert!(Contact::new(gap, medium, load::Constant(-100.0)).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(profile: P, medium: Medium<T>, load: L) -> Result<Self, ContactError> {
         profile.check()?;
         load.check()?;

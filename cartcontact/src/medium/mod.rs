@@ -48,6 +48,18 @@ impl<T: Scalar> Medium<T> {
     ///
     /// [`MediumError`] unless all thicknesses and shear moduli are positive, permeabilities are not negative,
     /// and m and χ are representable.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Layer, Medium};
+    /// let patella = Layer { thickness: 2.0, shear_modulus: 0.25, permeability: 2e-3 };
+    /// let femur = Layer { thickness: 1.0, ..patella };
+    /// let medium = Medium::between(patella, femur)?;
+    /// assert!((medium.m() - 1.0 / 12.0_f64).abs() < 1e-16); // MPa/mm³
+    /// assert!((medium.chi() - 5e-4_f64).abs() < 1e-18); // 1/s
+    /// # Ok::<(), cartcontact::MediumError>(())
+    /// ```
     pub fn between(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
         let m = (first.compliance()? + second.compliance()?).recip();
         Self::from_constants(m, first.rate_within(m) + second.rate_within(m))
@@ -118,6 +130,15 @@ impl<T: Scalar> Medium<T> {
     ///
     /// [`MediumError`] unless m is positive, χ is 0 or positive and both are finite and have all their digits, from
     /// 2⁻¹⁰²² in f64 and 2⁻¹²⁶ in f32.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::Medium;
+    /// let elastic = Medium::from_constants(0.375, 0.0)?;
+    /// assert_eq!((elastic.m(), elastic.chi()), (0.375, 0.0));
+    /// # Ok::<(), cartcontact::MediumError>(())
+    /// ```
     pub fn from_constants(m: T, chi: T) -> Result<Self, MediumError> {
         let is_normal = |x: T| x >= smallest_normal() && x.is_finite();
         if !is_normal(m) {

@@ -75,6 +75,16 @@ pub trait GapProfile<T: Scalar> {
     /// ```text
     /// Φ(r) = Σ C rⁿ
     /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, gap_profile};
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// assert!((Paraboloid.gap(4.0) - 0.4_f64).abs() < 1e-15);
+    /// ```
     fn gap(&self, r: T) -> T;
 
     /// The approach δ₀ of the bones at contact radius `a`, in mm: Eq. (10).
@@ -83,6 +93,16 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// ```text
     /// δ₀(a) = Σ 2 C aⁿ / (n+2)
+    /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, gap_profile};
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// assert!((Paraboloid.approach(4.0) - 0.2_f64).abs() < 1e-15);
     /// ```
     fn approach(&self, a: T) -> T;
 
@@ -93,6 +113,16 @@ pub trait GapProfile<T: Scalar> {
     /// ```text
     /// δ₀′(a) = Σ 2 C n aⁿ⁻¹ / (n+2) = (2/a) (Φ(a) − δ₀(a))
     /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, gap_profile};
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// assert!((Paraboloid.approach_slope(4.0) - 0.1_f64).abs() < 1e-15);
+    /// ```
     fn approach_slope(&self, a: T) -> T;
 
     /// The load integral J, in mm⁵: (π m/4) J(a) is the hereditary load of Eq. (14).
@@ -101,6 +131,16 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// ```text
     /// J(a) = Σ C n aⁿ⁺⁴ / ((n+2)(n+4)),     J′(a) = a⁴ δ₀′(a) / 2
+    /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, gap_profile};
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// assert!((Paraboloid.load_integral(4.0) - 8.533_333_333_333_333_f64).abs() < 1e-14);
     /// ```
     fn load_integral(&self, a: T) -> T;
 
@@ -111,6 +151,16 @@ pub trait GapProfile<T: Scalar> {
     /// ```text
     /// L(x) = ∫₀ˣ Φ(ρ) ρ ln(x/ρ) dρ = Σ C xⁿ⁺² / (n+2)²
     /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, gap_profile};
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// assert!((Paraboloid.log_kernel(4.0) - 0.4_f64).abs() < 1e-15);
+    /// ```
     fn log_kernel(&self, x: T) -> T;
 
     /// The pressure kernel G, in mm³; zero for r ≥ a, where its double zero is kept as a factor.
@@ -119,6 +169,16 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// ```text
     /// G(a, r) = δ₀(a)(a² − r²)/4 + L(r) − L(a) = ¼ ∫ᵣᵃ δ₀′(s)(s² − r²) ds
+    /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, gap_profile};
+    /// #[gap_profile(0.025 * r^2)]
+    /// struct Paraboloid;
+    ///
+    /// assert!((Paraboloid.pressure_kernel(4.0, 2.0) - 0.225_f64).abs() < 1e-15);
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
