@@ -12,6 +12,7 @@ mod leading_terms;
 mod own_units;
 mod random;
 mod single_terms;
+mod slips;
 mod surfaces;
 
 use proc_macro2::TokenStream;
