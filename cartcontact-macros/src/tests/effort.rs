@@ -27,11 +27,11 @@ fn effort_is_bounded() {
         ("degree 64, signs mixed", sum(2..65, '-') + ", max_radius = 0.5"),
         ("two spheres, order 4", "sphere(10) - sphere(20), order = 4, max_radius = 6".to_owned()),
         (
-            "two conics, smallest order",
+            "two conics, order = auto",
             "conic(10.37, -0.2) - sphere(20.11), order = auto, tolerance = 1e-9, max_radius = 7.1".to_owned(),
         ),
         (
-            "two conics near a rim, smallest order",
+            "two conics near a rim, order = auto",
             "conic(10, -2) + sphere(16.5), order = auto, tolerance = 1e-5, max_radius = 9.5".to_owned(),
         ),
         ("two spheres, order 128", "sphere(10) - sphere(20), order = 128, max_radius = 9.99".to_owned()),
