@@ -11,7 +11,7 @@ use core::fmt;
 
 pub use error::ContactError;
 pub(crate) use loading::Loading;
-pub(crate) use radii::recedes_within;
+pub(crate) use radii::recession_within;
 use scales::Scales;
 
 use crate::load::Load;
@@ -172,13 +172,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(ContactError::Empty { what: "times" });
         }
         check_length("radii", radii.len(), times.len())?;
-        radii::fill(self, times, radii, !recedes_within(self, times))
+        radii::fill(self, times, radii, recession_within(self, times))
     }
 
     /// [`radii`](Self::radii) where the caller knows that the edge does not [recede](Self::recedes_until) up to any
     /// time.
     pub(crate) fn advancing_radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
-        radii::fill(self, times, radii, true)
+        radii::fill(self, times, radii, None)
     }
 
     /// The pressures at many times and radii, in MPa.

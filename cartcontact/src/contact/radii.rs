@@ -15,17 +15,19 @@ use crate::scalar::is_size;
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
 const BLOCK: usize = 256;
 
-/// Whether the load falls too fast up to the latest of some times.
+/// Since when the load falls too fast, if it does up to the latest of some times.
 ///
 /// A search through a history of very many waves may miss what some of the times show. So where the hereditary load falls
 /// most from one of them to the next, the history up to there is searched as well.
-pub(crate) fn recedes_within<T: Scalar, P: GapProfile<T>, L: Load<T>>(
+pub(crate) fn recession_within<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
-) -> bool {
-    contact.recedes_until(latest(times))
-        || !contact.load.is_linear_between_knots()
-            && deepest_fall(contact, times).is_some_and(|time| contact.recedes_until(time))
+) -> Option<T> {
+    let recession = |time| contact.load.recession(contact.medium.chi(), time);
+    recession(latest(times)).or_else(|| {
+        let is_searched = !contact.load.is_linear_between_knots();
+        if is_searched { deepest_fall(contact, times).and_then(recession) } else { None }
+    })
 }
 
 /// The time at the end of the deepest fall of the hereditary load from one of the times to the next, or the other way
@@ -57,24 +59,20 @@ fn latest<T: Scalar>(times: &[T]) -> T {
         .fold(T::zero(), |latest, &time| if (time > latest) & time.is_finite() { time } else { latest })
 }
 
-/// The radii at as many times; `is_advancing` says that the edge is known not to recede up to any of them, so that a
-/// user-defined load need not be searched again for every block.
+/// The radii at as many times; the edge is known not to recede before a time, or not at all.
 pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
     radii: &mut [T],
-    is_advancing: bool,
+    since: Option<T>,
 ) -> Result<(), ContactError> {
     let mut load_integrals = [T::zero(); BLOCK];
     for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
+        let is_advancing = since.is_none_or(|since| latest(times) <= since);
         let load_integrals = &mut load_integrals[..times.len()];
-        if !(Block { contact, times, load_integrals, radii }).fill(is_advancing) {
+        if !(is_advancing && Block { contact, times, load_integrals, radii }.fill()) {
             for (radius, &time) in radii.iter_mut().zip(times) {
-                *radius = if is_advancing {
-                    contact.advancing_radius_at(time)?
-                } else {
-                    contact.radius_at(time)?
-                };
+                *radius = contact.radius_if_advancing(time, since)?;
             }
         }
     }
@@ -90,13 +88,12 @@ struct Block<'a, T, P, L> {
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// False if there is a fault; the radii are then not to be used.
-    fn fill(&mut self, is_advancing: bool) -> bool {
+    fn fill(&mut self) -> bool {
         let is_common = wide(
             #[inline(always)]
             || self.take_load_integrals(),
         );
         (is_common || self.take_unusual_load_integrals())
-            && (is_advancing || !recedes_within(self.contact, self.times))
             && self.take_radii()
             && (is_common && self.has_common_radii() || self.keeps_digits())
     }

@@ -20,6 +20,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
     }
 
+    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not recede before a time, or not at all.
+    pub(crate) fn radius_if_advancing(&self, t: T, since: Option<T>) -> Result<T, ContactError> {
+        match since {
+            Some(since) if t > since => self.radius_at(t),
+            _ => self.advancing_radius_at(t),
+        }
+    }
+
     /// Whether the load falls too fast up to a time.
     #[inline(always)]
     pub(crate) fn recedes_until(&self, t: T) -> bool {

@@ -19,7 +19,7 @@ mod runs;
 mod sweep;
 
 use crate::Scalar;
-use crate::contact::{Contact, ContactError, check_length, recedes_within};
+use crate::contact::{Contact, ContactError, check_length, recession_within};
 use crate::load::Load;
 use crate::memory::faded_folds;
 use crate::profile::GapProfile;
@@ -77,8 +77,9 @@ where
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
     // Once for all rows: searching the history of a user-defined load takes as long as many of them.
-    if recedes_within(contact, times) {
-        times.iter().try_for_each(|&time| contact.radius_at(time).map(drop))?;
+    let since = recession_within(contact, times);
+    if since.is_some() {
+        times.iter().try_for_each(|&time| contact.radius_if_advancing(time, since).map(drop))?;
     }
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
