@@ -84,11 +84,14 @@ fn run([scenes, threads, seed]: [u64; 3]) -> Result<(), Box<dyn Error>> {
 
 /// What varies from patient to patient, log-normally, because none of it can be negative.
 struct Population {
+    /// Radii of curvature, in mm.
     condyle: LogNormal<f64>,
     plateau: LogNormal<f64>,
+    /// Of each layer, in mm, MPa and mm⁴/(N s).
     thickness: LogNormal<f64>,
     shear_modulus: LogNormal<f64>,
     permeability: LogNormal<f64>,
+    /// In N.
     force: LogNormal<f64>,
 }
 

@@ -21,7 +21,7 @@ proptest! {
     #![proptest_config(random::cases(400))]
 
     #[test]
-    fn generated_solvers_agree_with_polynomials(index in 0..11_usize, share in 0.0..1.0, q in 0.0..1.0) {
+    fn generated_solvers_agree_with_polynomials(index in 0..cases().len(), share in 0.0..1.0, q in 0.0..1.0) {
         let case = cases()[index];
         let a = share * case.max_radius.unwrap_or(20.0);
         for kernel @ Kernel { allowance, double, .. } in kernel::ALL {
@@ -35,7 +35,7 @@ proptest! {
     /// The factored kernel keeps its digits up to the edge: G = ¼ ∫ δ₀′(s) (s² − r²) ds over s from r to a.
     #[test]
     fn pressure_kernel_is_accurate_up_to_the_edge(
-        index in 0..11_usize,
+        index in 0..cases().len(),
         share in 0.01..1.0,
         depth in magnitude(-12.0..-0.5),
     ) {
@@ -55,7 +55,7 @@ proptest! {
 
     /// δ₀′ = (2/a) (Φ − δ₀).
     #[test]
-    fn slope_of_approach_is_what_the_gap_exceeds_its_mean_by(index in 0..11_usize, share in 1e-3..1.0) {
+    fn slope_of_approach_is_what_the_gap_exceeds_its_mean_by(index in 0..cases().len(), share in 1e-3..1.0) {
         let case = cases()[index];
         let a = share * case.max_radius.unwrap_or(20.0);
         let (gap, approach) = (case.double.gap(a), case.double.approach(a));
@@ -69,7 +69,7 @@ proptest! {
     /// J(a) − J(a − depth) keeps its digits at any depth.
     #[test]
     fn drop_of_load_integral_is_accurate_at_any_depth(
-        index in 0..11_usize,
+        index in 0..cases().len(),
         share in 0.01..1.0,
         depth in magnitude(-15.0..0.0),
     ) {

@@ -28,7 +28,7 @@ proptest! {
 
     #[test]
     fn pressure_falls_outwards_to_zero(
-        (index, history) in (0..11_usize, 0..6_usize),
+        (index, history) in (0..cases().len(), 0..histories(CHI).len()),
         time in 1e-3..10.0,
         (inner, outer) in (0.0..1.0, 0.0..1.0),
     ) {

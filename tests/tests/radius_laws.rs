@@ -27,7 +27,7 @@ proptest! {
     }
 
     #[test]
-    fn a_planted_radius_is_recovered_by_generated_solvers(index in 0..11_usize, share in 1e-6..1.0) {
+    fn a_planted_radius_is_recovered_by_generated_solvers(index in 0..cases().len(), share in 1e-6..1.0) {
         let case = cases()[index];
         let a = share * case.max_radius.unwrap_or(20.0);
         let condition = case.of_sizes().load_integral(a) / case.double.load_integral(a);

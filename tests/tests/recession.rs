@@ -306,5 +306,7 @@ fn single_precision_notices_as_well() {
         }
     }
     assert_eq!(Single(&fall).recession(0.1, 39.9), None);
-    assert!(Single(&fall).recession(0.1, 45.0).is_some_and(|since| (since - 40.0).abs() < 0.1));
+    // From 40 s on Y = 260 falls by 0.1 (t − 40)², which is within its rounding for so long.
+    let hidden = (8.0 * f32::EPSILON * 260.0 / 0.1).sqrt();
+    assert!(Single(&fall).recession(0.1, 45.0).is_some_and(|since| (since - 40.0).abs() < hidden));
 }

@@ -5,6 +5,7 @@ use core::cell::Cell;
 
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{ContactError, Scalar};
+use tests::budget;
 use tests::joint::joint;
 use tests::loads::{Announced, through};
 use tests::profiles::Paraboloid;
@@ -256,6 +257,8 @@ fn pressures_fade_with_a_load_at_the_bound() {
         let contact = joint(Paraboloid, chi.into(), load);
         let peak = |t: f32| contact.at(t).map_or(f32::NAN, |now| now.peak_pressure());
         let error = peak(19.999) / peak(0.0) / (force(19_999) / 80.0) - 1.0;
-        assert!(error.abs() < 1e-5, "{chi}: {error:e}");
+        // Of both peaks, and of both forces.
+        let allowed = (2.0 * budget::PEAK_PRESSURE.single + 2.0) as f32 * f32::EPSILON;
+        assert!(error.abs() < allowed, "{chi}: {error:e}");
     }
 }

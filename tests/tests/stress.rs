@@ -51,7 +51,7 @@ fn assert_much_was_examined(ledger: &Ledger, report: &Report) {
         }
     }
     for (quantity, share) in
-        [(Quantity::Pressure, 0.08), (Quantity::PeakPressure, 0.08), (Quantity::Balance, 0.005)]
+        [(Quantity::Pressure, 0.08), (Quantity::PeakPressure, 0.08), (Quantity::Balance, 0.02)]
     {
         let count: u64 = ledger.errors.iter().map(|row| row[quantity as usize].count).sum();
         let solved: u64 = ledger.tallies.iter().map(|row| row[Tally::Solved as usize]).sum();

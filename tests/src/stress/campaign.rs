@@ -11,7 +11,7 @@ use crate::budget::Allowance;
 use crate::random::Stream;
 
 /// Every so many cases, memory and balance are examined as well.
-const DEEP: u64 = 97;
+const DEEP: u64 = 23;
 
 /// The format in which a case is computed.
 #[derive(Clone, Copy, Debug)]
