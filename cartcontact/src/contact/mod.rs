@@ -5,13 +5,14 @@ mod error;
 mod loading;
 mod radii;
 mod radius;
+mod recession;
 mod scales;
 
 use core::fmt;
 
 pub use error::ContactError;
 pub(crate) use loading::Loading;
-pub(crate) use radii::recession_within;
+pub(crate) use recession::recession_within;
 use scales::Scales;
 
 use crate::load::Load;
