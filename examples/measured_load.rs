@@ -18,6 +18,7 @@ use std::process::ExitCode;
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, Layer, Medium, gap_profile};
 use examples::load_record::{Knot, LoadRecord};
+use examples::options;
 
 const DEFAULT_RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/stair_loading.csv");
 
@@ -38,7 +39,7 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = env::args_os().skip(1).map(PathBuf::from).collect();
     let mut out = io::stdout().lock();
-    if arguments.iter().any(|argument| ["--help", "-h"].iter().any(|help| argument.as_os_str() == *help)) {
+    if arguments.iter().any(|argument| argument.to_str().is_some_and(options::is_help)) {
         write!(out, "{HELP}")?;
         return Ok(());
     }

@@ -35,6 +35,12 @@ pub fn read<const N: usize>(example: &str, flags: [Flag; N]) -> Result<Option<[u
     Ok(values)
 }
 
+/// Whether an argument asks for help.
+#[must_use]
+pub fn is_help(argument: &str) -> bool {
+    argument == "--help" || argument == "-h"
+}
+
 fn write_help(out: &mut impl Write, example: &str, flags: &[Flag]) -> io::Result<()> {
     writeln!(out, "Usage: cargo run --release --example {example} -- [options]\n")?;
     for Flag { name, about, default, .. } in flags {
@@ -49,7 +55,7 @@ fn parse<const N: usize>(
 ) -> Result<Option<[u64; N]>, OptionError> {
     let mut values = flags.map(|flag| flag.default);
     while let Some(argument) = arguments.next() {
-        if argument == "--help" || argument == "-h" {
+        if is_help(&argument) {
             return Ok(None);
         }
         let (name, joined) = match argument.split_once('=') {

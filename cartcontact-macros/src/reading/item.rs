@@ -133,16 +133,10 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
 impl Item {
     /// Adds the field `name: type`, which may follow attributes and a visibility.
     fn declare(&mut self, field: &[TokenTree], diagnostics: &mut Diagnostics) {
-        let colon = length_before(field, |token| is_punct(token, ':'));
-        let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else {
+        let Some((ident, ty, place)) = named(field) else {
             self.has_known_fields = false;
             return;
         };
-        let ty = &ty[..length_before(ty, |token| is_punct(token, '='))];
-        if !is_type(ty) {
-            self.has_known_fields = false;
-            return;
-        }
         if unraw(ident) == "r" {
             diagnostics.report(
                 ident.span(),
@@ -152,7 +146,7 @@ impl Item {
         let ident = ident.clone();
         match kind(ty, &self.generics) {
             Some(kind) => self.fields.push(Field { ident, kind, is_positive: false, used: false }),
-            None => self.others.push((ident, Extent::of(ty, colon.span()))),
+            None => self.others.push((ident, Extent::of(ty, place))),
         }
     }
 
@@ -213,8 +207,16 @@ fn has_other_meaning(name: &Ident) -> bool {
     is_word || known_number(name).is_some() || unit::is_unit(&written)
 }
 
-/// Whether tokens may be one type. Those that are not, as where a comma is missing before the next field, are reported
-/// by the compiler.
+/// The name and the type of a field without its default, and the place between them; nothing if it is none, which the
+/// compiler reports.
+fn named(field: &[TokenTree]) -> Option<(&Ident, &[TokenTree], Span)> {
+    let colon = length_before(field, |token| is_punct(token, ':'));
+    let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else { return None };
+    let ty = &ty[..length_before(ty, |token| is_punct(token, '='))];
+    is_type(ty).then_some((ident, ty, colon.span()))
+}
+
+/// Whether tokens may be one type, unlike those where a comma is missing before the next field.
 fn is_type(ty: &[TokenTree]) -> bool {
     match ty {
         [] => false,
