@@ -95,10 +95,10 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 );
 /// The inverse of J, in any form.
 ///
-/// A few radii are off by more than 1 ulp. Of those generated for whole powers, up to 15 in a million if the gap begins
-/// with r, by 1.16 at the most, in five million random ones each for eleven geometries; otherwise fewer than one in a
-/// million in `f64` and up to 5 in `f32`, by 1.03. With halves among the exponents, up to 8 and 15 in a million, by
-/// 1.16. Of one term, none; with the `powf` of `libm`, 1 in ten thousand of r^0.25, by 1.1.
+/// A few radii are off by more than 1 ulp: up to 43 in a million if the gap begins with r, 37 with halves among the
+/// exponents and 8 with other whole powers (`cargo run --release -p tests --bin radii`), by 1.16 at the most in five
+/// million random ones each of twenty geometries. Of one term, none; with the `powf` of `libm`, 1 in ten thousand of
+/// r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
     [1.0, 1.0],
@@ -114,10 +114,9 @@ pub const RADIUS_OF_SUMS: Allowance = allow(
 );
 /// a(t), which is thus within 2 ε.
 ///
-/// A few radii are off by more than 1 ulp, because J is rounded before it is inverted. Of a million random ones each
-/// under held loads, in `f64` and `f32`: 258 and 45 of r^0.25, 180 and 183 of r + r², 14 and 28 of r², 76 and 128 of
-/// r² + r⁴, 41 and 110 of r² + r⁴ + r⁶, none of r^1.5 + r^3.25; by 1.26 and 1.32 at the most. The worst in `f32` under
-/// any load was off by 1.6.
+/// A few radii are off by more than 1 ulp, because J is rounded before it is inverted: under held loads up to 361 in a
+/// million in `f64` and 412 in `f32` (`cargo run --release -p tests --bin radii`), by 1.32 at the most. The worst in
+/// `f32` under any load was off by 1.6.
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [2.0, 2.0],

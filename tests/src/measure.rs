@@ -11,6 +11,14 @@ pub struct Exact {
     rest: f64,
 }
 
+impl Exact {
+    /// The number that differs from an `f64` by `rest`, which is some roundings at most.
+    #[must_use]
+    pub fn beside(nearest: f64, rest: f64) -> Self {
+        Self { nearest, rest }
+    }
+}
+
 impl From<f64> for Exact {
     fn from(nearest: f64) -> Self {
         Self { nearest, rest: 0.0 }

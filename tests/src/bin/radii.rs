@@ -1,0 +1,327 @@
+//! How many contact radii are off by more than one unit in the last place, the table of the README:
+//! `cargo run --release -p tests --bin radii`.
+//!
+//! Radii are compared in 31 digits, by one step of Newton's method from the radius found: the error of that step is the
+//! square of the error that it measures.
+
+use std::cell::LazyCell;
+use std::f64::consts::FRAC_PI_4;
+use std::process::ExitCode;
+use std::thread;
+
+use ::tests::measure::{Exact, ulps};
+use ::tests::random::Stream;
+use ::tests::stress::wide::Wide;
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
+const USAGE: &str = "\
+usage: radii [--radii N] [--seed N]
+
+  --radii N   how many random radii of each geometry, 1000000 unless told
+  --seed N    which ones, 1 unless told";
+
+/// The decades of radii, within the tables of all geometries.
+const DECADES: [f64; 2] = [-1.5, 0.75];
+/// m in MPa/mm³ and χ in 1/s, both with few digits.
+const MEDIUM: (f64, f64) = (0.375, 1.0 / 512.0);
+
+#[gap_profile(0.03 * r^0.25)]
+struct QuarterPower;
+#[gap_profile(0.1 * r)]
+struct Cone;
+#[gap_profile(0.025 * r^2)]
+struct Paraboloid;
+#[gap_profile(0.015 * r^2.37)]
+struct Blunt;
+#[gap_profile(3e-6 * r^8)]
+struct Flat;
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+struct Patellofemoral;
+#[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6)]
+struct ThreeTerms;
+#[gap_profile(0.02 * r^2 + 1e-3 * r^3 + 1e-4 * r^5 + 3e-6 * r^8)]
+struct FourTerms;
+#[gap_profile(0.05 * r + 0.01 * r^2)]
+struct BluntedCone;
+#[gap_profile(0.05 * r + 0.01 * r^3 + 1e-4 * r^6)]
+struct LongCone;
+#[gap_profile(0.03 * r^2 + 0.002 * r^2.5)]
+struct Halves;
+#[gap_profile(0.03 * r^0.5 + 0.01 * r^2.5 + 1e-3 * r^4 + 1e-5 * r^6.5 + 1e-7 * r^8.5)]
+struct ManyHalves;
+#[gap_profile(0.02 * r^(2/3) + 1e-3 * r^2)]
+struct Thirds;
+#[gap_profile(0.02 * r^0.25 + 1e-3 * r^8.75)]
+struct Quarters;
+#[gap_profile(0.02 * r^1.1 + 1e-3 * r^2.2 + 2e-4 * r^3.3)]
+struct Tenths;
+#[gap_profile(0.02 * r^0.35 + 1e-3 * r^4.05)]
+struct Twentieths;
+#[gap_profile(0.02 * r^2.37 + 1e-3 * r^3.5)]
+struct Hundredths;
+#[gap_profile(0.02 * r^0.61 + 1e-3 * r^2.29 + 1e-5 * r^4.83)]
+struct ManyHundredths;
+#[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
+struct RealPowers;
+
+/// A geometry in both formats.
+struct Geometry {
+    double: Box<dyn GapProfile<f64> + Sync>,
+    single: Box<dyn GapProfile<f32> + Sync>,
+    gap: Gap,
+}
+
+/// Generated geometries.
+macro_rules! generated {
+    ($($profile:ident),*) => {
+        vec![$(Geometry {
+            double: Box::new($profile),
+            single: Box::new($profile),
+            gap: Gap::of(&$profile::TERMS),
+        }),*]
+    };
+}
+
+/// A geometry known at run time only, of coefficients and exponents that `f32` holds.
+fn run_time(terms: &[(f32, f32)]) -> Geometry {
+    let exact: Vec<(f64, f64)> = terms.iter().map(|&(c, n)| (c.into(), n.into())).collect();
+    Geometry {
+        gap: Gap::of(&exact),
+        double: Box::new(Polynomial::new(exact).unwrap_or_else(|error| unreachable!("{error}"))),
+        single: Box::new(Polynomial::new(terms.to_vec()).unwrap_or_else(|error| unreachable!("{error}"))),
+    }
+}
+
+/// Geometries that are counted together, in a row of the table.
+struct Kind {
+    name: &'static str,
+    geometries: Vec<Geometry>,
+}
+
+/// The kinds for radii of a load integral.
+fn kinds() -> [Kind; 7] {
+    let kind = |name, geometries| Kind { name, geometries };
+    [
+        kind("one, of any power", generated![QuarterPower, Cone, Paraboloid, Blunt, Flat]),
+        kind("whole powers", generated![Patellofemoral, ThreeTerms, FourTerms]),
+        kind("whole powers beginning with r", generated![BluntedCone, LongCone]),
+        kind("halves among them", generated![Halves, ManyHalves]),
+        kind("multiples of 1/3 to 1/20", generated![Thirds, Quarters, Tenths, Twentieths]),
+        kind("other powers", generated![Hundredths, ManyHundredths]),
+        kind(
+            "`Polynomial`, any powers",
+            vec![
+                run_time(&[(0.025_390_625, 2.0), (1.0 / 8192.0, 4.0)]),
+                run_time(&[(0.0625, 1.0), (0.015_625, 2.375), (1.0 / 65536.0, 7.0)]),
+            ],
+        ),
+    ]
+}
+
+/// The geometries for radii under a held load.
+fn under_load() -> Kind {
+    Kind {
+        name: "any, under a held load",
+        geometries: generated![QuarterPower, BluntedCone, Paraboloid, Patellofemoral, ThreeTerms, RealPowers],
+    }
+}
+
+/// The gap Σ C rⁿ in 31 digits.
+struct Gap {
+    terms: Vec<Term>,
+}
+
+struct Term {
+    /// C n/((n+2)(n+4)), the weight of rⁿ⁺⁴ in J.
+    weight: Wide,
+    /// n + 4.
+    degree: Wide,
+}
+
+impl Gap {
+    /// The gap of coefficients that are decimals and of exponents that are fractions with a divisor up to 100, both
+    /// rounded to `f64`.
+    fn of(terms: &[(f64, f64)]) -> Self {
+        let fraction = |n: f64| {
+            let multiple = |divisor: &f64| (n * divisor - (n * divisor).round()).abs() < 1e-12;
+            let divisor = (1..=100).map(f64::from).find(multiple).unwrap_or(f64::NAN);
+            Wide::of((n * divisor).round()) / Wide::of(divisor)
+        };
+        let term = |&(c, n)| {
+            let (n, two) = (fraction(n), Wide::of(2.0));
+            let degree = n + two + two;
+            Term { weight: Wide::of_decimal(c) * n / ((n + two) * degree), degree }
+        };
+        Self { terms: terms.iter().map(term).collect() }
+    }
+
+    /// J and a J′ at a radius.
+    fn load_integral(&self, a: f64) -> (Wide, Wide) {
+        let a = Wide::of(a);
+        let logarithm = LazyCell::new(|| a.ln());
+        self.terms.iter().fold((Wide::ZERO, Wide::ZERO), |(sum, slope), &Term { weight, degree }| {
+            let rounded = degree.value();
+            // Roots and products are quicker than a logarithm and an exponential.
+            let has_root = (4.0 * rounded).fract() == 0.0;
+            let power = if has_root { a.power(rounded) } else { (degree * *logarithm).exp() };
+            (sum + weight * power, slope + weight * power * degree)
+        })
+    }
+
+    /// By how many units in the last place a radius is off.
+    fn error(&self, found: f64, load_integral: Wide, epsilon: f64) -> f64 {
+        let (here, slope) = self.load_integral(found);
+        let excess = ((here - load_integral) / slope).value() * found;
+        ulps(found, Exact::beside(found, -excess), epsilon)
+    }
+}
+
+/// How many radii are off by more than a unit, and the largest error in units.
+#[derive(Clone, Copy, Default)]
+struct Count {
+    off: u64,
+    all: u64,
+    largest: f64,
+}
+
+impl Count {
+    fn add(&mut self, error: f64) {
+        self.all += 1;
+        self.off += u64::from(error > 1.0);
+        self.largest = self.largest.max(error);
+    }
+
+    fn per_million(self) -> f64 {
+        self.off as f64 * 1e6 / self.all as f64
+    }
+}
+
+impl Geometry {
+    /// Counts radii of random load integrals, in `f64` and `f32`.
+    fn radii_of_load_integrals(&self, mut stream: Stream, count: u64) -> [Count; 2] {
+        let [mut double, mut single] = [Count::default(); 2];
+        for _ in 0..count {
+            let [from, to] = DECADES;
+            let y = self.double.load_integral(stream.magnitude(from, to));
+            let found = self.double.radius(y).unwrap_or(f64::NAN);
+            double.add(self.gap.error(found, Wide::of(y), f64::EPSILON));
+            let y = y as f32;
+            let found = self.single.radius(y).unwrap_or(f32::NAN);
+            single.add(self.gap.error(found.into(), Wide::of(y.into()), f32::EPSILON.into()));
+        }
+        [double, single]
+    }
+
+    /// Counts contact radii at random times under random held loads, in `f64` and `f32`.
+    fn radii_under_loads(&self, mut stream: Stream, count: u64) -> [Count; 2] {
+        let [mut double, mut single] = [Count::default(); 2];
+        let [from, to] = DECADES;
+        let (m, chi) = MEDIUM;
+        for _ in 0..count {
+            let t = stream.magnitude(-1.0, 5.0);
+            let hereditary = FRAC_PI_4 * m * self.double.load_integral(stream.magnitude(from, to));
+            let force = hereditary / (1.0 + chi * t);
+            let found = radius_under(&*self.double, force, t).unwrap_or(f64::NAN);
+            double.add(self.gap.error(found, exact_load_integral(force, t), f64::EPSILON));
+            let (force, t) = (force as f32, t as f32);
+            let found = radius_under(&*self.single, force, t).unwrap_or(f32::NAN);
+            let y = exact_load_integral(force.into(), t.into());
+            single.add(self.gap.error(found.into(), y, f32::EPSILON.into()));
+        }
+        [double, single]
+    }
+}
+
+/// a(t) under a held load.
+fn radius_under<T: Scalar>(profile: &dyn GapProfile<T>, force: T, t: T) -> Option<T> {
+    let medium = Medium::from_constants(T::constant(MEDIUM.0), T::constant(MEDIUM.1)).ok()?;
+    let contact = Contact::new(profile, medium, load::Constant(force)).ok()?;
+    Some(contact.at(t).ok()?.radius())
+}
+
+/// J = F (1 + χ t)/(π m/4).
+fn exact_load_integral(force: f64, t: f64) -> Wide {
+    let (m, chi) = MEDIUM;
+    Wide::of(force) * (Wide::ONE + Wide::of(chi) * Wide::of(t)) / (Wide::FRAC_PI_4 * Wide::of(m))
+}
+
+fn main() -> ExitCode {
+    match arguments(std::env::args().skip(1)) {
+        Ok(Some((count, seed))) => print_table(count, seed),
+        Ok(None) => println!("{USAGE}"),
+        Err(message) => {
+            eprintln!("{message}\n\n{USAGE}");
+            return ExitCode::from(2);
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+/// The number of radii and the seed; none if only the usage is asked for.
+fn arguments(mut given: impl Iterator<Item = String>) -> Result<Option<(u64, u64)>, String> {
+    let (mut count, mut seed) = (1_000_000, 1);
+    while let Some(name) = given.next() {
+        let place = match name.as_str() {
+            "--help" | "-h" => return Ok(None),
+            "--radii" => &mut count,
+            "--seed" => &mut seed,
+            _ => return Err(format!("unknown argument `{name}`")),
+        };
+        let value = given.next().ok_or_else(|| format!("`{name}` needs a number"))?;
+        *place = value.parse().map_err(|_| format!("`{name}` needs a whole number, not `{value}`"))?;
+    }
+    if count == 0 { Err("`--radii` must be at least 1".to_owned()) } else { Ok(Some((count, seed))) }
+}
+
+/// Prints a row for every kind: the geometry of which most are off in each format, and the largest error of all.
+fn print_table(count: u64, seed: u64) {
+    println!("| terms                         | f64  | f32  | largest error |");
+    println!("|-------------------------------|------|------|---------------|");
+    for kind in kinds() {
+        print_row(&kind, seed, |geometry, stream| geometry.radii_of_load_integrals(stream, count));
+    }
+    print_row(&under_load(), seed, |geometry, stream| geometry.radii_under_loads(stream, count));
+}
+
+fn print_row(kind: &Kind, seed: u64, count: impl Fn(&Geometry, Stream) -> [Count; 2] + Sync) {
+    // Each geometry has a thread and a stream of its own.
+    let counts: Vec<[Count; 2]> = thread::scope(|scope| {
+        let count = &count;
+        let threads = (0..)
+            .zip(&kind.geometries)
+            .map(|(index, geometry)| scope.spawn(move || count(geometry, Stream::of_case(seed, index))));
+        let threads: Vec<_> = threads.collect();
+        threads.into_iter().filter_map(|thread| thread.join().ok()).collect()
+    });
+    assert_eq!(counts.len(), kind.geometries.len(), "a thread has panicked");
+    let most = |format: usize| counts.iter().map(|both| both[format].per_million()).fold(0.0, f64::max);
+    let largest = counts.iter().flatten().map(|count| count.largest).fold(0.0, f64::max);
+    println!("| {:29} | {:4.0} | {:4.0} | {largest:13.2} |", kind.name, most(0), most(1));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ::tests::oracle::{Profile, double};
+
+    /// The errors of Newton's step are those against the radius in 96 digits, also for exponents that are fractions.
+    #[test]
+    fn errors_are_those_of_the_oracle() {
+        let geometries = generated![Thirds, Hundredths, ManyHalves];
+        let written: [&[(&str, &str)]; 3] = [
+            &[("0.02", "2/3"), ("1e-3", "2")],
+            &[("0.02", "2.37"), ("1e-3", "3.5")],
+            &[("0.03", "0.5"), ("0.01", "2.5"), ("1e-3", "4"), ("1e-5", "6.5"), ("1e-7", "8.5")],
+        ];
+        for (geometry, terms) in geometries.iter().zip(written) {
+            for y in [1e-3, 0.7, 1e3] {
+                let exact = Exact::from(&Profile::of_decimals(terms).radius(&double(y)));
+                for offset in [-3.0, 0.0, 1.0] {
+                    let found = exact.nearest * (1.0 + offset * f64::EPSILON);
+                    let expected = ulps(found, exact, f64::EPSILON);
+                    let error = geometry.gap.error(found, Wide::of(y), f64::EPSILON);
+                    assert!((error - expected).abs() < 1e-9, "{terms:?}, {y}: {error} instead of {expected}");
+                }
+            }
+        }
+    }
+}
