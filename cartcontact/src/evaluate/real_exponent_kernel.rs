@@ -1,7 +1,7 @@
 //! K(q) = n − (n+2) q² + 2 q^(n+2) of the pressure kernel for exponents that do not lead to whole powers.
 //!
-//! **In plain arithmetic.** Away from the edge K = n (1 − q²) + 2 q² expm1(n ln q). Near it, with ε = −ln q,
-//! K = 2 (n+2) ε (ψ(u) − ψ(v)), u = (n+2) ε, v = 2 ε, ψ(x) = 1 + expm1(−x)/x = x/2! − x²/3! + …, whose
+//! **In plain arithmetic.** Away from the edge K = n (1 − q²) + 2 q² expm1(n ln q). Near it, with λ = −ln q,
+//! K = 2 (n+2) λ (ψ(u) − ψ(v)), u = (n+2) λ, v = 2 λ, ψ(x) = 1 + expm1(−x)/x = x/2! − x²/3! + …, whose
 //! difference for small u is taken term by term.
 //!
 //! **Rounded once.** The first form, with a few more digits in logarithm and exponential, from the centre to
@@ -16,15 +16,17 @@ use super::double_functions::{double_log_of_ratio, negative_exp_m1};
 use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::in_double_words;
-use crate::scalar::is_plain;
+use crate::scalar::{is_plain, smallest_normal};
 
 /// K(q) from 1 − q and q, with the error of about ten roundings.
 pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
-    if ratio.is_zero() {
-        return n;
-    }
     let two = T::constant(2.0);
-    let depth = -(-inset).ln_1p();
+    // 1/q, which the derivative of ln q is, must not leave the format.
+    if ratio < smallest_normal::<T>() * T::constant(4.0) {
+        return n - (n + two) * ratio * ratio;
+    }
+    // −ln q from that of q and 1 − q which has more digits.
+    let depth = if ratio < T::constant(0.25) { -ratio.ln() } else { -(-inset).ln_1p() };
     if inset > T::constant(0.3) {
         let rise = (-(n * depth)).exp_m1();
         return n * inset * (T::one() + ratio) + two * ratio * ratio * rise;

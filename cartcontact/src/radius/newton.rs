@@ -27,9 +27,9 @@
 
 use super::{beyond, needs_search};
 use crate::Scalar;
-use crate::evaluate::binary::estimated_root_of_product;
+use crate::evaluate::binary::{estimated_root_of_product, scale, split};
 use crate::profile::RadiusError;
-use crate::scalar::{is, lesser};
+use crate::scalar::{is, is_plain, lesser};
 
 /// A positive term of J: 1/j and the power p.
 #[derive(Clone, Copy, Debug)]
@@ -95,7 +95,17 @@ pub fn invert<T: Scalar>(
     }
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(negative, seed.highest_power);
-    let radius = iterate(target, seed.radius.min(bracket.high), bracket, close, (evaluate, load_integral));
+    let (_, exponent) = split(target);
+    // In derivatives there are squares of y and of 1/y, which must not leave the format.
+    let scaled = |x| if is_plain::<T>() { x } else { scale(x, -exponent) };
+    let functions = (
+        |a| {
+            let (value, log_slope) = evaluate(a);
+            (scaled(value), scaled(log_slope))
+        },
+        |a| scaled(load_integral(a)),
+    );
+    let radius = iterate(scaled(target), seed.radius.min(bracket.high), bracket, close, functions);
     // The last step may end a few units in the last place beyond the bracket.
     Ok(lesser(radius, limit))
 }

@@ -1,0 +1,103 @@
+//! Derivatives next to the axis, and under loads next to nothing.
+//!
+//! For the gap C r², similarity gives a ∝ F^(1/6), δ₀ ∝ F^(1/3) and P(0, t) ∝ F^(2/3) under a held load F.
+
+use cartcontact::load::Constant;
+use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile};
+use num_dual::{Dual2_64, Dual32, Dual64};
+use tests::budget;
+use tests::measure::relative_error;
+
+type Failure = Box<dyn core::error::Error>;
+
+#[gap_profile(0.025 * r^2)]
+struct Paraboloid;
+
+#[gap_profile(0.015 * r^2.3)]
+struct Blunt;
+
+#[gap_profile(25.0 * r^2 + 1e5 * r^4)]
+struct SmallBall;
+
+/// In ε: a derivative is allowed as much as two pressures.
+const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
+
+fn assert_close(found: f64, expected: f64, epsilon: f64, place: &dyn core::fmt::Debug) {
+    let error = relative_error(found, expected, epsilon);
+    assert!(error <= SLOPE, "{found} instead of {expected}, {error:.2} ε off, for {place:?}");
+}
+
+/// Contact radius, approach, peak pressure, and the pressure at r, for a stiffness m and a held load.
+fn results<T: Scalar>(
+    profile: &dyn GapProfile<T>,
+    (m, force): (f64, T),
+    (r, t): (T, f64),
+) -> Result<[T; 4], Failure> {
+    let medium = Medium::from_constants(T::constant(m), T::constant(0.0015))?;
+    let contact = Contact::new(profile, medium, Constant(force))?;
+    let now = contact.at(T::constant(t))?;
+    Ok([now.radius(), now.approach(), now.peak_pressure(), now.pressure(r)])
+}
+
+/// Radii that are zero but for rounding, such as 0.1 + 0.2 − 0.3, and such as no contact has.
+#[test]
+fn pressures_next_to_the_axis_have_the_derivatives_on_it() -> Result<(), Failure> {
+    let force = Dual64::from(100.0).derivative();
+    let polynomial = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
+    let profiles: [&dyn GapProfile<Dual64>; 3] = [&polynomial, &Paraboloid, &Blunt];
+    for (index, profile) in profiles.into_iter().enumerate() {
+        for t in [0.0, 200.0] {
+            let pressure = |r: f64| -> Result<f64, Failure> {
+                let [.., pressure] = results(profile, (0.375, force), (r.into(), t))?;
+                Ok(pressure.eps)
+            };
+            let on_axis = pressure(0.0)?;
+            for r in [5e-324, 1e-308, 1e-160, 1e-30, 0.1 + 0.2 - 0.3, 1e-12] {
+                assert_close(pressure(r)?, on_axis, f64::EPSILON, &(index, t, r));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The curvature of the peak: a geometry known at run time has that of the generated one.
+#[test]
+fn the_peak_has_its_curvature() -> Result<(), Failure> {
+    let dual = Dual2_64::from;
+    let polynomial = Polynomial::new([(dual(0.025), dual(2.0))])?;
+    for t in [0.0, 1.0, 200.0, 5e3] {
+        let curvature = |profile: &dyn GapProfile<Dual2_64>| -> Result<f64, Failure> {
+            let [.., pressure] = results(profile, (0.375, dual(100.0)), (dual(0.0).derivative(), t))?;
+            Ok(pressure.v2)
+        };
+        let (found, expected) = (curvature(&polynomial)?, curvature(&Paraboloid)?);
+        assert!(expected < -1e-3);
+        assert_close(found, expected, f64::EPSILON, &t);
+    }
+    Ok(())
+}
+
+/// The squares of these load integrals leave the format.
+#[test]
+fn derivatives_under_small_loads_are_those_of_similarity() -> Result<(), Failure> {
+    let single = Dual32::from;
+    let polynomial = Polynomial::new([(single(25.0), single(2.0))])?;
+    for force in [1e-12_f32, 1e-9, 1e-5, 1.0] {
+        let given = (3.75e14, single(force).derivative());
+        let [found @ .., _] = results(&polynomial, given, (single(0.0), 200.0))?;
+        for (result, degree) in found.into_iter().zip([1.0 / 6.0, 1.0 / 3.0, 2.0 / 3.0]) {
+            let expected = f64::from(result.re) / f64::from(force) * degree;
+            assert_close(result.eps.into(), expected, f32::EPSILON.into(), &(force, degree));
+        }
+        // Here the second term hardly counts.
+        let found = results(&SmallBall, given, (single(0.0), 200.0))?;
+        assert!(found.iter().all(|result| result.eps > 0.0), "{force}: {found:?}");
+    }
+    let dual = Dual64::from;
+    let polynomial = Polynomial::new([(dual(0.025), dual(2.0))])?;
+    for force in [1e-161, 1e-155, 1e-100, 1e100] {
+        let [radius, ..] = results(&polynomial, (0.375, dual(force).derivative()), (dual(0.0), 200.0))?;
+        assert_close(radius.eps, radius.re / force / 6.0, f64::EPSILON, &force);
+    }
+    Ok(())
+}
