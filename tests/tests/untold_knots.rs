@@ -1,0 +1,92 @@
+//! How far pressures are off under loads with many jumps and kinks of which no knot tells, as the documentation of
+//! `Load` has it, against the same loads with their knots.
+
+use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::{Contact, Medium};
+use tests::budget;
+use tests::condition::edge;
+use tests::loads::{Knots, through};
+use tests::measure::relative_error;
+use tests::profiles::Patellofemoral;
+use tests::random::Stream;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// A load that reports only its force and its impulse.
+struct Untold<'a>(&'a Knots);
+
+impl Load<f64> for Untold<'_> {
+    fn force(&self, t: f64) -> f64 {
+        self.0.force(t)
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.0.impulse(t)
+    }
+}
+
+const CHI: f64 = 0.0015;
+const END: f64 = 400.0;
+
+/// Random times in ascending order.
+fn times(stream: &mut Stream, count: usize) -> Vec<f64> {
+    let mut times: Vec<f64> = (0..count).map(|_| stream.between(0.0, END)).collect();
+    times.sort_by(f64::total_cmp);
+    times
+}
+
+/// A load that rises from 50 N by 50 N, in so many jumps of different heights at random times.
+fn jumps(stream: &mut Stream, count: usize) -> Vec<(f64, f64)> {
+    let mut force = 50.0;
+    let mut knots = vec![(0.0, force)];
+    for t in times(stream, count) {
+        knots.push((t, force));
+        force += stream.between(0.0, 100.0 / count as f64);
+        knots.push((t, force));
+    }
+    knots
+}
+
+/// A load between 50 N and 100 N that changes its slope so often; it falls no faster than e^(−χ t).
+fn kinks(stream: &mut Stream, count: usize) -> Vec<(f64, f64)> {
+    let (mut before, mut force) = (0.0, 60.0);
+    let mut knots = vec![(0.0, force)];
+    for t in times(stream, count) {
+        let change = stream.between(-0.5, 0.9) * CHI * force * (t - before);
+        force = (force + change).clamp(50.0, 100.0);
+        knots.push((t, force));
+        before = t;
+    }
+    knots
+}
+
+/// The largest relative error of pressures in some loads, at radii up to nine tenths of the contact radius.
+fn largest_error(count: usize, knots: fn(&mut Stream, usize) -> Vec<(f64, f64)>) -> Result<f64, Failure> {
+    let medium = Medium::from_constants(0.375, CHI)?;
+    let mut largest = 0.0_f64;
+    for case in 0..5 {
+        let load: PiecewiseLinear<f64, _> = through(&knots(&mut Stream::of_case(1, case), count));
+        let told = Contact::new(Patellofemoral, medium, &load)?;
+        let untold = Contact::new(Patellofemoral, medium, Untold(&load))?;
+        let (told, untold) = (told.at(END)?, untold.at(END)?);
+        for r in [0.0, 3.0, 6.0] {
+            largest = largest.max(relative_error(untold.pressure(r), told.pressure(r), 1.0));
+        }
+    }
+    Ok(largest)
+}
+
+/// The documented errors; thirty jumps cost no digits.
+#[test]
+fn pressures_are_as_exact_as_documented() -> Result<(), Failure> {
+    let no_digits = 2.0 * budget::PRESSURE.double * edge(1.0, 0.9) * f64::EPSILON;
+    for (count, documented) in [(30, no_digits), (50, 5e-12), (100, 5e-10), (200, 3e-6), (500, 2e-3)] {
+        let error = largest_error(count, jumps)?;
+        assert!(error <= documented, "{count} jumps: {error:e}");
+    }
+    for (count, documented) in [(500, 1e-12), (1000, 1e-7), (3000, 3e-3)] {
+        let error = largest_error(count, kinks)?;
+        assert!(error <= documented, "{count} kinks: {error:e}");
+    }
+    Ok(())
+}
