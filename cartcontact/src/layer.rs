@@ -47,8 +47,8 @@ impl<T: Scalar> Layer<T> {
     ///
     /// # Errors
     ///
-    /// [`MediumError`] unless thickness and shear modulus are positive, the permeability is not negative, and
-    /// −1 < ν < 1/2.
+    /// [`MediumError`] unless thickness and shear modulus are positive and finite, the permeability is finite and not
+    /// negative, and −1 < ν < 1/2.
     ///
     /// # Examples
     ///

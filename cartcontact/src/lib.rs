@@ -35,10 +35,15 @@
 //! | δ₀(t) | approach of the bones | mm | [`Snapshot::approach`] |
 //! | P(r, t) | contact pressure | MPa | [`Snapshot::pressure`] |
 //! | F(t) | load | N | [`load::Load::force`] |
+//! | ∫F dτ | impulse of the load | N s | [`load::Load::impulse`] |
+//! | Y(t) | hereditary load F + χ ∫F dτ, which decides the contact radius | N | |
+//! | J(a) | load integral, Y/(π m/4) | mm⁵ | [`GapProfile::load_integral`] |
+//! | h, μ, k | thickness, shear modulus and permeability of a layer | mm, MPa, mm⁴/(N s) | [`Layer`] |
 //! | m | stiffness of the layers | MPa/mm³ | [`Medium::m`] |
-//! | χ | rate of the memory | 1/s | [`Medium::chi`] |
+//! | χ | rate of drainage | 1/s | [`Medium::chi`] |
 //!
-//! Any consistent system of units does.
+//! Any consistent system of units does. As fluid drains, pressures depend on the whole history of the load: the layers'
+//! *memory*, which fades as e^(−χ t). A *knot* is a time at which a load jumps or has a kink.
 //!
 //! # What it assumes
 //!

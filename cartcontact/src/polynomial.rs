@@ -59,8 +59,8 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if there are no terms, a coefficient is not finite or so small that it loses digits, an
-    /// exponent is outside (0, 1024], or the gap does not open at r = 0.
+    /// [`ProfileError`] if there are no terms, a coefficient is not finite, or too small or too large for the format, an
+    /// exponent is outside (0, 1024] or too small for the format, or the gap does not open at r = 0.
     pub fn new(terms: S) -> Result<Self, ProfileError> {
         Self::on_range(terms, None)
     }

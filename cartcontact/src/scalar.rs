@@ -15,6 +15,7 @@ use crate::evaluate::bits::nearest_integer;
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;
 /// - those with respect to time at a knot;
+/// - under loads as small as 1e-250 N, where squares on the way leave the format;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
 ///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight, such as p in
 ///   F t^p at p = 1 (off by 3e-5), because the values alone decide how closely a force is followed. A knot where the

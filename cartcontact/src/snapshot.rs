@@ -97,7 +97,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// # Accuracy
     ///
     /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
-    /// result.
+    /// result. Where terms of both signs cancel, that is multiplied by the largest Σ|terms of J|/(a J′) of the radii so
+    /// far, and after the load has fallen by Y/F as well.
     ///
     /// # Examples
     ///
@@ -130,8 +131,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         change.apply(self.initial_pressure(start, r), r)
     }
 
-    /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place: a third of the
-    /// bound of [`pressure`](Self::pressure) at r = 0.
+    /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place, a third of the
+    /// bound of [`pressure`](Self::pressure) at r = 0, and where terms of both signs cancel with the same factors.
     ///
     /// In single precision it is within 16 units under a user-defined load that falls for more than twenty e-foldings, step
     /// by step, because the decay over each step is rounded.

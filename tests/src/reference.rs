@@ -47,7 +47,7 @@ pub struct ContactRow {
     pub case: Case,
     /// The stiffness.
     pub m: f64,
-    /// The rate of the memory.
+    /// The rate of drainage.
     pub chi: f64,
     /// The knots (time, force) of the load.
     pub knots: Vec<(f64, f64)>,

@@ -87,8 +87,8 @@ fn page() -> String {
     let mut page = String::from(
         "Where the printed formulas fail.\n\
          \n\
-         The formulas of the paper are exact, but evaluated as they are printed they subtract numbers that are nearly\n\
-         equal. The tables show how many of the sixteen decimal digits of `f64` that costs, for the gap\n\
+         Apart from χ, see [`Medium::between`](crate::Medium::between), the formulas of the paper are exact, but\n\
+         evaluated as they are printed they subtract numbers that are nearly equal. The tables show how many of the sixteen decimal digits of `f64` that costs, for the gap\n\
          0.025 r² + 1.09375e-4 r⁴ and against results with more than 40 digits; 0 stands for an error below 10 ε.\n\
          The tests measure them anew.\n\
          \n\

@@ -129,7 +129,7 @@ fn savings(measurements: &Measurements) -> Vec<Item> {
             if is_swapped { (dearest, cheapest) } else { (cheapest, dearest) }
         })
         .map(|(cheapest, dearest)| Item {
-            result: format!("{}: {} over {}", cheapest.0, dearest.1, cheapest.1),
+            result: format!("{}: ({}) ÷ ({})", cheapest.0, dearest.1, cheapest.1),
             asked: None,
             ratio: Some(dearest.2 / cheapest.2),
         })

@@ -53,7 +53,7 @@ pub enum ContactError {
         /// The force at that time, in N.
         force: f64,
     },
-    /// There is no contact radius at a time for another reason.
+    /// A [`GapProfile`](crate::GapProfile) that is none of this crate gave no contact radius.
     Radius {
         /// The time, in s.
         time: f64,

@@ -60,11 +60,13 @@ impl<T: fmt::Debug, P, L> fmt::Debug for Contact<T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
-    /// Brings together a geometry, a medium and a load; nothing is solved yet.
+    /// Checks a geometry, a medium and a load, and finds the end of the range of contact radii;
+    /// [`at`](Self::at) solves for them.
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if the values of the geometry's parameters or of the load are not usable.
+    /// [`ContactError::Profile`] or [`ContactError::Load`] if the values of the geometry's fields or of the load are not
+    /// usable.
     ///
     /// # Examples
     ///
@@ -117,9 +119,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the
-    /// geometry, the load has fallen so fast that the edge recedes or its impulse is not that of its force, or
-    /// these numbers leave the range of the format.
+    /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the geometry, the
+    /// load has fallen so fast that the edge recedes, a force up to `t` is negative or not finite or an impulse is not
+    /// that of the force, or these numbers leave the range of the format.
     ///
     /// # Examples
     ///

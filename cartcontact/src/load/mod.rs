@@ -40,7 +40,7 @@ pub(crate) use shortest::Shortest;
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
 /// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through
 /// the samples can have unless the edge recedes is refused with [`LoadError::ContradictoryImpulse`]. One that is off by
-/// a few hundredths or less, or is right at the time asked for, may go unnoticed: the radius is then that of the
+/// up to a few per cent, or wrong only before the time asked for, may go unnoticed: the radius is then that of the
 /// impulse, and the pressure lies between the two.
 ///
 /// A reference to a load is a load, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>`
@@ -213,7 +213,8 @@ pub trait Load<T: Scalar> {
         recession::first_fault(self, chi, t)?.contradiction()
     }
 
-    /// Checks values that the type itself cannot rule out.
+    /// Checks values that the type itself cannot rule out; [`Contact::new`](crate::Contact::new) calls it once. Unless
+    /// it is overridden it accepts everything, and forces are checked at the times that are asked for.
     ///
     /// # Errors
     ///

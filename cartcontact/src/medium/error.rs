@@ -33,7 +33,7 @@ pub enum MediumError {
         /// What was given or follows from the layers, in MPa/mm³.
         m: f64,
     },
-    /// The rate χ is negative or not finite, or so small that it loses digits.
+    /// The rate of drainage χ is negative or not finite, or so small that it loses digits.
     Rate {
         /// What was given or follows from the layers, in 1/s.
         chi: f64,

@@ -73,9 +73,9 @@ impl core::error::Error for RadiusError {}
 pub enum ProfileError {
     /// No term has a coefficient other than zero.
     Empty,
-    /// With the values of the parameters all coefficients are zero.
+    /// With the values of the fields all coefficients are zero.
     Vanishing {
-        /// The parameters that the geometry depends on.
+        /// The fields that the geometry depends on.
         parameters: Parameters,
     },
     /// A field that is declared positive is not a finite number above 0.
@@ -99,7 +99,7 @@ pub enum ProfileError {
         coefficient: f64,
         /// The exponent of its term.
         exponent: f64,
-        /// The parameters that the geometry depends on.
+        /// The fields that the geometry depends on.
         parameters: Parameters,
     },
     /// An exponent is not in the range from above 0 to 1024, or so near to 0 that the slope of the gap loses digits.
@@ -111,7 +111,7 @@ pub enum ProfileError {
     InvalidMaxRadius {
         /// What was given, in mm.
         max_radius: f64,
-        /// The parameters that the geometry depends on.
+        /// The fields that the geometry depends on.
         parameters: Parameters,
     },
     /// The surfaces overlap, or do not separate, next to the first point of contact.
@@ -120,7 +120,7 @@ pub enum ProfileError {
         exponent: f64,
         /// Its coefficient.
         coefficient: f64,
-        /// The parameters that the geometry depends on.
+        /// The fields that the geometry depends on.
         parameters: Parameters,
     },
     /// The requested range ends where the series of a surface no longer converges.
@@ -129,7 +129,7 @@ pub enum ProfileError {
         max_radius: f64,
         /// Where the series ends, in mm: for a sphere at its radius.
         rim: f64,
-        /// The parameters that the geometry depends on.
+        /// The fields that the geometry depends on.
         parameters: Parameters,
     },
     /// The gap no longer exceeds its mean over the contact disc before the requested end of the range.
@@ -138,7 +138,7 @@ pub enum ProfileError {
         max_radius: f64,
         /// The radius at which the condition fails, in mm.
         fails_at: f64,
-        /// The parameters that the geometry depends on.
+        /// The fields that the geometry depends on.
         parameters: Parameters,
     },
 }
@@ -244,7 +244,7 @@ fn rule_for_coefficient(coefficient: f64) -> &'static str {
 
 impl core::error::Error for ProfileError {}
 
-/// The error with the parameters that caused it.
+/// The error with the fields that caused it.
 pub fn with_parameters<T: Scalar, const N: usize>(
     mut error: ProfileError,
     names: &'static [&'static str; N],

@@ -28,8 +28,10 @@ use crate::quadrature::Rule;
 /// [`pressure_kernel`](Self::pressure_kernel), [`radius`](Self::radius), [`radii`](Self::radii) and
 /// [`max_radius`](Self::max_radius). The methods after `max_radius` serve the solver, and
 /// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check); programs have little use for them. A profile of
-/// your own has to provide [`radius_within`](Self::radius_within) and may keep the provided ones, unless it has powers
-/// above the 64th.
+/// your own provides the six functions of a radius, [`radius_within`](Self::radius_within) and `max_radius`, and
+/// [`highest_exponent`](Self::highest_exponent) if it has powers above the 64th. Memory integrals take its gap to be
+/// smooth between r = 0 and `max_radius`: where its curvature jumps, as in a quadratic spline, pressures are off by some
+/// 1e-9, and where its slope jumps by some 1e-7.
 ///
 /// # Accuracy
 ///
@@ -37,7 +39,7 @@ use crate::quadrature::Rule;
 /// the last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the
 /// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is left, within 8 ε:
 /// where a result is above 6e299, or 4e34 in f32, and where a result or a power on the way is hardly larger than the
-/// smallest normal number. Terms of both signs that leave the format add up to NaN.
+/// smallest normal number. If terms of both signs overflow, the result is NaN.
 ///
 /// Coefficients that depend on fields are not rounded, if `T` holds the fields: their products and quotients have twice
 /// the digits, and so have their powers, except those of dual numbers that are not whole. Powers such as a^-1.3 have 19
@@ -294,9 +296,9 @@ pub trait GapProfile<T: Scalar> {
 
     /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its
     /// mean over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. With coefficients known
-    /// at run time it is never beyond the end, but before it by the rounding of their logarithms: mostly less than
-    /// 100 ε, hundreds where terms nearly cancel on the way or powers are high, and some thousand with coefficients as
-    /// small as 1e-30 as well.
+    /// at run time it is found numerically and never too large. It is too small by the rounding of logarithms: mostly by
+    /// less than 100 ε, by hundreds where terms nearly cancel on the way or powers are high, and by some thousand with
+    /// coefficients as small as 1e-30 as well.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long
@@ -353,8 +355,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`ProfileError`] if a coefficient is not finite or so small that it loses digits, or the geometry is not
-    /// admissible.
+    /// [`ProfileError`] if a field that is declared positive is not, a field or a coefficient does not fit the format,
+    /// the range is not positive or goes beyond a surface, or the geometry is not admissible.
     fn check(&self) -> Result<(), ProfileError> {
         Ok(())
     }

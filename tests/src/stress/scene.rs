@@ -25,7 +25,7 @@ pub struct Scene<T> {
     pub max_radius: Option<T>,
     /// The stiffness.
     pub m: T,
-    /// The rate of the memory.
+    /// The rate of drainage.
     pub chi: T,
     /// The knots (time, force) of the load.
     pub knots: Vec<(T, T)>,
