@@ -6,7 +6,7 @@
 //!
 //! A dual number carries its derivative with respect to one variable. The joint is written for any scalar, and solved
 //! once for each parameter, which is the variable then: derivatives have as many digits as the results. A fit of the
-//! parameters to measurements takes its Jacobian from the same function.
+//! parameters to measurements takes its Jacobian from such a function, see the example `creep_fit`.
 
 use std::error::Error;
 use std::io::{self, Write};
