@@ -100,8 +100,9 @@ fn without_surfaces(powers: &Polynomial, options: &Options) -> Result<Expanded, 
     if powers.terms().is_empty() {
         return Ok(Expanded { powers: powers.clone(), truncation: Ok(None) });
     }
-    let message =
-        format!("{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`; remove {them}");
+    let message = format!(
+        "{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`, or they cancel; remove {them}"
+    );
     Err((place, message).into())
 }
 

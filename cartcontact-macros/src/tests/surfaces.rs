@@ -329,6 +329,7 @@ fn each_fault_of_a_surface_is_named() {
         ("sphere(10), tolerance = 1e-6, max_radius = 3", "as in `order = auto`"),
         ("sphere(10), order = auto", "add one, as in `tolerance = 1e-6, max_radius = 6.0`"),
         ("r^2, order = 4, tolerance = 1e-6", "`order` and `tolerance` are for surfaces"),
+        ("sphere(10) - sphere(10) + r^2, order = 4", "or they cancel"),
         ("sphere[10], order = 4", "write `sphere(10)`"),
         ("sphere 10, order = 4", "write `sphere(10)`"),
         ("conic{10, -0.5}, order = 4", "write `conic(10, -0.5)`"),
