@@ -233,6 +233,8 @@ impl<T: Precision> Examination<'_, T> {
     fn pressures(&mut self, now: &Now<'_, '_, T>, a: Wide, condition: f64, depth: Depth) {
         self.course(now, a, condition);
         let is_undrained = (self.scene.chi * self.scene.time).is_zero();
+        let time = Wide::of(self.scene.time.value());
+        let is_known = depth.memory && self.exact.precision(time) < T::EPSILON / 8.0;
         let r = self.place(now.radius(), self.scene.inset);
         for (quantity, r) in [(Quantity::PeakPressure, T::zero()), (Quantity::Pressure, r)] {
             if r >= now.radius() {
@@ -241,8 +243,8 @@ impl<T: Precision> Examination<'_, T> {
             let exact = Wide::of(r.value());
             let expected = if is_undrained {
                 Some(self.exact.undrained_pressure(a, exact))
-            } else if depth.memory {
-                self.exact.pressure(Wide::of(self.scene.time.value()), a, exact)
+            } else if is_known {
+                self.exact.pressure(time, a, exact)
             } else {
                 None
             };

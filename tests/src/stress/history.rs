@@ -68,6 +68,13 @@ impl History {
         last.map_or(Wide::ZERO, |piece| piece.hereditary(self.chi, piece.end - piece.start))
     }
 
+    /// The relative error of pressures: what still counts was laid while J grew by F/Y of itself, and J has an error of
+    /// 2^-100.
+    #[must_use]
+    pub fn precision(&self, time: Wide) -> f64 {
+        (self.hereditary(time) / self.force(time)).scaled(-100).value()
+    }
+
     /// m G(a, r).
     #[must_use]
     pub fn undrained_pressure(&self, a: Wide, r: Wide) -> Wide {
