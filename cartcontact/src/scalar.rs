@@ -8,14 +8,17 @@ use crate::evaluate::bits::nearest_integer;
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
-/// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its exact
+/// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its
 /// derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
-/// `sensitivities` does. Exceptions are these derivatives of pressures:
+/// `sensitivities` does. Exceptions are these derivatives, of pressures unless others are
+/// named:
 ///
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;
 /// - those with respect to time at a knot;
-/// - under loads as small as 1e-250 N, where squares on the way leave the format;
+/// - first ones with respect to r next to the axis, for r below 1e-16 a: they may be off by as much as ε P/a;
+/// - under loads below some 1e-200 N, or 1e-30 N in `f32`, also those of the approach: squares on the way leave the
+///   format;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
 ///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight, such as p in
 ///   F t^p at p = 1 (off by 3e-5), because the values alone decide how closely a force is followed. A knot where the

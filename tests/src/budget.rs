@@ -52,7 +52,7 @@ const fn allow_as_seen(
 }
 
 /// The error is at most 1.5 ulp: a constant is off by ε/2 at the most, which is one unit of a result just below a power
-/// of two, and the result is rounded by half a unit. 2 are published.
+/// of two, and the result is rounded by half a unit. The documentation promises 2.
 const ROUNDED_ONCE: &str = "coefficients and result are rounded, nothing else is";
 
 /// Φ(r).

@@ -1,4 +1,4 @@
-//! Derivatives next to the axis, and under loads next to nothing.
+//! Derivatives next to the axis, and under very small loads.
 //!
 //! For the gap C r², similarity gives a ∝ F^(1/6), δ₀ ∝ F^(1/3) and P(0, t) ∝ F^(2/3) under a held load F.
 
@@ -60,6 +60,28 @@ fn pressures_next_to_the_axis_have_the_derivatives_on_it() -> Result<(), Failure
     Ok(())
 }
 
+/// The second derivative of P(r) ≈ P(0) + P″ r²/2 is that on the axis, wherever P″ r² is nothing.
+#[test]
+fn pressures_next_to_the_axis_have_the_curvature_on_it() -> Result<(), Failure> {
+    let dual = Dual2_64::from;
+    let polynomial = Polynomial::new([(dual(0.025), dual(2.0))])?;
+    let profiles: [&dyn GapProfile<Dual2_64>; 3] = [&polynomial, &Paraboloid, &Blunt];
+    for (index, profile) in profiles.into_iter().enumerate() {
+        for t in [1.0, 200.0] {
+            let curvature = |r: f64| -> Result<f64, Failure> {
+                let [.., pressure] = results(profile, (0.375, dual(100.0)), (dual(r).derivative(), t))?;
+                Ok(pressure.v2)
+            };
+            let on_axis = curvature(0.0)?;
+            assert!(on_axis < -1e-3, "{index}, {t}: {on_axis}");
+            for r in [1e-300, 1e-160, 1e-150, 1e-30, 1e-14] {
+                assert_close(curvature(r)?, on_axis, f64::EPSILON, &(index, t, r));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The curvature of the peak: a geometry known at run time has that of the generated one.
 #[test]
 fn the_peak_has_its_curvature() -> Result<(), Failure> {
@@ -96,8 +118,11 @@ fn derivatives_under_small_loads_are_those_of_similarity() -> Result<(), Failure
     let dual = Dual64::from;
     let polynomial = Polynomial::new([(dual(0.025), dual(2.0))])?;
     for force in [1e-161, 1e-155, 1e-100, 1e100] {
-        let [radius, ..] = results(&polynomial, (0.375, dual(force).derivative()), (dual(0.0), 200.0))?;
-        assert_close(radius.eps, radius.re / force / 6.0, f64::EPSILON, &force);
+        let given = (0.375, dual(force).derivative());
+        let [found @ .., _] = results(&polynomial, given, (dual(0.0), 200.0))?;
+        for (result, degree) in found.into_iter().zip([1.0 / 6.0, 1.0 / 3.0, 2.0 / 3.0]) {
+            assert_close(result.eps, result.re / force * degree, f64::EPSILON, &(force, degree));
+        }
     }
     Ok(())
 }

@@ -21,15 +21,19 @@ use crate::scalar::{is_plain, smallest_normal};
 /// K(q) from 1 − q and q, with the error of about ten roundings.
 pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
     let two = T::constant(2.0);
-    // 1/q, which the derivative of ln q is, must not leave the format.
-    if ratio < smallest_normal::<T>() * T::constant(4.0) {
-        return n - (n + two) * ratio * ratio;
+    let square = ratio * ratio;
+    // 1/q², which the second derivative of ln q is, must not leave the format.
+    if square < smallest_normal::<T>() * T::constant(4.0) {
+        return n - (n + two) * square;
     }
-    // −ln q from that of q and 1 − q which has more digits.
-    let depth = if ratio < T::constant(0.25) { -ratio.ln() } else { -(-inset).ln_1p() };
+    let is_near_axis = ratio < T::constant(0.25);
+    // −ln q from q or from 1 − q, whichever has more digits.
+    let depth = if is_near_axis { -ratio.ln() } else { -(-inset).ln_1p() };
     if inset > T::constant(0.3) {
         let rise = (-(n * depth)).exp_m1();
-        return n * inset * (T::one() + ratio) + two * ratio * ratio * rise;
+        // n (1 − q²) in the form whose derivative does not cancel.
+        let fall = if is_near_axis { n - n * square } else { n * inset * (T::one() + ratio) };
+        return fall + two * square * rise;
     }
     let (u, v) = ((n + two) * depth, two * depth);
     let difference = if u <= T::constant(3.0) {

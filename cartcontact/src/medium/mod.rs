@@ -163,7 +163,7 @@ impl<T: Scalar> Medium<T> {
     }
 }
 
-/// m = 1/(h₁³/(3 μ₁) + h₂³/(3 μ₂)), each term of which is rounded four times.
+/// m = 1/(h₁³/(3 μ₁) + h₂³/(3 μ₂))
 fn stiffness<T: Scalar>(first: Layer<T>, second: Layer<T>) -> Result<T, MediumError> {
     Ok((first.compliance()? + second.compliance()?).recip())
 }

@@ -96,7 +96,8 @@ pub fn invert<T: Scalar>(
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(negative, seed.highest_power);
     let (_, exponent) = split(target);
-    // In derivatives there are squares of y and of 1/y, which must not leave the format.
+    // The derivative of 1/y has a factor 1/y², which a small y makes leave the format: all is divided by a power of two
+    // near y.
     let scaled = |x| if is_plain::<T>() { x } else { scale(x, -exponent) };
     let functions = (
         |a| {

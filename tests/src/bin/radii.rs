@@ -13,6 +13,7 @@ use ::tests::measure::{Exact, ulps};
 use ::tests::random::Stream;
 use ::tests::stress::wide::Wide;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
+
 const USAGE: &str = "\
 usage: radii [--radii N] [--seed N]
 
