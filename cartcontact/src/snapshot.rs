@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
-use crate::memory::{Stage, faded_folds, march, not_negative};
+use crate::memory::{Late, Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
 use crate::scalar::is_plain;
 
@@ -177,11 +177,14 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
                 }
             },
         );
+        let is_late = |r: T| start.radius < r && r < self.radius;
+        let count = radii.iter().filter(|&&r| is_late(r)).count();
+        let mut late = Late::between(self.contact, start, (self.time, self.radius), count);
         for (pressure, &r) in pressures.iter_mut().zip(radii) {
-            if r >= self.radius {
+            if is_late(r) {
+                *pressure = late.pressure(r);
+            } else if r >= self.radius {
                 *pressure = T::zero();
-            } else if r > start.radius {
-                *pressure = march(self.contact, start, (self.time, self.radius), r).first_pressure();
             }
         }
     }

@@ -16,6 +16,7 @@
 //! |---|---|
 //! | `march` | goes from one time to another, knot by knot; `march::steps`: where the load is not straight |
 //! | `run` | many short straight pieces of the load at once |
+//! | `late` | radii that are reached late, stretch by stretch of time |
 //! | `stretch` | one stretch without a knot: by `radius_form` (held or rising loads) or `time_form` (all others) |
 //! | `held` | the integral over the radius of a held load, in one panel |
 //! | `nodes` | the nodes of an integral over the radius |
@@ -29,6 +30,7 @@
 
 mod fading;
 mod held;
+mod late;
 mod line;
 mod march;
 mod nodes;
@@ -43,6 +45,7 @@ use crate::scalar::is_nothing;
 use fading::Fading;
 
 pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
+pub(crate) use late::Late;
 pub(crate) use line::Line;
 pub(crate) use march::march;
 

@@ -1,0 +1,75 @@
+//! Pressures at radii that the contact reaches one after the other, after the memory has begun.
+//!
+//! A radius needs an integral from the time at which it is reached. Marching to each of N radii from the beginning, along
+//! a load of K knots, would pass N K knots. The time is therefore cut into S stretches: a radius is marched to from the
+//! beginning of the stretch in which it is reached to the end of that stretch, and from there one transition leads on,
+//! which all radii reached so far share. That passes N K/S + S K/2 knots, the fewest for S = √(2 N).
+//!
+//! Stages in between are computed independently, as rows of a field are.
+
+use super::{Stage, Transition, march};
+use crate::contact::Contact;
+use crate::load::{Load, knot_between};
+use crate::scalar::is_plain;
+use crate::{GapProfile, Scalar};
+
+/// The most stretches: room on the stack of a small processor.
+const MOST: usize = 32;
+
+/// Fewer radii than these are as quick one by one.
+const FEW: usize = 4;
+
+/// The stretches of time between a stage and the end.
+pub(crate) struct Late<'a, T, P, L> {
+    contact: &'a Contact<T, P, L>,
+    count: usize,
+    /// The beginning of each stretch, and at `count` the end of the last.
+    stages: [Stage<T>; MOST + 1],
+    /// How pressures change from the end of each stretch on, where a radius has asked for it.
+    to_end: [Option<Transition<T>>; MOST],
+}
+
+impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
+    /// For so many radii, reached between a stage and a time with its contact radius.
+    pub(crate) fn between(
+        contact: &'a Contact<T, P, L>,
+        start: Stage<T>,
+        (time, radius): (T, T),
+        radii: usize,
+    ) -> Self {
+        let load = contact.load();
+        let is_one_piece = load.is_linear_between_knots() && knot_between(load, start.time, time).is_none();
+        let count = if radii < FEW || is_one_piece || !is_plain::<T>() {
+            1
+        } else {
+            (radii + radii).isqrt().min(MOST)
+        };
+        let mut stages = [start; MOST + 1];
+        let length = (time - start.time) / T::constant(count as f64);
+        for index in 1..count {
+            let before = stages[index - 1].radius;
+            let now = start.time + length * T::constant(index as f64);
+            let loading = contact.loading(now);
+            // An edge that stands still may seem to recede by a rounding.
+            let reached = contact.radius_under_loading(loading).unwrap_or(before).max(before).min(radius);
+            stages[index] = contact.stage_under(loading, now, reached);
+        }
+        stages[count] = Stage { time, radius, ..start };
+        Self { contact, count, stages, to_end: [None; MOST] }
+    }
+
+    /// The pressure at the end at a radius that is reached after the start.
+    pub(crate) fn pressure(&mut self, r: T) -> T {
+        let later = &self.stages[1..self.count];
+        let index = later.partition_point(|stage| stage.radius <= r);
+        let [from, to] = [self.stages[index], self.stages[index + 1]];
+        let first = march(self.contact, from, (to.time, to.radius), r).first_pressure();
+        if index + 1 == self.count {
+            return first;
+        }
+        let end = self.stages[self.count];
+        let to_end = self.to_end[index]
+            .get_or_insert_with(|| march(self.contact, to, (end.time, end.radius), to.radius));
+        to_end.apply(first, r)
+    }
+}
