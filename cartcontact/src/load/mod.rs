@@ -7,6 +7,7 @@ mod descent;
 mod error;
 mod fault;
 mod force_series;
+mod knots;
 mod piece;
 mod piecewise_linear;
 mod pointers;

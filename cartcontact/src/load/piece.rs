@@ -110,6 +110,35 @@ impl<T: Scalar> Piece<T> {
         self.end.1 >= self.start.1 / (T::one() + chi * self.duration())
     }
 
+    /// The smallest rate χ, but at least `least`, with which the piece [keeps its bound](Self::keeps_bound); infinite if
+    /// there is none.
+    ///
+    /// The bound falls with χ, also as it is rounded, so that numbers can be halved between one with which it is not
+    /// kept and one with which it is. Among the pieces of a load few have a larger one than all before them.
+    pub(super) fn least_rate(&self, least: T) -> T {
+        if self.keeps_bound(least) {
+            return least;
+        }
+        let (mut low, mut high) = (least, self.fall().max(least));
+        let mut step = high * T::default_epsilon();
+        while high.is_finite() && !self.keeps_bound(high) {
+            high += step;
+            step += step;
+        }
+        loop {
+            let middle = low + (high - low) * T::constant(0.5);
+            let is_between = low < middle && middle < high && high.is_finite();
+            if !is_between {
+                return high;
+            }
+            if self.keeps_bound(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+    }
+
     /// The first time within the piece at which F′ + χ F < 0, if it is by more than rounding.
     pub(super) fn recession(&self, chi: T) -> Option<T> {
         // F′ + χ F is least at the end.
@@ -120,5 +149,25 @@ impl<T: Scalar> Piece<T> {
         let drop = self.start.1 - self.end.1;
         let held = self.duration() * (self.start.1 / drop) - chi.recip();
         Some(self.start.0 + held.max(T::zero()).min(self.duration()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rates_are_the_least_that_keep_the_bound() {
+        let piece = |start, end| Piece { start, end };
+        for (piece, rate) in [
+            (piece((1.0, 5.0), (1.0, 4.0)), f64::INFINITY),
+            (piece((1.0, 5.0), (2.0, 0.0)), f64::INFINITY),
+            (piece((1.0, 4.0), (1.0, 5.0)), 0.25),
+            (piece((1.0, 4.0), (2.0, 4.0)), 0.25),
+            // 1 + χ is rounded to 2.
+            (piece((1.0, 4.0), (2.0, 2.0)), 1.0 - f64::EPSILON / 2.0),
+        ] {
+            assert_eq!(piece.least_rate(0.25), rate, "{piece:?}");
+        }
     }
 }

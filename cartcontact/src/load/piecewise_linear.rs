@@ -3,11 +3,11 @@
 use core::fmt;
 
 use super::descent::{Descent, may_add_up};
+use super::knots::{check, pieces};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::pairs::Pairs;
-use crate::scalar::is_size;
 
 /// How many impulses a load stores; any other is the sum of one of them and of few pieces.
 const CHECKPOINTS: usize = 64;
@@ -71,7 +71,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
     /// [`LoadError`] if there are no knots, a time is not finite, the first time is not 0, times decrease or
     /// three of them are equal, a force is negative or not finite, or a slope is out of range.
     pub fn new(knots: K) -> Result<Self, LoadError> {
-        check_knots(knots.as_ref())?;
+        check(knots.as_ref())?;
         let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
         let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
         let counts_rounding = may_add_up::<T>(load.knots().len());
@@ -81,9 +81,13 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
                 let (from, to) = (piece.start.0.value(), piece.end.0.value());
                 return Err(LoadError::TooSteep { knot: index + 1, from, to });
             }
-            // With few pieces, the part of a fall that may be rounding does not count.
-            let fall = if counts_rounding { piece.fall() } else { piece.fall_beyond_rounding() };
-            load.fastest_fall = load.fastest_fall.max(fall);
+            // With few pieces, the part of a fall that may be rounding does not count; with many, a fall to the bound as
+            // it is rounded does not.
+            load.fastest_fall = if counts_rounding {
+                piece.least_rate(load.fastest_fall)
+            } else {
+                load.fastest_fall.max(piece.fall_beyond_rounding())
+            };
             sum.add(piece.impulse());
             let knot = index + 1;
             if knot % stride == 0
@@ -116,47 +120,6 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
 /// Zero before the load is applied; NaN if the time is NaN.
 fn before_the_start<T: Scalar>(t: T) -> T {
     if t.value().is_nan() { t } else { T::zero() }
-}
-
-/// The pieces between neighbouring knots, including steps.
-fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
-    knots.windows(2).filter_map(|pair| match *pair {
-        [start, end] => Some(Piece { start, end }),
-        _ => None,
-    })
-}
-
-fn check_knots<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
-    let Some(&(first, _)) = knots.first() else {
-        return Err(LoadError::Empty);
-    };
-    for (knot, &(time, force)) in knots.iter().enumerate() {
-        if !time.is_finite() {
-            return Err(LoadError::InvalidTime { knot, time: time.value() });
-        }
-        if !is_size(force) {
-            return Err(LoadError::InvalidForce { time: time.value(), force: force.value() });
-        }
-    }
-    if !first.is_zero() {
-        return Err(LoadError::LateStart { time: first.value() });
-    }
-    for (knot, pair) in knots.windows(2).enumerate() {
-        if let [(previous, _), (time, _)] = *pair
-            && time < previous
-        {
-            let (time, previous) = (time.value(), previous.value());
-            return Err(LoadError::Unsorted { knot: knot + 1, time, previous });
-        }
-    }
-    let triple = knots.windows(3).position(|w| matches!(w, [a, _, c] if a.0 == c.0));
-    match triple {
-        Some(first) => Err(LoadError::RepeatedTime {
-            knot: first + 2,
-            time: knots.get(first).map_or(0.0, |&(time, _)| time.value()),
-        }),
-        None => Ok(()),
-    }
 }
 
 impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
@@ -248,6 +211,30 @@ mod tests {
             (load.next_knot(0.0), load.next_knot(5.0), load.next_knot(7.0)),
             (Some(5.0), Some(7.0), None)
         );
+        Ok(())
+    }
+
+    /// A long record that is clamped to its bound needs no search for a recession, in either format.
+    #[test]
+    fn falls_to_the_bound_are_not_too_fast() -> Result<(), LoadError> {
+        for chi in [1.5e-3_f32, 0.02, 0.7] {
+            let (mut knots, mut force) = (vec![(0.0, 100.0)], 100.0_f32);
+            for k in 1..5000_u16 {
+                let t = 0.01 * f32::from(k) * (1.0 + 0.3 * f32::from(k % 7));
+                let (before, _) = knots[knots.len() - 1];
+                if t > before {
+                    let wanted = force * if k % 11 == 0 { 1.02 } else { 0.9 };
+                    force = wanted.max(force / (1.0 + chi * (t - before)));
+                    knots.push((t, force));
+                }
+            }
+            assert!(may_add_up::<f32>(knots.len()));
+            let load = PiecewiseLinear::new(knots)?;
+            assert!(load.fastest_fall <= chi, "{} > {chi}", load.fastest_fall);
+            // It is the least of such rates, so that a smaller one is too small for a piece.
+            let slower = load.fastest_fall * (1.0 - f32::EPSILON);
+            assert!(pieces(load.knots()).any(|piece| !piece.keeps_bound(slower)));
+        }
         Ok(())
     }
 

@@ -1,0 +1,47 @@
+//! The knots (time, force) of a load that is linear between them.
+
+use super::{LoadError, Piece};
+use crate::Scalar;
+use crate::scalar::is_size;
+
+/// The pieces between neighbouring knots, including steps.
+pub(super) fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
+    knots.windows(2).filter_map(|pair| match *pair {
+        [start, end] => Some(Piece { start, end }),
+        _ => None,
+    })
+}
+
+/// Checks that knots are in the order of time from 0 on, at most two of them at one time, and forces not negative.
+pub(super) fn check<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
+    let Some(&(first, _)) = knots.first() else {
+        return Err(LoadError::Empty);
+    };
+    for (knot, &(time, force)) in knots.iter().enumerate() {
+        if !time.is_finite() {
+            return Err(LoadError::InvalidTime { knot, time: time.value() });
+        }
+        if !is_size(force) {
+            return Err(LoadError::InvalidForce { time: time.value(), force: force.value() });
+        }
+    }
+    if !first.is_zero() {
+        return Err(LoadError::LateStart { time: first.value() });
+    }
+    for (knot, pair) in knots.windows(2).enumerate() {
+        if let [(previous, _), (time, _)] = *pair
+            && time < previous
+        {
+            let (time, previous) = (time.value(), previous.value());
+            return Err(LoadError::Unsorted { knot: knot + 1, time, previous });
+        }
+    }
+    let triple = knots.windows(3).position(|w| matches!(w, [a, _, c] if a.0 == c.0));
+    match triple {
+        Some(first) => Err(LoadError::RepeatedTime {
+            knot: first + 2,
+            time: knots.get(first).map_or(0.0, |&(time, _)| time.value()),
+        }),
+        None => Ok(()),
+    }
+}
