@@ -1,9 +1,11 @@
-//! Records and fields of many thousands of steps, in single precision: their roundings must not add up.
+//! Records and fields of many thousands of steps: their roundings must not add up, and many times at once make no
+//! difference.
 
-use cartcontact::load::{Constant, PiecewiseLinear};
+use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
+use tests::loads::through;
 use tests::measure::{Errors, ulps};
 use tests::profiles::Patellofemoral;
 
@@ -52,4 +54,25 @@ fn the_last_row_of_a_long_field_is_what_it_is_alone() -> Result<(), Box<dyn core
         assert!(error <= budget::FIELD.single * edge(now.radius(), r), "r = {r}: {error} ulp");
     }
     Ok(())
+}
+
+/// The sums go on from one time to the next, but round as sums of their own.
+#[test]
+fn impulses_at_many_times_are_those_one_by_one() {
+    for count in [1, 2, 64, 65, 1000, 5000] {
+        let knots: Vec<(f64, f64)> =
+            (0..count).map(|k| (0.1 * f64::from(k), 3.0 + (f64::from(k) * 0.7).sin())).collect();
+        let load = through(&knots);
+        let ascending: Vec<f64> = (0..3 * count).map(|k| 0.037 * f64::from(k)).collect();
+        let mut times: Vec<f64> = ascending.iter().map(|t| t * 7.0 % (0.11 * f64::from(count))).collect();
+        times.extend(&ascending);
+        times.extend(ascending.iter().rev());
+        times.extend([-1.0, f64::NAN, f64::INFINITY, 0.0, 1e300]);
+        let mut impulses = vec![f64::NAN; times.len()];
+        assert!(load.fill_impulses(&times, &mut impulses));
+        for (&t, &found) in times.iter().zip(&impulses) {
+            assert_eq!(found.to_bits(), load.impulse(t).to_bits(), "{count} knots, {t}");
+        }
+    }
+    assert!(!Constant(100.0).fill_impulses(&[1.0], &mut [0.0]));
 }

@@ -6,7 +6,7 @@
 
 use super::common_sizes::CommonSizes;
 use super::recession::latest;
-use super::{Contact, ContactError};
+use super::{Contact, ContactError, Loading};
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::load::Load;
@@ -45,10 +45,7 @@ struct Block<'a, T, P, L> {
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// False if there is a fault; the radii are then not to be used.
     fn fill(&mut self) -> bool {
-        let is_common = wide(
-            #[inline(always)]
-            || self.take_load_integrals(),
-        );
+        let is_common = self.take_load_integrals();
         (is_common || self.take_unusual_load_integrals())
             && self.take_radii()
             && (is_common && self.has_common_radii() || self.keeps_digits())
@@ -57,11 +54,32 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// Takes the load integrals; false unless all of them, all times and all forces are of common size.
     #[inline(always)]
     fn take_load_integrals(&mut self) -> bool {
+        let contact = self.contact;
+        // Their places hold the impulses first.
+        if contact.load.fill_impulses(self.times, self.load_integrals) {
+            let chi = contact.medium.chi();
+            return self
+                .take_load_integrals_under(|t, impulse| Loading::new(contact.load.force(t), impulse, chi));
+        }
+        wide(
+            #[inline(always)]
+            || {
+                self.take_load_integrals_under(
+                    #[inline(always)]
+                    |t, _| contact.loading(t),
+                )
+            },
+        )
+    }
+
+    /// Takes the load integrals under loadings that are a function of the time and of what is in their places.
+    #[inline(always)]
+    fn take_load_integrals_under(&mut self, loading: impl Fn(T, T) -> Loading<T>) -> bool {
         let (sizes, chi, scales) = (CommonSizes::new(), self.contact.medium.chi(), self.contact.scales);
         let mut are_common = sizes.contain_rate(chi);
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let common_time = sizes.time_near(time);
-            let loading = self.contact.loading(common_time);
+            let loading = loading(common_time, *load_integral);
             *load_integral = scales.load_integral(loading);
             are_common &= (common_time == time) & sizes.contain_load(loading, *load_integral);
         }

@@ -156,6 +156,13 @@ pub trait Load<T: Scalar> {
         self.force(t)
     }
 
+    /// Fills the impulses at many times, in any order, in N s, and returns true; or false, with nothing filled, if they
+    /// are as quick one by one. Both give the same impulses. The times may be anything, also no numbers.
+    #[inline]
+    fn fill_impulses(&self, _times: &[T], _impulses: &mut [T]) -> bool {
+        false
+    }
+
     /// The first time after `t`, in s, at which the load jumps or has a kink; none if there is no such time. A load
     /// that jumps must also provide [`force_before`](Self::force_before), and one with thousands of knots should say if
     /// it is [linear between them](Self::is_linear_between_knots).

@@ -56,6 +56,9 @@ pub struct PiecewiseLinear<T, K> {
     stride: usize,
 }
 
+/// A knot, and the impulse up to it as a sum that began at the checkpoint before it.
+type SumToKnot<T> = (usize, CompensatedSum<T>);
+
 // Not derived: the knots say all.
 impl<T, K: fmt::Debug> fmt::Debug for PiecewiseLinear<T, K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -104,6 +107,29 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
         self.knots.as_ref()
     }
 
+    /// The impulse at `t`. The sum up to the knot before it goes on from that `before` another time, if both begin at one
+    /// checkpoint: it is the same as if it had begun there.
+    #[inline]
+    fn impulse_after(&self, t: T, before: &mut Option<SumToKnot<T>>) -> T {
+        let knots = self.knots.as_ref();
+        let last = knots.partition_point(|&(time, _)| time <= t).saturating_sub(1);
+        let Some(&start) = knots.get(last).filter(|_| t >= T::zero()) else {
+            return before_the_start(t);
+        };
+        let checkpoint = (last / self.stride).min(CHECKPOINTS - 1);
+        let (first, stored) = (checkpoint * self.stride, self.impulses[checkpoint]);
+        let (from, mut sum) =
+            before.filter(|(knot, _)| first <= *knot && *knot <= last).unwrap_or((first, stored.into()));
+        for piece in pieces(&knots[from..=last]) {
+            sum.add(piece.impulse());
+        }
+        *before = Some((last, sum));
+        // After the last knot the force is constant.
+        let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
+        sum.add(Piece { start, end }.before(t).impulse());
+        sum.value
+    }
+
     /// The force at `t`, from the last knot that `is_before` selects and the knot after it.
     fn force_after(&self, t: T, is_before: impl Fn(T) -> bool) -> T {
         let knots = self.knots.as_ref();
@@ -128,20 +154,15 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
     }
 
     fn impulse(&self, t: T) -> T {
-        let knots = self.knots.as_ref();
-        let last = knots.partition_point(|&(time, _)| time <= t).saturating_sub(1);
-        let Some(&start) = knots.get(last).filter(|_| t >= T::zero()) else {
-            return before_the_start(t);
-        };
-        let checkpoint = (last / self.stride).min(CHECKPOINTS - 1);
-        let mut sum = CompensatedSum::from(self.impulses[checkpoint]);
-        for piece in pieces(&knots[checkpoint * self.stride..=last]) {
-            sum.add(piece.impulse());
+        self.impulse_after(t, &mut None)
+    }
+
+    fn fill_impulses(&self, times: &[T], impulses: &mut [T]) -> bool {
+        let mut before = None;
+        for (impulse, &t) in impulses.iter_mut().zip(times) {
+            *impulse = self.impulse_after(t, &mut before);
         }
-        // After the last knot the force is constant.
-        let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
-        sum.add(Piece { start, end }.before(t).impulse());
-        sum.value
+        true
     }
 
     fn force_before(&self, t: T) -> T {

@@ -13,6 +13,9 @@ macro_rules! forward {
             fn impulse(&self, t: T) -> T {
                 (**self).impulse(t)
             }
+            fn fill_impulses(&self, times: &[T], impulses: &mut [T]) -> bool {
+                (**self).fill_impulses(times, impulses)
+            }
             fn force_before(&self, t: T) -> T {
                 (**self).force_before(t)
             }
