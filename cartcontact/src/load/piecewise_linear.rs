@@ -235,7 +235,7 @@ mod tests {
         Ok(())
     }
 
-    /// A long record that is clamped to its bound needs no search for a recession, in either format.
+    /// A long record that is clamped to its bound needs no search for a recession.
     #[test]
     fn falls_to_the_bound_are_not_too_fast() -> Result<(), LoadError> {
         for chi in [1.5e-3_f32, 0.02, 0.7] {
