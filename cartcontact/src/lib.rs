@@ -48,12 +48,12 @@
 //! # What it assumes
 //!
 //! Layers that are thin (a ≫ h) and isotropic on rigid bones, small strains, no friction, axial symmetry, times short
-//! against the diffusion of fluid through a layer's thickness, and loads that do not fall faster than e^(−χ t), so
-//! that the contact never shrinks. Against the exact solution for an incompressible elastic layer, as which a biphasic one
-//! responds at t = 0⁺ (a paraboloid on one bonded layer), under the loads for which the model has a/h = 4, 8, 16 and 32,
-//! the radius is 48, 21, 10 and 5 % too large, the approach 30, 9, 2.5 and 0.7 % too large, and the peak pressure 29, 10, 3
-//! and 0.7 % too small. To see where a result lies, compare [`Snapshot::radius`] with the thickness h, and the time with
-//! [`Layer::diffusion_time`].
+//! against the diffusion of fluid through a layer's thickness, and loads that do not fall faster than e^(−χ t), so that
+//! the contact never shrinks. Against the exact solution for an incompressible elastic layer, as which a biphasic one
+//! responds at t = 0⁺ (a paraboloid on one bonded layer), under the loads for which the model has a/h = 4, 8, 16 and
+//! 32, the radius is 48, 21, 10 and 5 % too large, the approach 30, 9, 2.5 and 0.7 % too large, and the peak pressure
+//! 29, 10, 3 and 0.7 % too small. To see where a result lies, compare [`Snapshot::radius`] with the thickness h, and
+//! the time with [`Layer::diffusion_time`].
 //!
 //! # Features
 //!

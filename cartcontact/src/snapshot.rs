@@ -134,8 +134,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place, a third of the
     /// bound of [`pressure`](Self::pressure) at r = 0, and where terms of both signs cancel with the same factors.
     ///
-    /// In single precision it is within 16 units under a user-defined load that falls for more than twenty e-foldings, step
-    /// by step, because the decay over each step is rounded.
+    /// In single precision it is within 16 units under a user-defined load that falls for more than twenty e-foldings,
+    /// step by step, because the decay over each step is rounded.
     ///
     /// # Examples
     ///

@@ -88,9 +88,9 @@ fn page() -> String {
         "Where the printed formulas fail.\n\
          \n\
          Apart from χ, see [`Medium::between`](crate::Medium::between), the formulas of the paper are exact, but\n\
-         evaluated as they are printed they subtract numbers that are nearly equal. The tables show how many of the sixteen decimal digits of `f64` that costs, for the gap\n\
-         0.025 r² + 1.09375e-4 r⁴ and against results with more than 40 digits; 0 stands for an error below 10 ε.\n\
-         The tests measure them anew.\n\
+         evaluated as they are printed they subtract numbers that are nearly equal. The tables show how many of the\n\
+         sixteen decimal digits of `f64` that costs, for the gap 0.025 r² + 1.09375e-4 r⁴ and against results with more\n\
+         than 40 digits; 0 stands for an error below 10 ε. The tests measure them anew.\n\
          \n\
          # Near the edge of the contact\n\
          \n\

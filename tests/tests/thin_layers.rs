@@ -1,9 +1,9 @@
 //! How good the model itself is: contact radius, approach and peak pressure right after loading, against the exact
 //! solution for an elastic layer.
 //!
-//! At t = 0⁺ no fluid has moved, and a biphasic layer responds like an incompressible elastic one. Let the thickness and
-//! the shear modulus of one layer bonded to a rigid plane be 1. The Hankel transform of its surface's displacement is that of
-//! the pressure times L(ξ)/(2 ξ), with
+//! At t = 0⁺ no fluid has moved, and a biphasic layer responds like an incompressible elastic one. Let the thickness
+//! and the shear modulus of one layer bonded to a rigid plane be 1. The Hankel transform of its surface's displacement
+//! is that of the pressure times L(ξ)/(2 ξ), with
 //!
 //! ```text
 //! 1 − L(ξ) = (1 + 2 ξ + 2 ξ² + e^(−2ξ)) / (cosh 2ξ + 1 + 2 ξ²)
@@ -17,8 +17,8 @@
 //!
 //! and φ(a) = 0. The load is 2π ∫ φ dt, and the pressure on the axis −∫ φ′(t)/t dt.
 //!
-//! Source: W. C. Hayes, L. M. Keer, G. Herrmann, L. F. Mockros, A mathematical analysis for indentation tests of articular
-//! cartilage, J. Biomech. 5 (1972) 541–551, doi 10.1016/0021-9290(72)90010-3.
+//! Source: W. C. Hayes, L. M. Keer, G. Herrmann, L. F. Mockros, A mathematical analysis for indentation tests of
+//! articular cartilage, J. Biomech. 5 (1972) 541–551, doi 10.1016/0021-9290(72)90010-3.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4, PI};
 use core::num::NonZeroUsize;

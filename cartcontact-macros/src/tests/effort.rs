@@ -1,6 +1,7 @@
 //! How long an expansion takes, without the compiler around it. `CARGO_PROFILE_TEST_OPT_LEVEL=0
-//! CARGO_PROFILE_TEST_DEBUG=0 cargo test -p cartcontact-macros effort_is_bounded -- --nocapture` prints it for the macro as cargo
-//! builds it by default: not optimised, and without debug information, which would make it up to twice as slow.
+//! CARGO_PROFILE_TEST_DEBUG=0 cargo test -p cartcontact-macros effort_is_bounded -- --nocapture` prints it for the
+//! macro as cargo builds it by default: not optimised, and without debug information, which would make it up to twice
+//! as slow.
 
 use std::time::{Duration, Instant};
 
