@@ -3,32 +3,17 @@
 use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
 use tests::condition::{of_radius, of_sizes};
+use tests::fractions::{Hundredths, Quarters, Tenths, Thirds, Twentieths};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::radii::{Kind, assert_exact, assert_slices_are_the_same};
 use tests::random::Stream;
-
-#[gap_profile(0.02 * r^(2/3) + 1e-3 * r^2)]
-struct Thirds;
-
-#[gap_profile(0.02 * r^0.25 + 1e-3 * r^8.75)]
-struct Quarters;
 
 #[gap_profile(0.02 * r^1.8 - 1e-5 * r^4.6, max_radius = 6)]
 struct Fifths;
 
 #[gap_profile(0.02 * r^(13/7) + 1e-3 * r^3)]
 struct Sevenths;
-
-#[gap_profile(0.02 * r^1.1 + 1e-3 * r^2.2 + 2e-4 * r^3.3)]
-struct Tenths;
-
-#[gap_profile(0.02 * r^0.35 + 1e-3 * r^4.05)]
-struct Twentieths;
-
-/// The common fraction is too small for a root.
-#[gap_profile(0.02 * r^2.37 + 1e-3 * r^3.5)]
-struct Hundredths;
 
 #[gap_profile(c * r^1.6 + d * r^2.2)]
 struct FifthsOfFields<T> {

@@ -9,7 +9,10 @@ use std::f64::consts::FRAC_PI_4;
 use std::process::ExitCode;
 use std::thread;
 
+use ::tests::arguments::numbers;
+use ::tests::fractions::{Hundredths, Quarters, Tenths, Thirds, Twentieths};
 use ::tests::measure::{Exact, ulps};
+use ::tests::profiles::{Cone, Paraboloid, Patellofemoral};
 use ::tests::random::Stream;
 use ::tests::stress::wide::Wide;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
@@ -27,16 +30,10 @@ const MEDIUM: (f64, f64) = (0.375, 1.0 / 512.0);
 
 #[gap_profile(0.03 * r^0.25)]
 struct QuarterPower;
-#[gap_profile(0.1 * r)]
-struct Cone;
-#[gap_profile(0.025 * r^2)]
-struct Paraboloid;
 #[gap_profile(0.015 * r^2.37)]
 struct Blunt;
 #[gap_profile(3e-6 * r^8)]
 struct Flat;
-#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
-struct Patellofemoral;
 #[gap_profile(0.02 * r^2 + 1e-4 * r^4 + 2e-6 * r^6)]
 struct ThreeTerms;
 #[gap_profile(0.02 * r^2 + 1e-3 * r^3 + 1e-4 * r^5 + 3e-6 * r^8)]
@@ -49,16 +46,6 @@ struct LongCone;
 struct Halves;
 #[gap_profile(0.03 * r^0.5 + 0.01 * r^2.5 + 1e-3 * r^4 + 1e-5 * r^6.5 + 1e-7 * r^8.5)]
 struct ManyHalves;
-#[gap_profile(0.02 * r^(2/3) + 1e-3 * r^2)]
-struct Thirds;
-#[gap_profile(0.02 * r^0.25 + 1e-3 * r^8.75)]
-struct Quarters;
-#[gap_profile(0.02 * r^1.1 + 1e-3 * r^2.2 + 2e-4 * r^3.3)]
-struct Tenths;
-#[gap_profile(0.02 * r^0.35 + 1e-3 * r^4.05)]
-struct Twentieths;
-#[gap_profile(0.02 * r^2.37 + 1e-3 * r^3.5)]
-struct Hundredths;
 #[gap_profile(0.02 * r^0.61 + 1e-3 * r^2.29 + 1e-5 * r^4.83)]
 struct ManyHundredths;
 #[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
@@ -246,7 +233,7 @@ fn exact_load_integral(force: f64, t: f64) -> Wide {
 }
 
 fn main() -> ExitCode {
-    match arguments(std::env::args().skip(1)) {
+    match request(std::env::args().skip(1)) {
         Ok(Some((count, seed))) => print_table(count, seed),
         Ok(None) => println!("{USAGE}"),
         Err(message) => {
@@ -258,19 +245,12 @@ fn main() -> ExitCode {
 }
 
 /// The number of radii and the seed; none if only the usage is asked for.
-fn arguments(mut given: impl Iterator<Item = String>) -> Result<Option<(u64, u64)>, String> {
-    let (mut count, mut seed) = (1_000_000, 1);
-    while let Some(name) = given.next() {
-        let place = match name.as_str() {
-            "--help" | "-h" => return Ok(None),
-            "--radii" => &mut count,
-            "--seed" => &mut seed,
-            _ => return Err(format!("unknown argument `{name}`")),
-        };
-        let value = given.next().ok_or_else(|| format!("`{name}` needs a number"))?;
-        *place = value.parse().map_err(|_| format!("`{name}` needs a whole number, not `{value}`"))?;
+fn request(arguments: impl Iterator<Item = String>) -> Result<Option<(u64, u64)>, String> {
+    let Some([count, seed]) = numbers(["--radii", "--seed"], arguments)? else { return Ok(None) };
+    if count == Some(0) {
+        return Err("`--radii` must be at least 1".to_owned());
     }
-    if count == 0 { Err("`--radii` must be at least 1".to_owned()) } else { Ok(Some((count, seed))) }
+    Ok(Some((count.unwrap_or(1_000_000), seed.unwrap_or(1))))
 }
 
 /// Prints a row for every kind: the geometry of which most are off in each format, and the largest error of all.

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use ::tests::arguments::numbers;
 use ::tests::stress::campaign::{Campaign, Report};
 
 const USAGE: &str = "\
@@ -63,29 +64,15 @@ fn main() -> ExitCode {
 
 impl Request {
     /// Parses the arguments; none if they ask for help.
-    fn read(mut arguments: impl Iterator<Item = String>) -> Result<Option<Self>, String> {
-        let mut request = Self { seed: 1, cases: None, seconds: None, only: None };
-        while let Some(name) = arguments.next() {
-            if name == "--help" || name == "-h" {
-                return Ok(None);
-            }
-            if !["--cases", "--seconds", "--seed", "--only"].contains(&name.as_str()) {
-                return Err(format!("there is no option `{name}`"));
-            }
-            let text = arguments.next().ok_or_else(|| format!("`{name}` needs a number"))?;
-            let number: u64 = text
-                .replace('_', "")
-                .parse()
-                .map_err(|_| format!("`{name}` needs a whole number from 0, not `{text}`"))?;
-            match name.as_str() {
-                "--cases" if number == 0 => return Err("`--cases` must be at least 1".to_owned()),
-                "--seconds" if number == 0 => return Err("`--seconds` must be at least 1".to_owned()),
-                "--cases" => request.cases = Some(number),
-                "--seconds" => request.seconds = Some(number),
-                "--seed" => request.seed = number,
-                _ => request.only = Some(number),
+    fn read(arguments: impl Iterator<Item = String>) -> Result<Option<Self>, String> {
+        let names = ["--cases", "--seconds", "--seed", "--only"];
+        let Some([cases, seconds, seed, only]) = numbers(names, arguments)? else { return Ok(None) };
+        for (name, number) in [("--cases", cases), ("--seconds", seconds)] {
+            if number == Some(0) {
+                return Err(format!("`{name}` must be at least 1"));
             }
         }
+        let request = Self { seed: seed.unwrap_or(1), cases, seconds, only };
         if [request.cases, request.seconds, request.only].iter().flatten().count() > 1 {
             return Err("give only one of `--cases`, `--seconds` and `--only`".to_owned());
         }
