@@ -160,6 +160,20 @@ impl<T: Scalar, L: Load<T>> Load<T> for Announced<L> {
     }
 }
 
+/// A load that reports only its force and its impulse.
+#[derive(Clone, Copy, Debug)]
+pub struct Unannounced<L>(pub L);
+
+impl<T: Scalar, L: Load<T>> Load<T> for Unannounced<L> {
+    fn force(&self, t: T) -> T {
+        self.0.force(t)
+    }
+
+    fn impulse(&self, t: T) -> T {
+        self.0.impulse(t)
+    }
+}
+
 /// A load that counts how often its history is searched.
 #[derive(Debug)]
 pub struct Counted<L> {

@@ -7,11 +7,9 @@ use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::budget;
 use tests::measure::relative_error;
+use tests::profiles::Paraboloid;
 
 type Failure = Box<dyn core::error::Error>;
-
-#[gap_profile(0.025 * r^2)]
-struct Paraboloid;
 
 #[gap_profile(0.015 * r^2.3)]
 struct Blunt;
@@ -60,6 +58,13 @@ fn pressures_next_to_the_axis_have_the_derivatives_on_it() -> Result<(), Failure
     Ok(())
 }
 
+/// The second derivative of the pressure with respect to r.
+fn curvature(profile: &dyn GapProfile<Dual2_64>, r: f64, t: f64) -> Result<f64, Failure> {
+    let r = Dual2_64::from(r).derivative();
+    let [.., pressure] = results(profile, (0.375, Dual2_64::from(100.0)), (r, t))?;
+    Ok(pressure.v2)
+}
+
 /// The second derivative of P(r) ≈ P(0) + P″ r²/2 is that on the axis, wherever P″ r² is nothing.
 #[test]
 fn pressures_next_to_the_axis_have_the_curvature_on_it() -> Result<(), Failure> {
@@ -68,14 +73,10 @@ fn pressures_next_to_the_axis_have_the_curvature_on_it() -> Result<(), Failure> 
     let profiles: [&dyn GapProfile<Dual2_64>; 3] = [&polynomial, &Paraboloid, &Blunt];
     for (index, profile) in profiles.into_iter().enumerate() {
         for t in [1.0, 200.0] {
-            let curvature = |r: f64| -> Result<f64, Failure> {
-                let [.., pressure] = results(profile, (0.375, dual(100.0)), (dual(r).derivative(), t))?;
-                Ok(pressure.v2)
-            };
-            let on_axis = curvature(0.0)?;
+            let on_axis = curvature(profile, 0.0, t)?;
             assert!(on_axis < -1e-3, "{index}, {t}: {on_axis}");
             for r in [1e-300, 1e-160, 1e-150, 1e-30, 1e-14] {
-                assert_close(curvature(r)?, on_axis, f64::EPSILON, &(index, t, r));
+                assert_close(curvature(profile, r, t)?, on_axis, f64::EPSILON, &(index, t, r));
             }
         }
     }
@@ -88,11 +89,7 @@ fn the_peak_has_its_curvature() -> Result<(), Failure> {
     let dual = Dual2_64::from;
     let polynomial = Polynomial::new([(dual(0.025), dual(2.0))])?;
     for t in [0.0, 1.0, 200.0, 5e3] {
-        let curvature = |profile: &dyn GapProfile<Dual2_64>| -> Result<f64, Failure> {
-            let [.., pressure] = results(profile, (0.375, dual(100.0)), (dual(0.0).derivative(), t))?;
-            Ok(pressure.v2)
-        };
-        let (found, expected) = (curvature(&polynomial)?, curvature(&Paraboloid)?);
+        let (found, expected) = (curvature(&polynomial, 0.0, t)?, curvature(&Paraboloid, 0.0, t)?);
         assert!(expected < -1e-3);
         assert_close(found, expected, f64::EPSILON, &t);
     }

@@ -5,7 +5,7 @@ use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::{Announced, Fall, Knots, Rise, Swing, histories, through};
+use tests::loads::{Announced, Fall, Rise, Swing, Unannounced, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, cases};
@@ -65,19 +65,6 @@ fn pressure_relaxes_like_the_load_at_a_constant_approach() -> Result<(), Contact
         }
     }
     Ok(())
-}
-
-/// A load that reports only its force and its impulse.
-struct Unannounced<'a>(&'a Knots);
-
-impl Load<f64> for Unannounced<'_> {
-    fn force(&self, t: f64) -> f64 {
-        self.0.force(t)
-    }
-
-    fn impulse(&self, t: f64) -> f64 {
-        self.0.impulse(t)
-    }
 }
 
 #[test]

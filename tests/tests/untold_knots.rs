@@ -1,29 +1,14 @@
 //! How far pressures are off under loads with many jumps and kinks of which no knot tells, as the documentation of
 //! `Load` has it, against the same loads with their knots.
 
-use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{Contact, Medium};
+use cartcontact::ContactError;
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::{Knots, through};
+use tests::joint::joint;
+use tests::loads::{Unannounced, through};
 use tests::measure::relative_error;
 use tests::profiles::Patellofemoral;
 use tests::random::Stream;
-
-type Failure = Box<dyn core::error::Error>;
-
-/// A load that reports only its force and its impulse.
-struct Untold<'a>(&'a Knots);
-
-impl Load<f64> for Untold<'_> {
-    fn force(&self, t: f64) -> f64 {
-        self.0.force(t)
-    }
-
-    fn impulse(&self, t: f64) -> f64 {
-        self.0.impulse(t)
-    }
-}
 
 const CHI: f64 = 0.0015;
 const END: f64 = 400.0;
@@ -61,13 +46,15 @@ fn kinks(stream: &mut Stream, count: usize) -> Vec<(f64, f64)> {
 }
 
 /// The largest relative error of pressures in some loads, at radii up to nine tenths of the contact radius.
-fn largest_error(count: usize, knots: fn(&mut Stream, usize) -> Vec<(f64, f64)>) -> Result<f64, Failure> {
-    let medium = Medium::from_constants(0.375, CHI)?;
+fn largest_error(
+    count: usize,
+    knots: fn(&mut Stream, usize) -> Vec<(f64, f64)>,
+) -> Result<f64, ContactError> {
     let mut largest = 0.0_f64;
     for case in 0..5 {
-        let load: PiecewiseLinear<f64, _> = through(&knots(&mut Stream::of_case(1, case), count));
-        let told = Contact::new(Patellofemoral, medium, &load)?;
-        let untold = Contact::new(Patellofemoral, medium, Untold(&load))?;
+        let load = through(&knots(&mut Stream::of_case(1, case), count));
+        let told = joint(Patellofemoral, CHI, &load);
+        let untold = joint(Patellofemoral, CHI, Unannounced(&load));
         let (told, untold) = (told.at(END)?, untold.at(END)?);
         for r in [0.0, 3.0, 6.0] {
             largest = largest.max(relative_error(untold.pressure(r), told.pressure(r), 1.0));
@@ -78,7 +65,7 @@ fn largest_error(count: usize, knots: fn(&mut Stream, usize) -> Vec<(f64, f64)>)
 
 /// The documented errors; thirty jumps cost no digits.
 #[test]
-fn pressures_are_as_exact_as_documented() -> Result<(), Failure> {
+fn pressures_are_as_exact_as_documented() -> Result<(), ContactError> {
     let no_digits = 2.0 * budget::PRESSURE.double * edge(1.0, 0.9) * f64::EPSILON;
     for (count, documented) in [(30, no_digits), (50, 5e-12), (100, 5e-10), (200, 3e-6), (500, 2e-3)] {
         let error = largest_error(count, jumps)?;
