@@ -10,8 +10,7 @@ use crate::evaluate::bits::nearest_integer;
 ///
 /// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its
 /// derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
-/// `sensitivities` does. Exceptions are these derivatives, of pressures unless others are
-/// named:
+/// `sensitivities` does. Exceptions are these derivatives, of pressures unless others are named:
 ///
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;
