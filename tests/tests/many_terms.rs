@@ -9,6 +9,10 @@ use tests::condition::edge;
 #[gap_profile(sphere(10) + sphere(20), order = 24, max_radius = 5)]
 struct Spheres;
 
+/// Even powers up to the 64th, whose coefficients fall to 1e-84.
+#[gap_profile(sphere(20), order = 64, max_radius = 10)]
+struct HighOrder;
+
 /// All powers from the second to the 13th.
 #[gap_profile(0.05*r^2 + 1e-3*r^3 + 1e-4*r^4 + 2e-5*r^5 + 1e-6*r^6 + 1e-7*r^7 + 1e-8*r^8 + 3e-9*r^9 + 1e-10*r^10
     + 2e-12*r^11 + 1e-13*r^12 + 1e-15*r^13)]
@@ -59,6 +63,7 @@ fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
 #[test]
 fn tables_hold_the_terms() {
     compare(Spheres, &Spheres::TERMS);
+    compare(HighOrder, &HighOrder::TERMS);
     compare(Dense, &Dense::TERMS);
     compare(FarApart, &FarApart::TERMS);
 }

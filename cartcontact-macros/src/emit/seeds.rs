@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, is_monic, nested, paired, terms};
 use super::{Names, local, steepness, table};
-use crate::closed_forms::{PowerSum, Scaled, Stepped, Summand};
+use crate::closed_forms::{PowerSum, Scaled, Stepped};
 use crate::number::{Rational, integer};
 use crate::start::seeds::Seeds;
 
@@ -19,7 +19,7 @@ pub(super) fn items(
     names: &Names,
 ) -> TokenStream {
     let (table, a) = (table::item(&seeds.table, names), local("a"));
-    let body = body(stepped, &a, coefficients, names);
+    let body = body(stepped, &seeds.unit, &a, coefficients, names);
     let function = steepness::function(&name(), &a, coefficients.variables(), &body, names);
     quote!(#table #function)
 }
@@ -106,13 +106,15 @@ fn equal_terms(
     quote!(#equal_terms::of(#(#first_two,)* [#(#others),*], #per_unit))
 }
 
-/// A `Steepness` at the radius `a`: J, a J′ divided by the coefficient of its highest power, and a² J″/2 divided by the
-/// square of that coefficient.
-///
-/// The coefficient is then 1 in a J′, which spares a multiplication. In J, a unit would cost a rounding, as the load
-/// integral would have to be divided by it, too. With a symbol among the coefficients the unit is 1: their ratio has no
-/// bound.
-fn body(stepped: &Stepped, a: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+/// A `Steepness` at the radius `a`: J, a J′ divided by a [unit](Seeds::unit), and a² J″/2 divided by its square. In J
+/// a unit would cost a rounding, as the load integral would have to be divided by it, too.
+fn body(
+    stepped: &Stepped,
+    unit: &Rational,
+    a: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
     let Stepped { scaled: Scaled { load_integral, .. }, root } = stepped;
     let Some(whole) = Whole::of(load_integral) else {
         let (function, terms) =
@@ -124,9 +126,8 @@ fn body(stepped: &Stepped, a: &Ident, coefficients: &Coefficients<'_>, names: &N
         let factors = load_integral.summands.iter().map(|summand| coefficients.factor(summand));
         return steepness::of_nested_powers(&whole, factors, a, names);
     }
-    let unit = unit(load_integral).unwrap_or_else(Rational::one);
-    let first = load_integral.weighted(|p| p / &unit);
-    let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * &unit));
+    let first = load_integral.weighted(|p| p / unit);
+    let half_second = first.weighted(|p| (p - Rational::one()) / (integer(2) * unit));
     let (values, of_value) = coefficients.bound("value", load_integral);
     let (firsts, of_first) = coefficients.bound("first", &first);
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
@@ -136,13 +137,6 @@ fn body(stepped: &Stepped, a: &Ident, coefficients: &Coefficients<'_>, names: &N
         nested((&whole, is_monic(&first)), &variable, of_first, names),
         paired(&whole, &variable, of_half_second, names),
     ];
-    let steepness = steepness::value((&whole, *root == 2), a, &sums, &unit, names);
+    let steepness = steepness::value((&whole, *root == 2), a, &sums, unit, names);
     quote!(#values #firsts #half_seconds #steepness)
-}
-
-/// The coefficient of the highest power in a J′, if all coefficients are constants.
-fn unit(load_integral: &PowerSum) -> Option<Rational> {
-    let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
-    let exponent = &load_integral.summands.last()?.exponent;
-    Some(*constants?.last()? * exponent)
 }

@@ -18,10 +18,11 @@
 
 use core::ops::Range;
 
-use num_traits::ToPrimitive;
+use num_traits::{One, ToPrimitive};
 
-use crate::closed_forms::Stepped;
+use crate::closed_forms::{PowerSum, Stepped, Summand};
 use crate::geometry::Geometry;
+use crate::number::Rational;
 use crate::start::own_units;
 use crate::start::table::{
     LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top,
@@ -47,6 +48,8 @@ pub(crate) struct Seeds {
     pub(crate) table: Table,
     /// The coefficients of J, in units of its own if they are symbols.
     pub(crate) factors: Vec<f64>,
+    /// The number by which a step divides a J′, and by whose square it divides a² J″/2.
+    pub(crate) unit: Rational,
 }
 
 /// The table of a geometry, if its rows are near enough to the radius, or to the root in which J has whole powers.
@@ -63,7 +66,8 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
         terms.push((factor, summand.exponent.to_f64()?));
     }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
-    let sum = LoadIntegral::new(terms, stepped.root, largest_single);
+    let unit = unit(load_integral).unwrap_or_else(Rational::one);
+    let sum = LoadIntegral::new(terms, stepped.root, logarithm(unit.to_f64()?), largest_single);
     let top = if is_constant {
         top(geometry, |a| sum.at(a.powf(sum.root.recip())).value)
     } else {
@@ -73,7 +77,22 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
     let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
     let rows = sum.rows(bottom..top);
     let table = Table::of(bottom, if is_constant { &rows } else { before_first_gap(&rows) });
-    Some(Seeds { table: table.filter(|table| table.rows.len() >= FEWEST_ROWS)?, factors })
+    Some(Seeds { table: table.filter(|table| table.rows.len() >= FEWEST_ROWS)?, factors, unit })
+}
+
+/// The coefficient of the highest power in a J′, which is then 1 and spares a multiplication.
+///
+/// 1 if that would leave coefficients near the end of the format, as in expansions of a sphere beyond r⁴⁰, and if one
+/// is a symbol: the ratio of two has no bound.
+fn unit(load_integral: &PowerSum) -> Option<Rational> {
+    let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
+    let highest = *constants?.last()? * &load_integral.summands.last()?.exponent;
+    let is_near_one = 2.0 * logarithm(highest.to_f64()?).abs() < LARGEST_DOUBLE;
+    is_near_one.then_some(highest)
+}
+
+fn logarithm(number: f64) -> f64 {
+    number.abs().log2()
 }
 
 /// The rows up to the first gap. After a gap, J may have turned back, and no radius may be admissible: with constants,
@@ -95,10 +114,12 @@ struct LoadIntegral {
     largest_single: f64,
     /// The largest |log₂| of the coefficients of J, J′ and J″, from which a unit is taken out once and twice.
     largest_coefficient: f64,
-    /// log₂ |j| of the highest power: the unit of J′.
+    /// log₂ of the unit of J′.
     unit: f64,
     lowest: f64,
-    highest: f64,
+    /// The highest power that a step forms: with whole powers it is the lowest of J, or the ratio of two neighbours in
+    /// Horner's rule.
+    highest_formed: f64,
 }
 
 /// J with a J′, a² J″ and a³ J‴.
@@ -110,18 +131,22 @@ struct Derivatives {
 }
 
 impl LoadIntegral {
-    fn new(terms: Vec<(f64, f64)>, root: u32, largest_single: f64) -> Self {
-        let logarithm = |&(j, _): &(f64, f64)| j.abs().log2();
-        let (unit, highest) = terms.last().map_or((0.0, 0.0), |term| (logarithm(term), term.1));
-        let in_units = |term| {
-            let size = logarithm(term);
+    fn new(terms: Vec<(f64, f64)>, root: u32, unit: f64, largest_single: f64) -> Self {
+        let in_units = |&(j, _): &(f64, f64)| {
+            let size = logarithm(j);
             size.abs().max((size - unit).abs()).max((size - 2.0 * unit).abs())
         };
         let largest_coefficient = terms.iter().map(in_units).fold(0.0, f64::max);
-        let lowest = terms.first().map_or(0.0, |&(_, p)| p);
+        let powers = || terms.iter().map(|&(_, p)| p);
+        let lowest = powers().next().unwrap_or(0.0);
+        let highest_formed = if powers().all(|p| p.fract() == 0.0) {
+            powers().zip(powers().skip(1)).map(|(p, next)| next - p).fold(lowest, f64::max)
+        } else {
+            powers().fold(lowest, f64::max)
+        };
         let cut_off = if root > 2 { 0.0 } else { CUT_OFF };
         let root = f64::from(root);
-        Self { terms, root, cut_off, largest_single, largest_coefficient, unit, lowest, highest }
+        Self { terms, root, cut_off, largest_single, largest_coefficient, unit, lowest, highest_formed }
     }
 
     /// The octaves of its window above the load integral at which the first two terms are equal.
@@ -196,7 +221,7 @@ impl LoadIntegral {
         let step = a - self.unit + slope;
         // A small value does no harm.
         let curvature = (second - 2.0 * self.unit - power).max(0.0);
-        let powers = [self.largest_coefficient, self.highest * a, y, y - power];
+        let powers = [self.largest_coefficient, self.highest_formed * a, y, y - power];
         let products = [slope, log_slope, log_slope + slope, step, step + y, curvature, curvature + y];
         powers.into_iter().chain(products).fold(0.0, largest_size)
     }
@@ -273,7 +298,7 @@ mod tests {
     #[test]
     fn seeds_have_six_digits() {
         let two_terms =
-            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1, LARGEST_SINGLE);
+            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1, 0.0, LARGEST_SINGLE);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
@@ -288,7 +313,8 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate = LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1, LARGEST_SINGLE);
+        let oblate =
+            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1, 0.0, LARGEST_SINGLE);
         let end = 187.5_f64.sqrt();
         let last = oblate.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());

@@ -8,11 +8,11 @@ mod effort;
 mod faults;
 mod golden;
 mod half_typed;
-mod leading_terms;
 mod own_units;
 mod random;
 mod single_terms;
 mod slips;
+mod starts;
 mod surfaces;
 
 use proc_macro2::TokenStream;

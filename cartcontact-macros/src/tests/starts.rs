@@ -1,4 +1,4 @@
-//! Geometries whose radius comes from steps from the leading term.
+//! Which geometries have a table of constants, and which begin at their leading term.
 
 use super::{on_ball, on_unit};
 use crate::closed_forms::ClosedForms;
@@ -18,4 +18,16 @@ fn constants_without_a_table_begin_at_their_leading_term() {
     assert!(oblate.is_ok_and(|geometry| !has_leading_term(&geometry)));
     let of_fields = on_ball("radius * r^2 + 2 * r^3 + r^4");
     assert!(of_fields.is_ok_and(|geometry| has_leading_term(&geometry)));
+}
+
+/// In units of its last coefficient, J would leave the format.
+#[test]
+fn expansions_of_high_order_have_whole_tables() {
+    for text in ["sphere(10), order = 40", "sphere(20), order = 64", "sphere(0.02), order = 48"] {
+        let geometry = on_unit(&format!("{text}, max_radius = 0.01")).unwrap();
+        let Some(Start::Seeds(seeds)) = Start::of(&geometry, &ClosedForms::of(&geometry.gap)) else {
+            unreachable!("{text} has no table")
+        };
+        assert_eq!(seeds.table.rows.len(), 256, "{text}");
+    }
 }
