@@ -512,7 +512,9 @@ const _: () = {
                 ],
                 ::core::option::Option::Some({
                     let __field_limit = <T as __cartcontact::Scalar>::constant(
-                        <f64 as ::core::convert::From<f32>>::from(self.limit),
+                        <::core::primitive::f64 as ::core::convert::From<
+                            ::core::primitive::f32,
+                        >>::from(self.limit),
                     );
                     __field_limit
                 }),
@@ -533,7 +535,9 @@ const _: () = {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
             let __field_limit = <T as __cartcontact::Scalar>::constant(
-                <f64 as ::core::convert::From<f32>>::from(self.limit),
+                <::core::primitive::f64 as ::core::convert::From<
+                    ::core::primitive::f32,
+                >>::from(self.limit),
             );
             match __cartcontact::generated::check_product(
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
@@ -554,7 +558,9 @@ const _: () = {
                     ],
                     ::core::option::Option::Some({
                         let __field_limit = <T as __cartcontact::Scalar>::constant(
-                            <f64 as ::core::convert::From<f32>>::from(self.limit),
+                            <::core::primitive::f64 as ::core::convert::From<
+                                ::core::primitive::f32,
+                            >>::from(self.limit),
                         );
                         __field_limit
                     }),

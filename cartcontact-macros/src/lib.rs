@@ -6,8 +6,8 @@
 //! | stage | takes | gives |
 //! |---|---|---|
 //! | `reading::attribute`, `entry`, `bodies` | the attribute's tokens | expressions and options, as written |
-//! | `reading::item` | the struct's tokens | its `name`, `generics` (`declaration`), and fields that can be symbols (`positive`: of known sign; `unknown`: what other names are meant as) |
-//! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`, `divisor`, `surface`: what is no part of the language) |
+//! | `reading::item` | the struct's tokens | its `name`, `generics` (`declaration`), and each `field` that can be a symbol (`positive`: of known sign; `unknown`: what other names are meant as) |
+//! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`, `divisor`, `wrong_arguments`: what is no part of the language) |
 //! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |
 //! | `gap::expansion` | a shape and the `options` for surfaces | powers of r alone, and a bound of what that neglects (`truncation`, `series`) |
 //! | `gap` | powers of r | the same, checked to be a gap, which has no `constant` |

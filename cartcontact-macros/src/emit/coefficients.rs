@@ -14,7 +14,8 @@ use crate::gap::Term;
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::geometry::Geometry;
 use crate::number::{self, Rational};
-use crate::reading::item::{Field, FieldKind, Item};
+use crate::reading::field::{Field, FieldKind};
+use crate::reading::item::Item;
 use crate::reading::name::unraw;
 
 /// At most this many constants are written out one by one, which lets compilers fold them into the code around them.
@@ -322,7 +323,9 @@ impl<'a> Coefficients<'a> {
 
     fn value_of_field(&self, kind: &FieldKind, value: TokenStream) -> TokenStream {
         let value = match kind {
-            FieldKind::F32 => quote!(<f64 as ::core::convert::From<f32>>::from(#value)),
+            FieldKind::F32 => {
+                quote!(<::core::primitive::f64 as ::core::convert::From<::core::primitive::f32>>::from(#value))
+            }
             _ => value,
         };
         let (constant, precise) = (self.names.constant(), self.scalar());

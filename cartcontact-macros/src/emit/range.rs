@@ -12,7 +12,8 @@ use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
 use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
-use crate::reading::item::{Field, FieldKind, Item};
+use crate::reading::field::{Field, FieldKind};
+use crate::reading::item::Item;
 use crate::reading::name::unraw;
 
 pub(super) fn methods(

@@ -8,7 +8,9 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
-use crate::reading::entry::{Assignment, Entry, Whole, all_options, entries, is_of_r, mentions, similar};
+use crate::reading::entry::{
+    Assignment, Entry, Whole, all_options, entries, is_of_r, likely_option, mentions,
+};
 use crate::reading::literal;
 use crate::reading::name::last_of_path;
 use crate::reading::parse;
@@ -97,11 +99,11 @@ impl Attribute {
             self.positive = Some(Positive { place: name.span(), names });
         } else if name == "crate" {
             self.set_crate(&ungrouped(value.iter().cloned().collect()), option.place(), diagnostics);
-        } else if self.gap.is_none() && similar(name).is_none() && (is_of_r(value) || name == "gap") {
+        } else if self.gap.is_none() && likely_option(name).is_none() && (is_of_r(value) || name == "gap") {
             self.name_gap(name, entry, diagnostics);
         } else {
             self.miss_option(entry);
-            let remedy = match similar(name) {
+            let remedy = match likely_option(name) {
                 Some(option) => format!("did you mean `{option}`?"),
                 None => format!("there are {}", all_options()),
             };
@@ -117,7 +119,7 @@ impl Attribute {
         diagnostics: &mut Diagnostics,
     ) {
         match entry.assignment() {
-            Some(option) if similar(option.name).is_some() => {}
+            Some(option) if likely_option(option.name).is_some() => {}
             Some(option) if self.gap.is_none() && !is_body(&option) => {
                 self.name_gap(option.name, entry, diagnostics);
             }
@@ -236,7 +238,7 @@ impl Attribute {
                     "several fields stand in parentheses; write `positive = ({fields}, {name})`"
                 ));
             }
-            if let Some(option) = similar(name) {
+            if let Some(option) = likely_option(name) {
                 self.miss_option(entry);
                 return Some(format!("`{name}` is not an option; did you mean `{option}`?"));
             }

@@ -11,7 +11,7 @@ pub(super) const OPTIONS: [&str; 7] =
     ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
 
 /// The option that a name is likely to stand for.
-pub(super) fn similar(name: &Ident) -> Option<String> {
+pub(super) fn likely_option(name: &Ident) -> Option<String> {
     closest(&name.to_string(), OPTIONS.iter().map(ToString::to_string).collect())
 }
 
@@ -133,7 +133,7 @@ impl Entry {
     /// Whether this is meant as one of the two bodies.
     pub(super) fn is_body(&self) -> bool {
         let name = self.tokens.first().and_then(|first| match first {
-            TokenTree::Ident(name) => similar(name),
+            TokenTree::Ident(name) => likely_option(name),
             _ => None,
         });
         name.is_some_and(|name| name == "upper" || name == "lower")
@@ -142,14 +142,14 @@ impl Entry {
     /// The name of an entry that is likely to be one of the two bodies, but is not called so.
     pub(super) fn body_of_other_name(&self) -> Option<&Ident> {
         let Assignment { name, equals, value } = self.assignment()?;
-        let is_no_option = equals.is_some() && similar(name).is_none() && name != "gap";
+        let is_no_option = equals.is_some() && likely_option(name).is_none() && name != "gap";
         let is_body = is_of_r(value) || name == "top" || name == "bottom";
         (is_no_option && is_body).then_some(name)
     }
 
     /// Whether this may be meant as the gap, or as a part of it.
     pub(super) fn may_be_gap(&self) -> bool {
-        self.is_body() || self.assignment().is_none_or(|option| similar(option.name).is_none())
+        self.is_body() || self.assignment().is_none_or(|option| likely_option(option.name).is_none())
     }
 
     /// The digits before the comma that follows this entry, unless they are an exponent.

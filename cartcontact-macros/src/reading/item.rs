@@ -5,11 +5,12 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::declaration::Declaration;
+use crate::reading::field::{Field, FieldKind, condition, kind, named};
 use crate::reading::generics::Generics;
-use crate::reading::name::{is_keyword, is_same, last_of_path, unraw};
+use crate::reading::name::{is_keyword, is_same, unraw};
 use crate::reading::similar::{closest, collect_names, known_number};
 use crate::reading::slips::is_times;
-use crate::reading::{between_commas, is_punct, length_before, ungrouped, unit};
+use crate::reading::{between_commas, is_punct, ungrouped, unit};
 
 /// The struct that a profile is attached to.
 pub(crate) struct Item {
@@ -23,24 +24,6 @@ pub(crate) struct Item {
     pub(super) others: Vec<(Ident, Extent)>,
     /// If it is not a struct, or the compiler reports a field, names in a profile cannot be judged.
     has_known_fields: bool,
-}
-
-/// A field that can be a symbol.
-pub(crate) struct Field {
-    pub(crate) ident: Ident,
-    pub(crate) kind: FieldKind,
-    /// Whether it is declared greater than 0.
-    pub(crate) is_positive: bool,
-    /// Whether the gap or its range depends on it.
-    pub(crate) used: bool,
-}
-
-#[derive(PartialEq, Eq)]
-#[cfg_attr(test, derive(Debug))]
-pub(crate) enum FieldKind {
-    F64,
-    F32,
-    TypeParameter(Ident),
 }
 
 /// What a name in an expression stands for, other than `r`.
@@ -143,9 +126,9 @@ impl Item {
                 "a field named `r` cannot be told from the distance r from the axis; give it another name",
             );
         }
-        let ident = ident.clone();
+        let (ident, condition) = (ident.clone(), condition(field));
         match kind(ty, &self.generics) {
-            Some(kind) => self.fields.push(Field { ident, kind, is_positive: false, used: false }),
+            Some(kind) => self.fields.push(Field { ident, kind, is_positive: false, used: false, condition }),
             None => self.others.push((ident, Extent::of(ty, place))),
         }
     }
@@ -185,6 +168,13 @@ impl Item {
         let mut parameter: Option<Ident> = None;
         for field in self.fields.iter_mut().filter(|field| used(&field.ident)) {
             field.used = true;
+            if let Some(place) = field.condition {
+                diagnostics.report(
+                    place,
+                    "whether there is such a field must not depend on a `#[cfg]`, as the gap names it; put it on the \
+                     whole struct, and write one for each case, or use a type parameter",
+                );
+            }
             let FieldKind::TypeParameter(own) = &field.kind else { continue };
             match &parameter {
                 Some(first) if first != own => diagnostics.report(
@@ -205,47 +195,6 @@ fn has_other_meaning(name: &Ident) -> bool {
     let is_word =
         is_keyword(name) || is_times(name) || ["f32", "f64", "sphere", "conic"].contains(&&*written);
     is_word || known_number(name).is_some() || unit::is_unit(&written)
-}
-
-/// The name and the type of a field without its default, and the place between them; nothing if it is none, which the
-/// compiler reports.
-fn named(field: &[TokenTree]) -> Option<(&Ident, &[TokenTree], Span)> {
-    let colon = length_before(field, |token| is_punct(token, ':'));
-    let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else { return None };
-    let ty = &ty[..length_before(ty, |token| is_punct(token, '='))];
-    is_type(ty).then_some((ident, ty, colon.span()))
-}
-
-/// Whether tokens may be one type, unlike those where a comma is missing before the next field.
-fn is_type(ty: &[TokenTree]) -> bool {
-    match ty {
-        [] => false,
-        [TokenTree::Ident(first), TokenTree::Ident(_) | TokenTree::Literal(_), ..] => {
-            ["dyn", "extern", "impl", "unsafe"].iter().any(|word| first == word)
-        }
-        _ => true,
-    }
-}
-
-/// `f64` and `f32` under any path, or one of the struct's own type parameters.
-fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
-    match ty {
-        [TokenTree::Group(group)]
-            if matches!(group.delimiter(), Delimiter::None | Delimiter::Parenthesis) =>
-        {
-            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-            return kind(&inner, generics);
-        }
-        [TokenTree::Ident(name)] if generics.has_type(name) => {
-            return Some(FieldKind::TypeParameter(name.clone()));
-        }
-        _ => {}
-    }
-    match last_of_path(ty)?.to_string().as_str() {
-        "f64" => Some(FieldKind::F64),
-        "f32" => Some(FieldKind::F32),
-        _ => None,
-    }
 }
 
 #[cfg(test)]
@@ -355,6 +304,27 @@ mod tests {
             item.mark_named(gap.parse().unwrap());
             let marked = item.fields.iter().filter(|field| field.used);
             assert_eq!(marked.map(|field| field.ident.to_string()).collect::<Vec<_>>(), expected, "{gap}");
+        }
+    }
+
+    #[test]
+    fn fields_of_a_gap_depend_on_no_configuration() {
+        let (item, _) = item(quote!(
+            struct Two {
+                #[cfg(feature = "double")]
+                a: f64,
+                #[cfg(not(feature = "double"))]
+                a: f32,
+                #[doc = "Always there."]
+                #[allow(dead_code)]
+                b: f64,
+            }
+        ));
+        let mut item = item.unwrap();
+        for (named, faults) in [("b", 0), ("a", 2)] {
+            let mut diagnostics = Diagnostics::default();
+            item.mark_used(|name| name == named, &mut diagnostics);
+            assert_eq!(diagnostics.messages().len(), faults, "{named}");
         }
     }
 

@@ -6,6 +6,7 @@ mod call;
 mod declaration;
 mod divisor;
 mod entry;
+pub(crate) mod field;
 pub(crate) mod generics;
 pub(crate) mod item;
 pub(crate) mod literal;
@@ -14,10 +15,10 @@ pub(crate) mod parse;
 pub(crate) mod positive;
 mod similar;
 mod slips;
-mod surface;
 pub(crate) mod syntax;
 pub(crate) mod unit;
 pub(crate) mod unknown;
+mod wrong_arguments;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 

@@ -90,9 +90,13 @@ impl Pressure {
     }
 
     pub(crate) fn at(&self, time: f64, r: f64) -> Result<f64, SearchError> {
+        let now = radius(time, FULL)?;
+        if r >= now {
+            return Ok(0.0);
+        }
         let memory = self.rule.integrate(time_of_contact(r), time, |earlier| {
             radius(earlier, FULL).map_or(f64::NAN, |a| kernel(a, r)) * (-RATE * (time - earlier)).exp()
         });
-        Ok(STIFFNESS * (kernel(radius(time, FULL)?, r) - RATE * memory))
+        Ok(STIFFNESS * (kernel(now, r) - RATE * memory))
     }
 }

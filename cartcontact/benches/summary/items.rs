@@ -110,6 +110,17 @@ pub(crate) fn items(measurements: &Measurements) -> Vec<Item> {
     lines.chain(savings(measurements)).collect()
 }
 
+/// The benchmarks of the lines above that are missing, although others of their group were measured: their names have
+/// changed, or only a part of the group was run.
+pub(crate) fn missing(measurements: &Measurements) -> Vec<&'static str> {
+    let is_missing = |name: &str| {
+        let group = name.split_inclusive('/').next().unwrap_or_default();
+        measurements.time(name).is_none() && measurements.below(group).next().is_some()
+    };
+    let names = LINES.iter().flat_map(|&(_, _, measured, unit)| [measured, unit]);
+    names.filter(|&name| name != NANOSECOND && is_missing(name)).collect()
+}
+
 /// Within this, two variants cost the same.
 const SAME: f64 = 1.05;
 

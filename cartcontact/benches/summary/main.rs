@@ -3,7 +3,7 @@
 //! `cargo bench --bench summary` prints it again; `cargo bench --bench summary -- --write [FILE]` also writes it
 //! into the README, or another file, between `<!-- ratios:begin -->` and `<!-- ratios:end -->`, beside the measurements
 //! there of processors with other vectors, unless some measurements are more than an hour older than others, perhaps
-//! because their benchmark no longer exists.
+//! because their benchmark no longer exists, or some of a group are missing, perhaps because their names have changed.
 
 mod items;
 mod measurements;
@@ -30,6 +30,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     if let Some(file) = file_to_write() {
         outdated.map_or(Ok(()), Err)?;
+        let missing = items::missing(&measurements);
+        if !missing.is_empty() {
+            return Err(
+                format!("Not measured, unlike others of their groups: {}.", missing.join("; ")).into()
+            );
+        }
         let text = fs::read_to_string(&file)?;
         fs::write(&file, table.inserted(&text)?)?;
         println!("Written to {}.", file.display());

@@ -1,0 +1,79 @@
+//! The tokens of a field -> its name, its type, and whether it is always there.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenTree};
+
+use crate::diagnostics::Extent;
+use crate::reading::generics::Generics;
+use crate::reading::name::last_of_path;
+use crate::reading::{is_punct, length_before};
+
+/// A field that can be a symbol.
+pub(crate) struct Field {
+    pub(crate) ident: Ident,
+    pub(crate) kind: FieldKind,
+    /// Whether it is declared greater than 0.
+    pub(crate) is_positive: bool,
+    /// Whether the gap or its range depends on it.
+    pub(crate) used: bool,
+    /// Its `#[cfg(...)]`: the compiler removes fields only after it has expanded the attributes of their struct.
+    pub(super) condition: Option<Extent>,
+}
+
+#[derive(PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
+pub(crate) enum FieldKind {
+    F64,
+    F32,
+    TypeParameter(Ident),
+}
+
+/// The `#[cfg(...)]` among the attributes before a field.
+pub(super) fn condition(field: &[TokenTree]) -> Option<Extent> {
+    let attribute = field.windows(2).find(|pair| {
+        let [hash, TokenTree::Group(attribute)] = pair else { return false };
+        let name = attribute.stream().into_iter().next();
+        is_punct(hash, '#') && matches!(name, Some(TokenTree::Ident(name)) if name == "cfg")
+    });
+    attribute.map(|attribute| Extent::of(attribute, Span::call_site()))
+}
+
+/// The name and the type of a field without its default, and the place between them; nothing if it is none, which the
+/// compiler reports.
+pub(super) fn named(field: &[TokenTree]) -> Option<(&Ident, &[TokenTree], Span)> {
+    let colon = length_before(field, |token| is_punct(token, ':'));
+    let ([.., TokenTree::Ident(ident)], [colon, ty @ ..]) = field.split_at(colon) else { return None };
+    let ty = &ty[..length_before(ty, |token| is_punct(token, '='))];
+    is_type(ty).then_some((ident, ty, colon.span()))
+}
+
+/// Whether tokens may be one type, unlike those where a comma is missing before the next field.
+fn is_type(ty: &[TokenTree]) -> bool {
+    match ty {
+        [] => false,
+        [TokenTree::Ident(first), TokenTree::Ident(_) | TokenTree::Literal(_), ..] => {
+            ["dyn", "extern", "impl", "unsafe"].iter().any(|word| first == word)
+        }
+        _ => true,
+    }
+}
+
+/// `f64` and `f32` under any path, or one of the struct's own type parameters.
+pub(super) fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
+    match ty {
+        [TokenTree::Group(group)]
+            if matches!(group.delimiter(), Delimiter::None | Delimiter::Parenthesis) =>
+        {
+            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+            return kind(&inner, generics);
+        }
+        [TokenTree::Ident(name)] if generics.has_type(name) => {
+            return Some(FieldKind::TypeParameter(name.clone()));
+        }
+        _ => {}
+    }
+    match last_of_path(ty)?.to_string().as_str() {
+        "f64" => Some(FieldKind::F64),
+        "f32" => Some(FieldKind::F32),
+        _ => None,
+    }
+}
