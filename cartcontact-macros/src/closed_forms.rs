@@ -27,6 +27,7 @@ pub(crate) struct Summand {
 }
 
 /// weight · C.
+#[derive(Clone)]
 pub(crate) enum Factor {
     /// The product, if C is a constant.
     Constant(Rational),
@@ -126,15 +127,24 @@ impl PowerSum {
         Self { summands: summands.collect() }
     }
 
+    /// The same sum with other exponents.
+    fn with_exponents(&self, other: impl Fn(&Rational) -> Rational) -> Self {
+        let summands = self.summands.iter().map(|Summand { term, factor, exponent }| Summand {
+            term: *term,
+            factor: factor.clone(),
+            exponent: other(exponent),
+        });
+        Self { summands: summands.collect() }
+    }
+
     /// Sums P_k of whole powers, if the sum is P₀(x) + x^(1/4) P₁(x) + x^(1/2) P₂(x) + x^(3/4) P₃(x) with more than P₀.
     pub(crate) fn in_quarters(&self) -> Option<[Self; 4]> {
         let mut parts = [(); 4].map(|()| Self { summands: Vec::new() });
-        for mut summand in self.weighted(|_| Rational::one()).summands {
-            let whole = summand.exponent.floor();
-            let quarters = (&summand.exponent - &whole) * integer(4);
-            summand.exponent = whole;
+        let of_whole_powers = self.with_exponents(Rational::floor).summands;
+        for (Summand { exponent, .. }, whole) in self.summands.iter().zip(of_whole_powers) {
+            let quarters = (exponent - &whole.exponent) * integer(4);
             let index = quarters.is_integer().then(|| quarters.to_usize())??;
-            parts[index].summands.push(summand);
+            parts[index].summands.push(whole);
         }
         (parts[0].summands.len() < self.summands.len()).then_some(parts)
     }
@@ -147,11 +157,7 @@ impl PowerSum {
 
     /// The sum with all exponents multiplied by the index: a sum of powers of that root of x.
     pub(crate) fn in_root(&self, index: u32) -> Self {
-        let mut sum = self.weighted(|_| Rational::one());
-        for summand in &mut sum.summands {
-            summand.exponent = &summand.exponent * integer(index);
-        }
-        sum
+        self.with_exponents(|exponent| exponent * integer(index))
     }
 
     fn times(&self, per_unit: Rational) -> Scaled {

@@ -15,7 +15,8 @@ use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
 use crate::start::{Start, has_leading_term_beside_seeds, may_have_leading_term};
 
-/// The highest power of a dense polynomial; beyond it, powers are formed term by term.
+/// The highest power of a dense polynomial; beyond it, powers are formed term by term. Two sums of eighty constants are
+/// 1300 bytes.
 const HIGHEST_DENSE_POWER: u32 = 80;
 
 /// The methods that invert J.

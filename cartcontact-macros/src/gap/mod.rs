@@ -24,8 +24,10 @@ use coefficient::Coefficient;
 use constant::Standing;
 use polynomial::{Monomial, Polynomial};
 
+/// At 0.999 of the radius where it is 1, r^1024 is 0.36: beyond that, a contact cannot tell it from a step.
 pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
-const MAXIMUM_TERMS: usize = 256;
+/// Far more than a gap needs, and few enough to be decided and compiled in a second.
+pub(super) const MAXIMUM_TERMS: usize = 256;
 
 /// The gap between the undeformed surfaces, a sum of terms `coefficient * r^exponent`.
 pub(crate) struct Gap {
@@ -64,8 +66,9 @@ impl Gap {
             return None;
         }
         if terms.len() > MAXIMUM_TERMS {
-            diagnostics
-                .report(extent, "a gap may have at most 256 terms; leave out those that do not matter");
+            let message =
+                format!("a gap may have at most {MAXIMUM_TERMS} terms; leave out those that do not matter");
+            diagnostics.report(extent, message);
             return None;
         }
         Some(Gap { terms })
@@ -118,7 +121,7 @@ fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)
         return fault("exponent must be greater than 0; a gap that vanishes at r = 0 needs positive powers");
     }
     if exponent > number::integer(MAXIMUM_EXPONENT) {
-        return fault("exponent must be at most 1024; the gap beyond is a step");
+        return fault(&format!("exponent must be at most {MAXIMUM_EXPONENT}; the gap beyond is a step"));
     }
     if number::nearest(&exponent).is_none() {
         return fault("exponent is too small for an `f64`; write a larger one");

@@ -149,6 +149,7 @@ impl Neglected {
         }
         // A value that underflows is bounded by the least number that it could be.
         let mut estimate = self.estimate(order).max(f64::MIN_POSITIVE);
+        // Half a unit of the third digit.
         let mut margin = 0.005;
         while estimate < 1.0 {
             let rounded = three_digits(estimate * (1.0 + margin));

@@ -19,6 +19,7 @@ pub(crate) use rational::Rational;
 
 /// The largest power of ten that a literal may be written with: beyond every `f64`, and still short when written out.
 const MAXIMUM_DECIMAL_EXPONENT: i64 = 400;
+/// More than any `f64` has, all 767 of the longest included.
 const MAXIMUM_DIGITS: usize = 1000;
 /// The most bits that a power of a number may take; an `f64` has no use for more than 2100.
 const MAXIMUM_POWER_BITS: u64 = 1 << 14;

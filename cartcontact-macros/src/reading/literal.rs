@@ -132,7 +132,7 @@ fn without_suffix<'a>(text: &'a str, suffix: &str) -> &'a str {
 
 fn split_digits(text: &str) -> (&str, &str) {
     let end = text.find(|next: char| !next.is_ascii_digit() && next != '_').unwrap_or(text.len());
-    text.split_at_checked(end).unwrap_or((text, ""))
+    text.split_at(end)
 }
 
 /// The power of ten at the start of `text`, and what follows it. A power that overflows is as wrong as any large one.

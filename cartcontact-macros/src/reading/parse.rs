@@ -14,6 +14,7 @@ use crate::reading::slips::is_case;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 
 pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here";
+/// Every level takes a few hundred bytes of the compiler's stack, of which a build script or an editor may have little.
 const MAXIMUM_DEPTH: usize = 64;
 
 /// Reads all of `tokens`; `place` stands for them in messages if there are none.
@@ -222,7 +223,10 @@ impl<'a> Parser<'a> {
     pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
         if self.depth == MAXIMUM_DEPTH {
             let place = self.rest.first().map_or(self.previous, |next| next.span().into());
-            let nested = self.fault(place, "the expression is nested too deeply; at most 64 levels are read");
+            let nested = self.fault(
+                place,
+                format!("the expression is nested too deeply; at most {MAXIMUM_DEPTH} levels are read"),
+            );
             self.skip_term();
             return nested;
         }

@@ -42,6 +42,11 @@ const ALLOWED_ERROR_OF_SINGLE: f64 = f32::EPSILON as f64 / 8.0;
 const CUT_OFF: f64 = 1.0 / 4096.0;
 /// A factor on the measured error, for what lies between the points of the check.
 const MARGIN: f64 = 1.25;
+/// Where a cubic interpolates, as shares of a row: (1 ± cos(π/8))/2 and (1 ± cos(3π/8))/2, the zeros of Chebyshev's
+/// polynomial of the fourth degree.
+const NODES: [f64; 4] = [0.961_94, 0.691_34, 0.308_66, 0.038_06];
+/// Where it is checked: at an end, and near the middle of each pair of nodes, where the error is largest.
+const CHECKS: [f64; 4] = [1e-3, 0.15, 0.5, 0.85];
 
 /// A table, and the J that it belongs to.
 pub(crate) struct Seeds {
@@ -230,7 +235,7 @@ impl LoadIntegral {
     fn row(&self, index: i32, (low, high): (f64, f64)) -> Option<Row> {
         let unit = 2f64.powi(index.div_euclid(ROWS_PER_OCTAVE));
         let between = |share: f64| low * (high / low).powf(share);
-        let radii = [0.961_94, 0.691_34, 0.308_66, 0.038_06].map(between);
+        let radii = NODES.map(between);
         let fractions = radii.map(|a| self.at(a).value / unit);
         let row = interpolate(fractions, radii).map(|coefficient| coefficient as f32);
         let mut largest = 0.0_f64;
@@ -245,7 +250,7 @@ impl LoadIntegral {
             largest = largest.max(self.largest_logarithm(a, &at));
             left(error) <= ALLOWED_ERROR && left(error + self.cut_off) <= ALLOWED_ERROR_OF_SINGLE
         };
-        let is_near = [1e-3, 0.15, 0.5, 0.85].into_iter().all(&mut passes);
+        let is_near = CHECKS.into_iter().all(&mut passes);
         let is_single = largest < LARGEST_SINGLE && unit.log2().abs() <= self.largest_single;
         (is_near && largest < LARGEST_DOUBLE).then_some((row, is_single))
     }
