@@ -511,11 +511,9 @@ const _: () = {
                     (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                 ],
                 ::core::option::Option::Some({
-                    let __field_limit = <T as __cartcontact::Scalar>::constant(
-                        <::core::primitive::f64 as ::core::convert::From<
-                            ::core::primitive::f32,
-                        >>::from(self.limit),
-                    );
+                    let __field_limit = __cartcontact::generated::from_single::<
+                        T,
+                    >(self.limit);
                     __field_limit
                 }),
             ) {
@@ -534,11 +532,7 @@ const _: () = {
             }
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
-            let __field_limit = <T as __cartcontact::Scalar>::constant(
-                <::core::primitive::f64 as ::core::convert::From<
-                    ::core::primitive::f32,
-                >>::from(self.limit),
-            );
+            let __field_limit = __cartcontact::generated::from_single::<T>(self.limit);
             match __cartcontact::generated::check_product(
                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                     [],
@@ -557,11 +551,9 @@ const _: () = {
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                     ],
                     ::core::option::Option::Some({
-                        let __field_limit = <T as __cartcontact::Scalar>::constant(
-                            <::core::primitive::f64 as ::core::convert::From<
-                                ::core::primitive::f32,
-                            >>::from(self.limit),
-                        );
+                        let __field_limit = __cartcontact::generated::from_single::<
+                            T,
+                        >(self.limit);
                         __field_limit
                     }),
                 ))

@@ -36,4 +36,4 @@ pub use crate::radius::table::spans::{AnyPower, Spans};
 pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};
 pub use crate::radius::table::{Quarters, Rows, Table};
 pub use crate::radius::whole_powers::{WholePowers, radii_of_whole_powers};
-pub use crate::scalar::constants;
+pub use crate::scalar::{constants, from_single};

@@ -103,7 +103,7 @@ pub(crate) fn is_size<T: Scalar>(x: T) -> bool {
 
 /// A number of single precision.
 #[inline(always)]
-pub(crate) fn from_single<T: Scalar>(value: f32) -> T {
+pub fn from_single<T: Scalar>(value: f32) -> T {
     <T as SupersetOf<f32>>::from_subset(&value)
 }
 
@@ -123,6 +123,30 @@ impl Tabled {
     pub(crate) fn get<T: Scalar>(self) -> T {
         if is_single::<T>() { from_single(self.single) } else { T::constant(self.double) }
     }
+}
+
+/// The numbers of a table.
+pub(crate) const fn tabled<const N: usize>(numbers: [f64; N]) -> [Tabled; N] {
+    let mut table = [Tabled::of(0.0); N];
+    let mut place = 0;
+    while place < N {
+        table[place] = Tabled::of(numbers[place]);
+        place += 1;
+    }
+    table
+}
+
+/// The numbers of a table in rows.
+pub(crate) const fn tabled_rows<const WIDTH: usize, const ROWS: usize>(
+    rows: [[f64; WIDTH]; ROWS],
+) -> [[Tabled; WIDTH]; ROWS] {
+    let mut table = [[Tabled::of(0.0); WIDTH]; ROWS];
+    let mut row = 0;
+    while row < ROWS {
+        table[row] = tabled(rows[row]);
+        row += 1;
+    }
+    table
 }
 
 /// Whether numbers of this type are nothing but their values; others, such as dual numbers, may carry derivatives.

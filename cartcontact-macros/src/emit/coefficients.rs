@@ -324,16 +324,17 @@ impl<'a> Coefficients<'a> {
     fn value_of_field(&self, kind: &FieldKind, value: TokenStream) -> TokenStream {
         let value = match kind {
             FieldKind::F32 => {
-                quote!(<::core::primitive::f64 as ::core::convert::From<::core::primitive::f32>>::from(#value))
+                let (from_single, scalar) = (self.names.generated("from_single"), &self.names.scalar);
+                quote!(#from_single::<#scalar>(#value))
             }
-            _ => value,
+            FieldKind::F64 | FieldKind::TypeParameter(_) => value,
         };
         let (constant, precise) = (self.names.constant(), self.scalar());
         match (self.digits, kind) {
-            (Digits::OfAWord, FieldKind::TypeParameter(_)) => value,
-            (Digits::OfAWord, _) => quote!(#constant(#value)),
-            (Digits::OfTwo, FieldKind::TypeParameter(_)) => quote!(<#precise>::of(#value)),
-            (Digits::OfTwo, _) => quote!(<#precise>::constant(#value, 0.0)),
+            (Digits::OfAWord, FieldKind::F64) => quote!(#constant(#value)),
+            (Digits::OfTwo, FieldKind::F64) => quote!(<#precise>::constant(#value, 0.0)),
+            (Digits::OfAWord, _) => value,
+            (Digits::OfTwo, _) => quote!(<#precise>::of(#value)),
         }
     }
 

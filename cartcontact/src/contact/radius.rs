@@ -95,28 +95,26 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The loading at a time up to which the edge never recedes.
     fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
         let loading = self.valid_loading(t)?;
-        let (time, force) = (t.value(), loading.force.value());
         let chi = self.medium.chi();
         if let Some(since) = self.load.recession(chi, t) {
-            let receding = ContactError::Receding { time, since: since.value() };
+            let receding = ContactError::Receding { time: t.value(), since: since.value() };
             return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
         }
         if self.has_digits(loading) {
             Ok(loading)
         } else {
-            Err(ContactError::Unrepresentable { time, force })
+            Err(ContactError::Unrepresentable { time: t.value(), force: loading.force.value() })
         }
     }
 
     /// The loading at a time, from a load that a user may have got wrong.
     pub(super) fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
-        let time = t.value();
         if !is_size(t) {
-            return Err(ContactError::InvalidTime { time });
+            return Err(ContactError::InvalidTime { time: t.value() });
         }
         let loading = self.loading(t);
-        let (force, impulse) = (loading.force.value(), loading.impulse.value());
         if !is_size(loading.force) {
+            let (time, force) = (t.value(), loading.force.value());
             return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
         // Early on a valid impulse, being a difference of nearly equal numbers, may be negative by rounding.
@@ -125,6 +123,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             loading.impulse.is_finite() && loading.impulse.abs() <= rounding
         };
         if !(is_size(loading.impulse) || is_rounding()) {
+            let (time, impulse) = (t.value(), loading.impulse.value());
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
         }
         Ok(loading)

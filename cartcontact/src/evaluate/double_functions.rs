@@ -14,7 +14,7 @@ use super::double_word::DoubleWord;
 use super::series::{inverse_factorials, odd_reciprocals};
 use crate::Scalar;
 use crate::in_double_words;
-use crate::scalar::is;
+use crate::scalar::{Tabled, is, tabled_rows};
 
 /// x^φ of a normal number above 0, for 0 ≤ φ < 1. A function of its own, too long to be part of others: it chooses its
 /// instructions again.
@@ -103,10 +103,10 @@ fn reduced_exponential<T: Scalar, const FUSED: bool>(x: DoubleWord<T, FUSED>) ->
 
 /// The polynomial with these coefficients of even and odd powers. The two halves do not wait for each other.
 #[inline(always)]
-fn polynomial<T: Scalar>(x: T, coefficients: &[[f64; 2]]) -> T {
+fn polynomial<T: Scalar>(x: T, coefficients: &[[Tabled; 2]]) -> T {
     let square = x * x;
     let halves = coefficients.iter().rev().fold([T::zero(); 2], |[even, odd], &[of_even, of_odd]| {
-        [even * square + T::constant(of_even), odd * square + T::constant(of_odd)]
+        [even * square + of_even.get::<T>(), odd * square + of_odd.get::<T>()]
     });
     halves[0] + halves[1] * x
 }
@@ -119,10 +119,10 @@ fn ln_2<T: Scalar, const FUSED: bool>() -> DoubleWord<T, FUSED> {
 }
 
 /// 1/(2k + 1) from k = 2 on. The series leaves out 2e-20 after t²², and 4e-14 after t¹⁴ in single precision.
-const ARTANH: [[f64; 2]; 5] = odd_reciprocals(2);
+const ARTANH: [[Tabled; 2]; 5] = tabled_rows(odd_reciprocals(2));
 
 /// 1/k! from k = 4 on. The series leaves out 6e-21 after g¹⁵, and 2e-11 after g⁹ in single precision.
-const TAYLOR: [[f64; 2]; 6] = inverse_factorials(4);
+const TAYLOR: [[Tabled; 2]; 6] = tabled_rows(inverse_factorials(4));
 
 #[cfg(test)]
 mod tests {

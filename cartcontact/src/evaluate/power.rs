@@ -196,10 +196,21 @@ pub(super) fn quarter_power<X: Copy>(
 }
 
 /// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
+#[inline]
 pub(crate) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
-    let is = |quarters: f64| fraction == T::constant(0.25 * quarters);
-    let whole = [0, 1, 2, 3].into_iter().find(|&whole| is(f64::from(whole)));
-    whole.filter(|_| is_plain::<T>() && !x.is_zero())
+    // Not a loop: small code would convert its constants one by one.
+    let whole = if fraction.is_zero() {
+        0
+    } else if fraction == T::constant(0.25) {
+        1
+    } else if fraction == T::constant(0.5) {
+        2
+    } else if fraction == T::constant(0.75) {
+        3
+    } else {
+        return None;
+    };
+    (is_plain::<T>() && !x.is_zero()).then_some(whole)
 }
 
 pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {

@@ -29,10 +29,25 @@ use crate::load::Load;
 use crate::memory::{FEW_FOLDS, Line, decay_gain, not_negative};
 use crate::profile::GapProfile;
 use crate::quadrature::NODES_4;
-use crate::scalar::smallest_normal;
+use crate::scalar::{Tabled, smallest_normal, tabled};
 
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
 const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
+const TABLED_NODES: [Tabled; 4] = tabled(NODES);
+const SQUARES: [Tabled; 4] = {
+    let [n0, n1, n2, n3] = NODES;
+    tabled([n0 * n0, n1 * n1, n2 * n2, n3 * n3])
+};
+const PER_NODE: [Tabled; 4] = {
+    let [n0, n1, n2, n3] = NODES;
+    tabled([1.0 / n0, 1.0 / n1, 1.0 / n2, 1.0 / n3])
+};
+
+/// The positive nodes of the Gauss-Legendre rule of four nodes, with their weights.
+const PAIRS: [[Tabled; 2]; 2] = {
+    let [(inner, of_inner), (outer, of_outer)] = NODES_4;
+    [tabled([inner, of_inner]), tabled([outer, of_outer])]
+};
 
 /// A period from `start` on during which pressures change like polynomials of time.
 pub(super) struct Panel<'a, T, P, L> {
@@ -96,8 +111,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         };
         let mut slopes = [(T::zero(), T::zero()); 4];
         let mut offsets = slopes;
-        for (k, node) in NODES.into_iter().enumerate() {
-            let (below, above) = (densities(T::constant(-node))?, densities(T::constant(node))?);
+        for (k, node) in TABLED_NODES.into_iter().enumerate() {
+            let node: T = node.get();
+            let (below, above) = (densities(-node)?, densities(node)?);
             slopes[k] = (below.0, above.0);
             offsets[k] = (below.1, above.1);
         }
@@ -173,8 +189,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let half = duration * self.scale * T::constant(0.5);
         let middle = elapsed * self.scale - T::one() - half;
         let mut sums = (T::zero(), T::zero());
-        for (node, weight) in NODES_4 {
-            let (distance, weight) = (half * T::constant(node), half * T::constant(weight));
+        for pair in PAIRS {
+            let [distance, weight] = pair.map(|number| half * number.get::<T>());
             let (below, above) = (middle - distance, middle + distance);
             sums.0 += weight * (self.offset.at(below) + self.offset.at(above));
             sums.1 += weight * (self.slope.at(below) + self.slope.at(above));
@@ -198,7 +214,7 @@ impl<T: Scalar> Interpolant<T> {
         let (mut even, mut odd) = ([T::zero(); 4], [T::zero(); 4]);
         for (k, (below, above)) in values.into_iter().enumerate() {
             even[k] = half * (above + below);
-            odd[k] = half * (above - below) * T::constant(1.0 / NODES[k]);
+            odd[k] = half * (above - below) * PER_NODE[k].get::<T>();
         }
         Self { even: divided_differences(even), odd: divided_differences(odd) }
     }
@@ -206,7 +222,7 @@ impl<T: Scalar> Interpolant<T> {
     #[inline(always)]
     fn at(&self, x: T) -> T {
         let square = x * x;
-        let [s0, s1, s2] = [0, 1, 2].map(|k| square - T::constant(NODES[k] * NODES[k]));
+        let [s0, s1, s2] = [0, 1, 2].map(|k| square - SQUARES[k].get::<T>());
         let cubic = |[c0, c1, c2, c3]: [T; 4]| ((c3 * s2 + c2) * s1 + c1) * s0 + c0;
         cubic(self.even) + x * cubic(self.odd)
     }
@@ -229,12 +245,28 @@ impl<T: Scalar> Interpolant<T> {
     }
 }
 
+/// The reciprocals of the distances between the square of each node and that of the one, two and three places before
+/// it, where there is one.
+const PER_DISTANCE: [[Tabled; 4]; 3] = {
+    let mut reciprocals = [[Tabled::of(0.0); 4]; 3];
+    let mut order = 1;
+    while order < 4 {
+        let mut k = order;
+        while k < 4 {
+            let distance = NODES[k] * NODES[k] - NODES[k - order] * NODES[k - order];
+            reciprocals[order - 1][k] = Tabled::of(1.0 / distance);
+            k += 1;
+        }
+        order += 1;
+    }
+    reciprocals
+};
+
 /// The coefficients of Newton's form on the squares of [`NODES`].
 fn divided_differences<T: Scalar>(mut values: [T; 4]) -> [T; 4] {
     for order in 1..4 {
         for k in (order..4).rev() {
-            let distance = NODES[k] * NODES[k] - NODES[k - order] * NODES[k - order];
-            values[k] = (values[k] - values[k - 1]) * T::constant(1.0 / distance);
+            values[k] = (values[k] - values[k - 1]) * PER_DISTANCE[order - 1][k].get::<T>();
         }
     }
     values

@@ -3,6 +3,7 @@
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::evaluate::double_word::DoubleWord;
+use crate::scalar::{Tabled, tabled};
 
 /// The number of e-foldings after which a pressure is below rounding, with a margin.
 pub(crate) fn faded_folds<T: Scalar>() -> T {
@@ -16,11 +17,15 @@ pub(crate) const FEW_FOLDS: f64 = 1.0 / 8.0;
 #[inline(always)]
 pub(crate) fn decay_gain<T: Scalar>(x: T) -> T {
     let mut sum = T::one();
-    for share in [1.0 / 10.0, 1.0 / 9.0, 0.125, 1.0 / 7.0, 1.0 / 6.0, 0.2, 0.25, 1.0 / 3.0, 0.5] {
-        sum = T::one() - x * T::constant(share) * sum;
+    for share in SHARES {
+        sum = T::one() - x * share.get::<T>() * sum;
     }
     -x * sum
 }
+
+/// The ratios of its neighbouring terms over −x, from the last one.
+const SHARES: [Tabled; 9] =
+    tabled([1.0 / 10.0, 1.0 / 9.0, 0.125, 1.0 / 7.0, 1.0 / 6.0, 0.2, 0.25, 1.0 / 3.0, 0.5]);
 
 /// What is left after some e-foldings, and what fades.
 #[derive(Clone, Copy, Debug)]

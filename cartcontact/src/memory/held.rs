@@ -26,15 +26,18 @@ use super::stretch::{Course, Stretch};
 use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::quadrature::Rule;
-use crate::scalar::is_single;
+use crate::scalar::{Tabled, is_single, tabled};
 use crate::{GapProfile, Scalar};
 
 /// A rule, and how large p L/a and X may be.
-type Limits = (&'static Rule, f64, f64);
+type Limits = (&'static Rule, [Tabled; 2]);
 
-const DOUBLE: [Limits; 3] =
-    [(Rule::TWELVE, 1.75, 5.5), (Rule::SIXTEEN, 5.0, 32.0), (Rule::FINEST, 15.0, 80.0)];
-const SINGLE: [Limits; 2] = [(Rule::EIGHT, 2.9, 20.0), (Rule::TWELVE, 15.0, 80.0)];
+const DOUBLE: [Limits; 3] = [
+    (Rule::TWELVE, tabled([1.75, 5.5])),
+    (Rule::SIXTEEN, tabled([5.0, 32.0])),
+    (Rule::FINEST, tabled([15.0, 80.0])),
+];
+const SINGLE: [Limits; 2] = [(Rule::EIGHT, tabled([2.9, 20.0])), (Rule::TWELVE, tabled([15.0, 80.0]))];
 
 /// The E for which β is 1. The best one is 15 to 20 for all rules.
 const FOLDS_PER_BEND: f64 = 18.0;
@@ -86,8 +89,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         } else {
             return None;
         };
-        let holds = |&&(_, most_powers, most_folds): &&Limits| {
-            powers <= T::constant(most_powers) * self.high && folds <= T::constant(most_folds)
+        let holds = |&&(_, most): &&Limits| {
+            let [most_powers, most_folds] = most.map(Tabled::get::<T>);
+            powers <= most_powers * self.high && folds <= most_folds
         };
         limits[first..].iter().find(holds).map(|&(rule, ..)| rule)
     }
@@ -97,7 +101,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let (contact, square) = (self.contact, self.high * self.high);
         let slope = square * square * contact.profile().quick_approach_slope(self.high) * T::constant(0.5);
         let drop = slope * (self.high - self.low);
-        let folds = contact.medium().chi() * self.course.age(contact.load_per_integral() * drop);
+        let folds = contact.medium().chi() * self.age(contact.load_per_integral() * drop);
         (folds <= T::constant(MOST_FOLDS_AT_EDGE)).then_some(folds)
     }
 }

@@ -92,13 +92,13 @@ impl<'a, T: Scalar> Course<'a, T> {
         }
     }
 
-    /// How long before the end Y was smaller than at the end by `deficit`.
+    /// How long before the end Y was smaller than at the end by `deficit`, of any course but a smooth one.
     #[inline(always)]
-    pub(super) fn age(&self, deficit: T) -> T {
+    pub(super) fn age_if_straight(&self, deficit: T) -> T {
         match *self {
             Self::Step { age, .. } => age,
             Self::Linear { line, .. } => line.age(deficit),
-            Self::Smooth(force) => force.age(deficit),
+            Self::Smooth(_) => T::zero(),
         }
     }
 }
@@ -131,12 +131,28 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                     |x| (x * (rate + half * rise * x), rate + rise * x),
                 )
             }
-            Course::Smooth(force) if self.begins_loaded() => {
+            Course::Smooth(force) if self.may_be_smooth() && self.begins_loaded() => {
                 time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
             _ => return (self.increment_over_radius(), false),
         };
         (over_time, true)
+    }
+
+    /// Whether the load has courses other than straight ones. Where the type of the load tells, the code for them is left
+    /// out, a tenth of what a microcontroller holds.
+    #[inline(always)]
+    fn may_be_smooth(&self) -> bool {
+        !self.contact.load().is_linear_between_knots()
+    }
+
+    /// How long before the end Y was smaller than at the end by `deficit`.
+    #[inline(always)]
+    pub(super) fn age(&self, deficit: T) -> T {
+        match self.course {
+            Course::Smooth(force) if self.may_be_smooth() => force.age(deficit),
+            straight => straight.age_if_straight(deficit),
+        }
     }
 
     /// Whether the hereditary load is well above zero throughout.
@@ -150,7 +166,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     #[inline]
     pub(super) fn age_at(&self, depth: T) -> T {
         let drop = self.contact.profile().load_integral_drop(self.high, depth);
-        self.course.age(self.deficit(drop))
+        self.age(self.deficit(drop))
     }
 
     /// By how much the hereditary load at the end exceeds that of a radius whose J is smaller by `drop`.
@@ -178,7 +194,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 |deficit| chi * line.root(deficit),
                 (weights, drops),
             ),
-            _ => self.fade_by(|deficit| chi * self.course.age(deficit), (weights, drops)),
+            _ => self.fade_by(|deficit| chi * self.age(deficit), (weights, drops)),
         }
     }
 

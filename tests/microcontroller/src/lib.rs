@@ -1,0 +1,84 @@
+//! Single-precision contacts without the standard library and without allocation, as C would call them. NaN stands for
+//! an error.
+
+#![no_std]
+
+use cartcontact::load::{Constant, Load, PiecewiseLinear};
+use cartcontact::{Contact, GapProfile, Layer, Medium, Polynomial, gap_profile};
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}
+
+#[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
+struct Constants;
+
+#[gap_profile(r^2 / (2 * radius) + r^4 / (8 * radius^3), positive)]
+struct Ball {
+    radius: f32,
+}
+
+#[gap_profile(0.02 * r^2.3)]
+struct Fractional;
+
+fn medium() -> Option<Medium<f32>> {
+    let layer = Layer { thickness: 1.0_f32, shear_modulus: 0.25, permeability: 2e-3 };
+    Medium::between(layer, layer).ok()
+}
+
+/// Contact radius, approach, peak pressure and the pressure at `r` under a load.
+fn results(profile: impl GapProfile<f32>, load: impl Load<f32>, time: f32, r: f32) -> Option<[f32; 4]> {
+    let contact = Contact::new(profile, medium()?, load).ok()?;
+    let now = contact.at(time).ok()?;
+    Some([now.radius(), now.approach(), now.peak_pressure(), now.pressure(r)])
+}
+
+/// Writes the results, or NaN.
+fn write(results: Option<[f32; 4]>, written: &mut [f32; 4]) {
+    *written = results.unwrap_or([f32::NAN; 4]);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_constants(force: f32, time: f32, r: f32, written: &mut [f32; 4]) {
+    write(results(Constants, Constant(force), time, r), written);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_a_field(radius: f32, force: f32, time: f32, r: f32, written: &mut [f32; 4]) {
+    write(results(Ball { radius }, Constant(force), time, r), written);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_a_fractional_power(force: f32, time: f32, r: f32, written: &mut [f32; 4]) {
+    write(results(Fractional, Constant(force), time, r), written);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_a_polynomial(terms: &[(f32, f32); 2], time: f32, r: f32, written: &mut [f32; 4]) {
+    let polynomial = Polynomial::new(terms).ok();
+    write(polynomial.and_then(|gap| results(gap, Constant(100.0), time, r)), written);
+}
+
+/// A record of times and forces.
+#[unsafe(no_mangle)]
+extern "C" fn of_a_record(record: &[(f32, f32); 8], time: f32, r: f32, written: &mut [f32; 4]) {
+    let load = PiecewiseLinear::new(record).ok();
+    write(load.and_then(|load| results(Constants, load, time, r)), written);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn radii(times: &[f32; 8], written: &mut [f32; 8]) {
+    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(100.0)).ok());
+    if contact.is_none_or(|contact| contact.radii(times, written).is_err()) {
+        *written = [f32::NAN; 8];
+    }
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn pressure_field(times: &[f32; 4], radii: &[f32; 4], written: &mut [f32; 16]) {
+    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(100.0)).ok());
+    if contact.is_none_or(|contact| contact.pressure_field(times, radii, written).is_err()) {
+        *written = [f32::NAN; 16];
+    }
+}
