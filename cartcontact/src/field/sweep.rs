@@ -13,8 +13,9 @@ use crate::Scalar;
 use crate::dispatch::wide;
 use crate::memory::{Transition, not_negative};
 
-/// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache.
-pub(super) const TILE: usize = 1024;
+/// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache. Processors without
+/// the standard library may have no cache, and little room on the stack: there they take 1 KiB in f32.
+pub(super) const TILE: usize = if cfg!(feature = "std") { 1024 } else { 128 };
 
 /// In bytes, as long as the widest vectors.
 const CACHE_LINE: usize = 64;

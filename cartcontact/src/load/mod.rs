@@ -69,7 +69,8 @@ pub(crate) use shortest::Shortest;
 /// ```
 ///
 /// In a control loop forces come one by one. A load that clamps each of them, so that none falls too fast, need not be
-/// searched, and one that thins out its samples when there is no more room does not allocate:
+/// searched, and one that thins out its samples when there is no more room does not allocate. A radius takes the same
+/// time however many samples there are; a pressure takes a time for each, so that their number bounds its rate:
 ///
 /// ```
 /// use cartcontact::{Contact, Medium, Polynomial, load::Load};
