@@ -51,13 +51,13 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
         }
         if let Some(message) = entry.without_comma() {
             diagnostics.report(entry.extent(), message);
-            attribute.miss_option(entry);
-            attribute.miss_gap(entry, is_body, diagnostics);
+            attribute.mark_option_faulty(entry);
+            attribute.mark_gap_before_option_faulty(entry, is_body, diagnostics);
         } else if let Some(option) = entry.assignment() {
             let name = option.name;
             if names.contains(&name) {
                 diagnostics.report(name.span(), format!("`{name}` is given twice; keep one"));
-                attribute.fail_if_body(entry);
+                attribute.mark_gap_faulty_if_body(entry);
             } else if is_body(&option) {
                 bodies.push((name, bodies::read(&option, &of_other_names, diagnostics)));
             } else {
@@ -102,7 +102,7 @@ impl Attribute {
         } else if self.gap.is_none() && likely_option(name).is_none() && (is_of_r(value) || name == "gap") {
             self.name_gap(name, entry, diagnostics);
         } else {
-            self.miss_option(entry);
+            self.mark_option_faulty(entry);
             let remedy = match likely_option(name) {
                 Some(option) => format!("did you mean `{option}`?"),
                 None => format!("there are {}", all_options()),
@@ -112,7 +112,7 @@ impl Attribute {
     }
 
     /// Marks the gap as unreadable if it may stand before an option whose comma is missing.
-    fn miss_gap(
+    fn mark_gap_before_option_faulty(
         &mut self,
         entry: &Entry,
         is_body: impl Fn(&Assignment<'_>) -> bool,
@@ -123,13 +123,13 @@ impl Attribute {
             Some(option) if self.gap.is_none() && !is_body(&option) => {
                 self.name_gap(option.name, entry, diagnostics);
             }
-            _ => self.fail_at(entry),
+            _ => self.mark_gap_faulty(entry),
         }
     }
 
     /// Reports the name that the gap has been given.
     fn name_gap(&mut self, name: &Ident, entry: &Entry, diagnostics: &mut Diagnostics) {
-        self.fail_at(entry);
+        self.mark_gap_faulty(entry);
         diagnostics.report(name.span(), written_first(&format!("{name} =")));
     }
 
@@ -153,14 +153,14 @@ impl Attribute {
     /// What to say about an entry that is not an option, unless it is the gap. What can no longer be read is marked.
     fn mistake(&mut self, entry: &Entry, before: Option<Whole<'_>>, has_bodies: bool) -> Option<String> {
         if let Some(message) = entry.without_equals() {
-            self.miss_option(entry);
+            self.mark_option_faulty(entry);
             return Some(message);
         }
         if let Some(message) = self.decimals(entry, before) {
             return Some(message);
         }
         if let Some(message) = self.named(entry) {
-            self.fail_at(entry);
+            self.mark_gap_faulty(entry);
             return Some(message);
         }
         self.no_room_for(entry, has_bodies)
@@ -174,7 +174,7 @@ impl Attribute {
         let number = match option {
             None => self.gap.as_mut(),
             Some(name) if name == "upper" || name == "lower" => {
-                self.fail_at(entry);
+                self.mark_gap_faulty(entry);
                 None
             }
             // The gap may follow its options.
@@ -208,20 +208,20 @@ impl Attribute {
     }
 
     /// Marks the gap as present but unreadable.
-    fn fail_at(&mut self, entry: &Entry) {
+    fn mark_gap_faulty(&mut self, entry: &Entry) {
         self.gap.get_or_insert(Expression { kind: Kind::Faulty, extent: entry.extent() });
     }
 
-    fn fail_if_body(&mut self, entry: &Entry) {
+    fn mark_gap_faulty_if_body(&mut self, entry: &Entry) {
         if entry.is_body() {
-            self.fail_at(entry);
+            self.mark_gap_faulty(entry);
         }
     }
 
-    /// Marks an option, which may be a body, as unreadable.
-    fn miss_option(&mut self, entry: &Entry) {
+    /// Marks an option, which may be a body, as present but unreadable.
+    fn mark_option_faulty(&mut self, entry: &Entry) {
         self.lacks_option = true;
-        self.fail_if_body(entry);
+        self.mark_gap_faulty_if_body(entry);
     }
 
     /// What to say about an entry that could only be a second gap. Without a gap so far, only a single name beside two
@@ -239,14 +239,14 @@ impl Attribute {
                 ));
             }
             if let Some(option) = likely_option(name) {
-                self.miss_option(entry);
+                self.mark_option_faulty(entry);
                 return Some(format!("`{name}` is not an option; did you mean `{option}`?"));
             }
         }
         if let [TokenTree::Ident(name), sign, ..] = entry.tokens.as_slice()
             && is_punct(sign, '>')
         {
-            self.miss_option(entry);
+            self.mark_option_faulty(entry);
             let wanted =
                 if name == "positive" { "positive".to_owned() } else { format!("positive = {name}") };
             return Some(format!("an option declares that fields are above 0; write `{wanted}`"));
