@@ -8,6 +8,7 @@ mod generics;
 mod lints;
 mod no_prelude;
 mod places;
+mod primitive_names;
 mod shadowed_names;
 
 extern crate cartcontact as renamed;
