@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 
-use cartcontact::GapProfile;
+use cartcontact::{GapProfile, RadiusError};
 
 use crate::budget;
 use crate::measure::{Errors, Exact};
@@ -33,6 +33,38 @@ pub fn assert_same_one_by_one(profile: &dyn GapProfile<f64>, load_integrals: &[f
         let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
         assert!(load_integrals.iter().map(single).eq(radii), "{place:?}");
     }
+}
+
+/// Asserts that a slice is refused for the one load integral in it that is negative or infinite, and with its value.
+///
+/// # Panics
+///
+/// If it is not.
+pub fn assert_one_fault_is_named(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
+    for bad in [-1.0, f64::INFINITY] {
+        let mut load_integrals = load_integrals.to_vec();
+        let middle = load_integrals.len() / 2;
+        load_integrals[middle] = bad;
+        let refused = profile.radii(&load_integrals, &mut vec![f64::NAN; load_integrals.len()]);
+        assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: bad }), "{place:?}");
+    }
+}
+
+/// Asserts that a geometry in other units has the same radius, to the last bit: `other` has a unit of length `length`
+/// times as small, so that a coefficient C is C/lengthⁿ, and coefficients that are also `size` times as large.
+///
+/// # Panics
+///
+/// If a radius differs, or there is none.
+pub fn assert_same_in_other_units(
+    [profile, other]: [&dyn GapProfile<f64>; 2],
+    load_integral: f64,
+    [length, size]: [f64; 2],
+    place: &dyn Debug,
+) {
+    let radius = profile.radius(load_integral).unwrap_or(f64::NAN);
+    let found = other.radius(load_integral * size * length.powi(4));
+    assert_eq!(found, Ok(radius * length), "{place:?}, {load_integral:e}, {length:e}, {size:e}");
 }
 
 /// A geometry in both formats, with its terms (C, n) as written.

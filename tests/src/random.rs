@@ -84,6 +84,11 @@ impl Stream {
         self.between(0.0, count as f64) as usize
     }
 
+    /// 2^k with −`most` ≤ k < `most`.
+    pub fn power_of_two(&mut self, most: i32) -> f64 {
+        2_f64.powi(self.below(2 * most as usize) as i32 - most)
+    }
+
     /// True in one of `count` cases.
     pub fn once_in(&mut self, count: usize) -> bool {
         self.below(count) == 0

@@ -1,4 +1,4 @@
-//! The constants of a medium against its formulas in more digits, and against each other.
+//! The constants of a medium against its formulas in more digits, against each other, and for layers of any size.
 
 use cartcontact::{Layer, Medium, MediumError};
 use tests::measure::relative_error;
@@ -57,6 +57,17 @@ fn equal_layers_have_the_rate_of_one() -> Result<(), MediumError> {
             |medium: Medium<f64>, factor: f64| relative_error(medium.chi(), factor * own, f64::EPSILON);
         assert!(error(Medium::between(layer, layer)?, 1.0) <= 5.0);
         assert!(error(Medium::between_as_printed_2011(layer, layer)?, 2.0) <= 5.0);
+    }
+    Ok(())
+}
+
+/// Intermediate products are out of range although the results are not.
+#[test]
+fn layers_of_any_size_make_a_medium() -> Result<(), MediumError> {
+    let layer = Layer { thickness: 1e-100_f64, shear_modulus: 1e-10, permeability: 1e-230 };
+    for (medium, share) in [(Medium::against_rigid(layer)?, 1.0), (Medium::between(layer, layer)?, 0.5)] {
+        assert!((medium.m() / (3e290 * share) - 1.0).abs() < 1e-14, "{medium:?}");
+        assert!((medium.chi() / 3e-40 - 1.0).abs() < 1e-14, "{medium:?}");
     }
     Ok(())
 }

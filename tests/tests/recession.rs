@@ -91,7 +91,11 @@ fn a_ripple_recedes_in_its_first_wave_however_late_it_is_asked_for() {
                     }
                     for t in [10.0, 100.0, 1e3, 1e4, 1e5] {
                         let found = since(&load, chi, t);
-                        assert_near(found, 0.0, 1e-6);
+                        assert_eq!(
+                            found,
+                            Some(0.0),
+                            "{start} + {slope} t, {amplitude} sin {frequency} t, {chi}, {t}"
+                        );
                     }
                 }
             }

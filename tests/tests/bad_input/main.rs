@@ -1,5 +1,6 @@
 //! Values that make no sense are refused where they enter, with the value and a remedy; nothing panics.
 
+mod formats;
 mod geometries;
 mod loads;
 mod media;

@@ -1,4 +1,4 @@
-//! Constants in scope that are named like variables of generated code, or like fields.
+//! Constants in scope that are named like variables of generated code without their prefix, or like fields.
 
 #![allow(dead_code, non_upper_case_globals, non_snake_case, reason = "what is here is in the way on purpose")]
 
@@ -9,7 +9,9 @@ macro_rules! constants {
 }
 
 constants! {
-    r c0 c1 t1 t2 s2 s3 a_squared r_squared inset base square profile error end fields radius_ R k
+    r a s x c0 c1 c2 j0 j1 value values value0 first0 half_second0 base power scale depth slope log_slope limit end more
+    lost units places error profile radii load_integral load_integrals inverse_radius of_quarter2 coefficients
+    precise_coefficients steepness quick_steepness last_steepness field_R field_k TABLE FAULTS FUSED R k
 }
 
 /// Needs Newton's method, a range and powers of fields.
@@ -38,5 +40,8 @@ fn constants_in_scope_are_not_used() {
     let ball = Ball { R: 20.0, k: 1.0 };
     assert!((radius::<f64>(&ball) / OF_BALL - 1.0).abs() < 1e-12);
     assert!((radius::<f64>(&Declared { R: 20.0, k: 1.0 }) / OF_BALL - 1.0).abs() < 1e-12);
-    assert!((radius::<f64>(&Worn { R: 20.0, k: 0.0 }) / OF_BALL - 1.0).abs() < 1e-2);
+    // The sphere of radius 20 up to the sixth order.
+    let sphere = cartcontact::Polynomial::new([(1.0 / 40.0, 2.0), (1.0 / 64e3, 4.0), (1.0 / 51.2e6, 6.0)]);
+    let expected = sphere.map_or(f64::NAN, |sphere| radius::<f64>(&sphere));
+    assert!((radius::<f64>(&Worn { R: 20.0, k: 0.0 }) / expected - 1.0).abs() < 1e-12);
 }

@@ -3,12 +3,13 @@
 mod colliding_names;
 mod constants;
 mod extension_traits;
+mod f32_fields;
 mod generics;
 mod lints;
 mod no_prelude;
 mod places;
+mod primitive_names;
 mod shadowed_names;
-mod single_precision;
 
 extern crate cartcontact as renamed;
 

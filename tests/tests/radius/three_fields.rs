@@ -1,13 +1,15 @@
 //! Contact radii of geometries with symbolic coefficients, mostly three: they are exact for coefficients of any size,
 //! the same in all units, and the same one by one and in a slice.
 
-use cartcontact::{GapProfile, RadiusError, gap_profile};
+use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
 use tests::condition::{degree, of_sizes};
 use tests::measure::{Errors, Exact, ulps};
 use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
-use tests::radii::{assert_same_one_by_one, exact_radius};
+use tests::radii::{
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius,
+};
 use tests::random::Stream;
 
 #[gap_profile(b * r^2 + c * r^3 + d * r^4)]
@@ -236,17 +238,16 @@ fn other_units_change_no_digit() {
         for _ in 0..2000 {
             let coefficients = kind.coefficients(&mut stream, 1.0);
             let load_integral = stream.magnitude(-6.0, 6.0);
-            let radius = (kind.double)(coefficients).radius(load_integral).unwrap_or(f64::NAN);
             // Powers of 256, so that their powers with eighths in the exponent are powers of two as well.
             let length = 256f64.powi(stream.below(15) as i32 - 7);
-            let size = 2f64.powi(stream.below(600) as i32 - 300);
+            let size = stream.power_of_two(300);
             let mut scaled = coefficients;
             for (c, n) in scaled.iter_mut().zip(kind.exponents) {
                 *c *= size * length.powf(-n);
             }
-            let load_integral = load_integral * size * length.powi(4);
-            let found = (kind.double)(scaled).radius(load_integral).unwrap_or(f64::NAN);
-            assert_eq!(found, radius * length, "{:?} {coefficients:?}, {length:e}, {size:e}", kind.exponents);
+            let profiles = [&*(kind.double)(coefficients), &*(kind.double)(scaled)];
+            let place = (kind.exponents, coefficients);
+            assert_same_in_other_units(profiles, load_integral, [length, size], &place);
         }
     }
 }
@@ -261,11 +262,7 @@ fn slices_have_the_same_radii() {
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         assert_same_one_by_one(&*profile, &load_integrals, &kind.exponents);
-
-        let mut radii = vec![f64::NAN; load_integrals.len()];
-        load_integrals[150] = -1.0;
-        let refused = profile.radii(&load_integrals, &mut radii);
-        assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: -1.0 }));
+        assert_one_fault_is_named(&*profile, &load_integrals, &kind.exponents);
     }
 }
 

@@ -6,7 +6,7 @@ use tests::budget;
 use tests::condition::{of_radius, of_sizes};
 use tests::measure::{Errors, relative_error};
 use tests::of_two_fields;
-use tests::radii::{assert_same_one_by_one, exact_radius};
+use tests::radii::{assert_same_in_other_units, assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 use tests::two_fields::OfTwoFields;
 
@@ -125,11 +125,9 @@ fn other_units_change_no_digit() {
         let (c, d) = (stream.magnitude(-3.0, 3.0), stream.magnitude(-3.0, 3.0));
         let load_integral = stream.between(1e-9, 1.0) * Oblate { c, d }.load_integral((0.7 * c / d).sqrt());
         // Coefficients stay between 1e-60 and 1e60, where the table applies.
-        let [length, size] = [15, 100].map(|range| 2f64.powi(stream.below(2 * range) as i32 - range as i32));
+        let [length, size] = [15, 100].map(|most| stream.power_of_two(most));
         let scaled = Oblate { c: c * size / length.powi(2), d: d * size / length.powi(4) };
-        let radius = Oblate { c, d }.radius(load_integral).unwrap_or(f64::NAN);
-        let found = scaled.radius(load_integral * size * length.powi(4)).unwrap_or(f64::NAN);
-        assert_eq!(found, radius * length, "{c:e}, {d:e}, {load_integral:e}, {length:e}, {size:e}");
+        assert_same_in_other_units([&Oblate { c, d }, &scaled], load_integral, [length, size], &(c, d));
     }
 }
 

@@ -3,7 +3,9 @@
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact, ulps};
-use tests::radii::{assert_same_one_by_one, exact_radius};
+use tests::radii::{
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius,
+};
 use tests::random::Stream;
 
 macro_rules! terms {
@@ -84,16 +86,16 @@ fn other_units_change_no_digit() {
         let mut stream = Stream::of_case(2, index);
         for _ in 0..1000 {
             let (c, load_integral) = kind.scene(&mut stream, 1.0, 100.0);
-            let radius = (kind.double)(c).radius(load_integral).unwrap_or(f64::NAN);
-            let size = 2f64.powi(stream.below(1000) as i32 - 500);
-            let found = (kind.double)(c * size).radius(load_integral * size).unwrap_or(f64::NAN);
-            assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.exponent);
+            let profile = (kind.double)(c);
+            let place = (kind.exponent, c);
+            let size = stream.power_of_two(500);
+            let larger = (kind.double)(c * size);
+            assert_same_in_other_units([&*profile, &*larger], load_integral, [1.0, size], &place);
             // A power of 16, so that its powers with quarters in the exponent are powers of two; eighths are not.
             let length = 16f64.powi(stream.below(3) as i32 - 1);
             if (4.0 * kind.exponent).fract() == 0.0 {
-                let longer = c * length.powf(-kind.exponent);
-                let found = (kind.double)(longer).radius(load_integral * length.powi(4)).unwrap_or(f64::NAN);
-                assert_eq!(found, radius * length, "{}, {c:e}, {load_integral:e}, {length}", kind.exponent);
+                let longer = (kind.double)(c * length.powf(-kind.exponent));
+                assert_same_in_other_units([&*profile, &*longer], load_integral, [length, 1.0], &place);
             }
         }
     }
@@ -130,13 +132,7 @@ fn slices_have_the_same_radii() {
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         load_integrals[72] = f64::MAX;
         assert_same_one_by_one(&*profile, &load_integrals, &kind.exponent);
-
-        let mut radii = vec![f64::NAN; load_integrals.len()];
-        for bad in [-1.0, f64::INFINITY] {
-            load_integrals[300] = bad;
-            let refused = profile.radii(&load_integrals, &mut radii);
-            assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: bad }));
-        }
+        assert_one_fault_is_named(&*profile, &load_integrals, &kind.exponent);
     }
 }
 

@@ -1,10 +1,10 @@
 //! Contact radii of a single term whose power is a fraction with a long numerator, so that no few octaves are a period.
 
-use cartcontact::{GapProfile, RadiusError, gap_profile};
+use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
-use tests::radii::assert_same_one_by_one;
+use tests::radii::{assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one};
 use tests::random::Stream;
 
 macro_rules! powers {
@@ -106,10 +106,9 @@ fn other_units_of_load_change_no_digit() {
         for _ in 0..1000 {
             let c = stream.magnitude(-3.0, 3.0);
             let load_integral = kind.load_integral(&mut stream, c, 100.0 / kind.power());
-            let radius = (kind.double)(c).radius(load_integral);
-            let size = 2f64.powi(stream.below(1000) as i32 - 500);
-            let found = (kind.double)(c * size).radius(load_integral * size);
-            assert_eq!(found, radius, "{}, {c:e}, {load_integral:e}, {size:e}", kind.decimal);
+            let size = stream.power_of_two(500);
+            let profiles = [&*(kind.double)(c), &*(kind.double)(c * size)];
+            assert_same_in_other_units(profiles, load_integral, [1.0, size], &(kind.decimal, c));
         }
     }
 }
@@ -125,12 +124,7 @@ fn slices_have_the_same_radii() {
         load_integrals[72] = f64::MAX;
         for profile in [&*profile, kind.constant.0] {
             assert_same_one_by_one(profile, &load_integrals, &kind.decimal);
-        }
-        let mut radii = vec![f64::NAN; load_integrals.len()];
-        for bad in [-1.0, f64::INFINITY] {
-            load_integrals[300] = bad;
-            let refused = profile.radii(&load_integrals, &mut radii);
-            assert_eq!(refused, Err(RadiusError::InvalidLoadIntegral { load_integral: bad }));
+            assert_one_fault_is_named(profile, &load_integrals, &kind.decimal);
         }
     }
 }

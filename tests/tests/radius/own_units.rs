@@ -5,7 +5,7 @@ use cartcontact::gap_profile;
 use tests::budget;
 use tests::measure::Errors;
 use tests::of_two_fields;
-use tests::radii::{assert_same_one_by_one, exact_radius};
+use tests::radii::{assert_same_in_other_units, assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 use tests::two_fields::OfTwoFields;
 
@@ -85,12 +85,11 @@ fn other_units_change_no_digit() {
     for _ in 0..2000 {
         let (k, radius) = (stream.magnitude(-4.0, 4.0), stream.magnitude(-2.0, 2.0));
         let load_integral = k * radius.powi(6) * stream.magnitude(-15.0, 2.0);
-        let length = 2f64.powi(stream.below(40) as i32 - 20);
+        let length = stream.power_of_two(20);
         let (_, ball) = (KINDS[0].double)(k, radius);
         let (_, larger) = (KINDS[0].double)(k, radius * length);
-        let radius = ball.radius(load_integral).unwrap_or(f64::NAN);
-        let scaled = larger.radius(load_integral * length.powi(5)).unwrap_or(f64::NAN);
-        assert_eq!(scaled, radius * length, "{load_integral:e}, {length:e}");
+        // The coefficients are C/lengthⁿ⁻¹, and so those of another unit of r times `length`.
+        assert_same_in_other_units([&*ball, &*larger], load_integral, [length, length], &(k, radius));
     }
 }
 

@@ -1,0 +1,38 @@
+//! Numbers that a format holds without all their digits, or whose products it does not hold.
+
+use cartcontact::load::{Constant, LoadError, PiecewiseLinear};
+use cartcontact::{Contact, ContactError, Medium, Polynomial};
+
+/// Scenes whose numbers have lost digits are refused, not solved.
+#[test]
+fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let paraboloid = || Polynomial::new([(0.025, 2.0)]);
+    let at = |m: f64, force: f64| {
+        let contact = Contact::new(paraboloid()?, Medium::from_constants(m, 0.01)?, Constant(force))?;
+        Ok::<_, Box<dyn core::error::Error>>(contact.at(1.0).err())
+    };
+    for (m, force) in [(1.0, 5e-324), (1.0, 1e-310), (1e200, 1e-150)] {
+        assert!(matches!(at(m, force)?, Some(ContactError::Unrepresentable { .. })), "{m:e}, {force:e}");
+    }
+    assert_eq!(at(1.0, 1e-290)?, None);
+    assert!(Medium::from_constants(1e-310, 0.0).is_err() && Medium::from_constants(1.0, 1e-310).is_err());
+    assert!(Polynomial::new([(1e-306, 64.0)]).is_err());
+    // J is in range, but a J′ = 710 J is not.
+    let medium = Medium::from_constants(6e-306, 5e-8)?;
+    let steep = Contact::new(Polynomial::new([(8.0, 706.0)])?, medium, Constant(0.135))?;
+    assert!(matches!(steep.at(3e10), Err(ContactError::Unrepresentable { .. })));
+    Ok(())
+}
+
+/// Y is in range, but neither F′ nor χ F is: ages would not be numbers.
+#[test]
+fn rates_out_of_range_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let ramp = PiecewiseLinear::new([(0.0, 3e16_f32), (2.5e-23, 4e17)]);
+    assert!(matches!(ramp, Err(LoadError::TooSteep { knot: 1, .. })), "{ramp:?}");
+    let medium = Medium::from_constants(1.0, 1e25_f32)?;
+    let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, Constant(1e20))?;
+    for time in [0.0, 1e-30, 1e-24] {
+        assert!(matches!(contact.at(time), Err(ContactError::Unrepresentable { .. })), "{time:e}");
+    }
+    Ok(())
+}

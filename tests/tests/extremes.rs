@@ -1,0 +1,62 @@
+//! Scenes at the ends of a format or of time, with the results that they have all the same.
+
+use cartcontact::load::Constant;
+use cartcontact::{Contact, Medium, Polynomial};
+use tests::budget;
+
+/// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
+#[test]
+fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
+    let double =
+        Contact::new(Polynomial::new([(1e-300, 64.0)])?, Medium::from_constants(1.0, 0.0)?, Constant(1e20))?;
+    let a: f64 = double.at(0.0)?.radius();
+    let expected = (1e20_f64.ln() + 300.0 * core::f64::consts::LN_10
+        - (core::f64::consts::FRAC_PI_4 * 64.0 / (66.0 * 68.0)).ln())
+        / 68.0;
+    assert!((a.ln() / expected - 1.0).abs() < 1e-15, "{a:e}");
+    assert!(a.powi(68).is_infinite(), "{a:e}");
+    let single = Contact::new(
+        Polynomial::new([(1e-33_f32, 64.0)])?,
+        Medium::from_constants(1.0, 0.0)?,
+        Constant(1e4),
+    )?;
+    let now = single.at(0.0)?;
+    assert!(now.radius().powi(68).is_infinite() && now.peak_pressure().is_finite(), "{now:?}");
+    Ok(())
+}
+
+/// A term with a coefficient of zero may have a power that is out of range.
+#[test]
+fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>> {
+    let medium = Medium::from_constants(1.0, 0.01)?;
+    let alone = Contact::new(Polynomial::new(vec![(2e-4, 4.0)])?, medium, Constant(1e20_f32))?;
+    let beside = Contact::new(Polynomial::new(vec![(2e-4, 4.0), (0.0, 48.0)])?, medium, Constant(1e20))?;
+    for time in [0.0, 300.0] {
+        let [alone, beside] = [alone.at(time)?, beside.at(time)?];
+        assert_eq!(alone.radius(), beside.radius());
+        assert_eq!(alone.approach(), beside.approach());
+        assert_eq!(alone.peak_pressure(), beside.peak_pressure());
+    }
+    Ok(())
+}
+
+/// P = 2 F (a² − r²)/(π a⁴) after a long time, when the load comes from a strip of radii narrower than the spacing of
+/// numbers.
+#[test]
+fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
+    let contact = Contact::new(
+        Polynomial::new([(0.025_f32, 2.0)])?,
+        Medium::from_constants(0.375, 1.0)?,
+        Constant(100.0),
+    )?;
+    for time in [1e6, 1e9, 1e12] {
+        let now = contact.at(time)?;
+        let (found, radius) = (f64::from(now.peak_pressure()), f64::from(now.radius()));
+        let drained = 200.0 / (core::f64::consts::PI * radius * radius);
+        let rounding = budget::PEAK_PRESSURE.single + 2.0 * budget::CONTACT_RADIUS.single;
+        // The memory holds the mean of a⁻² ∝ (1 + χ t)^(−1/3) over the last 1/χ.
+        let allowed = rounding * f64::from(f32::EPSILON) + 1.0 / (3.0 * f64::from(time));
+        assert!((found / drained - 1.0).abs() <= allowed, "{time:e}: {found:e}, {drained:e}");
+    }
+    Ok(())
+}
