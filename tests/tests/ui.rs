@@ -20,5 +20,4 @@ fn faults_are_explained_where_they_are() {
         cases.compile_fail(format!("tests/ui/{concern}/*.rs"));
     }
     cases.pass("tests/ui/pass/*.rs");
-    cases.pass("tests/ui/hygiene/*.rs");
 }
