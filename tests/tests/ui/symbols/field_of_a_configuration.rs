@@ -2,9 +2,9 @@ use cartcontact::gap_profile;
 
 #[gap_profile(r^2 / (2 * radius))]
 struct Ball {
-    #[cfg(feature = "double")]
+    #[cfg(debug_assertions)]
     radius: f64,
-    #[cfg(not(feature = "double"))]
+    #[cfg(not(debug_assertions))]
     radius: f32,
 }
 
