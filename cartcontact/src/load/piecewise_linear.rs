@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::descent::{Descent, may_add_up};
 use super::knots::{check, pieces};
+use super::recession::{Descent, may_add_up};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
 use crate::evaluate::compensated_sum::CompensatedSum;

@@ -11,12 +11,14 @@
 //! where the time to the end is short; and the force enters only through its difference from that at the end, so that
 //! the many small gains of a long history do not round as the force does.
 
+mod chebyshev;
+
 use super::Load;
-use super::chebyshev::{
+use super::recession::is_force;
+use crate::Scalar;
+use chebyshev::{
     Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end, sum_at,
 };
-use super::fault::is_force;
-use crate::Scalar;
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {

@@ -1,11 +1,11 @@
 //! Faults of a history, which the solution then does not cover.
 
 use super::contradiction::{Contradiction, impulse_tolerance};
-use super::{Load, LoadError};
 use crate::Scalar;
+use crate::load::{Load, LoadError};
 
 /// Why the solution does not cover a history.
-pub(super) enum Fault<T> {
+pub(in crate::load) enum Fault<T> {
     /// The hereditary load falls by more than rounding, from a time on.
     Falls(T),
     /// Its impulse is not that of its force.
@@ -28,7 +28,7 @@ impl<T: Scalar> Fault<T> {
     }
 
     /// Since when the history is not covered.
-    pub(super) fn time(&self) -> T {
+    pub(in crate::load) fn time(&self) -> T {
         match self {
             Self::Falls(since) => *since,
             Self::Contradicts(contradiction) => contradiction.from(),
@@ -37,7 +37,7 @@ impl<T: Scalar> Fault<T> {
     }
 
     /// The error of the load, unless it falls.
-    pub(super) fn contradiction(&self) -> Option<LoadError> {
+    pub(in crate::load) fn contradiction(&self) -> Option<LoadError> {
         match *self {
             Self::Falls(_) => None,
             Self::Contradicts(contradiction) => Some(contradiction.error()),
@@ -55,6 +55,6 @@ pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T)
 }
 
 /// Whether a number is a valid force, which may be negative by up to `negligible`.
-pub(super) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
+pub(in crate::load) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
     number >= -negligible && number.is_finite()
 }

@@ -1,7 +1,7 @@
 //! When a load of any kind first falls so fast that the edge of the contact recedes.
 //!
 //! The edge recedes while the hereditary load Y = F + χ ∫F falls. Between knots the load is followed in panels, in
-//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too,
+//! which its force is a [polynomial](ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too,
 //! Σ gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. On a panel
 //!
 //! - Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
@@ -18,14 +18,12 @@
 //! panels is, so the search ends. What a panel still leaves out when it is halved no more is a jump, a kink, or noise
 //! such as the rounding of 1 − e^(−t) early on; because of these the bound [grows](Shortest).
 //!
-//! A load that is [straight] between its knots is not searched.
+//! A load that is [straight](super::straight) between its knots is not searched.
 
-use super::ForceSeries;
 use super::contradiction::Contradiction;
 use super::fault::{Fault, tolerances};
-use super::straight;
-use super::{Load, Piece, Shortest, knot_between};
 use crate::Scalar;
+use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between};
 use crate::scalar::smallest_normal;
 
 /// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
@@ -34,9 +32,6 @@ const MOST_DOUBTS: u32 = 128;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
-    if load.is_linear_between_knots() {
-        return straight::first_fault(load, chi, t);
-    }
     let zero = T::zero();
     let (negligible, tolerance) = tolerances(load, chi, t);
     let mut search = Search {
