@@ -7,7 +7,7 @@
 //! **Results do not depend on the choice.** Vectors take several values at once, but every value goes through
 //! the same operations with the same roundings: no product is fused with a sum, and no sum is reordered. Fused
 //! instructions only find the error of a product, which has no other value where it is representable: see
-//! [`DoubleWord`](crate::evaluate::double_word::DoubleWord).
+//! [`DoubleWord`](crate::numbers::double_word::DoubleWord).
 
 /// Runs `work`, whose loops over values may use wide vectors if the feature `simd` is on.
 ///

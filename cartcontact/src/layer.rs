@@ -1,8 +1,8 @@
 //! A cartilage layer.
 
 use crate::Scalar;
-use crate::evaluate::binary::{scale, split};
 use crate::medium::MediumError;
+use crate::numbers::binary::{scale, split};
 use crate::scalar::{is_single, is_size};
 
 /// One biphasic layer on its bone.

@@ -6,13 +6,15 @@ use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::dispatch::out_of_line;
 use crate::evaluate::double_power::{power_sum, weighted_power_sum};
-use crate::evaluate::double_word::DoubleWord;
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::halved::Halved;
 use crate::evaluate::power::{power_sum_and_log_slope, power_sum_drop, quick_power_sum};
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
-use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
+use crate::evaluate::steepness::{
+    halved_power_sum_steepness, load_integral_coefficient, quick_power_sum_steepness,
+};
 use crate::in_double_words;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
+use crate::numbers::halved::Halved;
 use crate::pairs::Pairs;
 use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
@@ -129,7 +131,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
 
     /// The same terms, with nothing rounded.
     fn precise_load_integral_terms(&self) -> impl Iterator<Item = (Halved<T>, Exponent<T>)> {
-        self.map(|c, n| (Halved::load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
+        self.map(|c, n| (load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
     }
 
     /// Σ w(C, n) x^(n+k), rounded once.

@@ -4,7 +4,7 @@ use core::any::TypeId;
 
 use simba::scalar::{RealField, SupersetOf};
 
-use crate::evaluate::bits::nearest_integer;
+use crate::numbers::bits::nearest_integer;
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///

@@ -1,12 +1,12 @@
 //! Terms c · x^n and their sums in double words, for any real exponent: what is rounded once.
 
 use super::coefficient::{Coefficient, number};
-use super::double_functions;
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
 use super::power::{quarter_power, quarters, quick_power_sum, quick_term, real_fractional_power};
 use crate::Scalar;
 use crate::dispatch::out_of_line;
+use crate::numbers::double_functions;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::{is_plain, smallest_normal};
 
 /// Σ c x^n over the terms (c, n), rounded once.

@@ -14,8 +14,8 @@
 
 use super::arithmetic::Arithmetic;
 use super::coefficient::{Coefficient, number};
-use super::exponent::Exponent;
 use crate::Scalar;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::{floor, is_plain, smallest_normal};
 
 /// The longest tent. The time for a tent grows with its length, that for logarithms does not.

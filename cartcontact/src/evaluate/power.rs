@@ -1,10 +1,9 @@
 //! Terms c · x^n and their sums, for any real exponent.
 
-use super::binary::{divide, scale, split};
-use super::bits::with_half_its_digits;
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
 use crate::Scalar;
+use crate::numbers::bits::with_half_its_digits;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::{is_nothing, is_plain, smallest_normal};
 
 /// x^k by binary powering.
@@ -53,42 +52,6 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
         let value = quick_term(c, x, n);
         (sum + value, slope + n.value() * value)
     })
-}
-
-/// Where the terms c x^p and d x^q, 0 < p < q, are equal, and the reciprocal of their value there, both to a few digits
-/// less than a word has.
-///
-/// Where c/d is x or x², the reciprocal is formed from powers of d/c and does not wait for x. Inlined where exponents
-/// are constants, which leaves only products.
-#[inline(always)]
-pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
-    let per_low = c.recip();
-    let (ratio, inverse, order) = (c / d, d * per_low, q - p);
-    let Exponent { whole, fraction, .. } = Exponent::of(p);
-    let is_whole = fraction.is_zero();
-    if order == T::one() && is_whole {
-        return (ratio, per_low * integer_power(inverse, whole as u32));
-    }
-    if order == T::constant(2.0) && is_whole {
-        let even = per_low * integer_power(inverse, whole as u32 / 2);
-        return (ratio.sqrt(), if whole & 1 == 1 { even * inverse.sqrt() } else { even });
-    }
-    let x = if order == T::constant(4.0) { ratio.sqrt().sqrt() } else { root(ratio, order) };
-    let whole_term = quick_whole_term(c, x, whole as u32);
-    (x, (if is_whole { whole_term } else { whole_term * fractional_power(x, fraction) }).recip())
-}
-
-/// x^(1/p) of a positive number. Whole periods of octaves are taken out first, so that a change of units by a power of
-/// two changes no digit.
-fn root<T: Scalar>(x: T, p: T) -> T {
-    let inverse = p.recip();
-    // Zero, negative numbers, infinity and NaN have no octaves, and have to show in the result.
-    if !(x > T::zero() && x.is_finite()) {
-        return x.powf(inverse);
-    }
-    let (fraction, octaves) = split(x);
-    let (whole, rest) = divide(octaves, p, inverse);
-    scale(((fraction.log2() + rest) * inverse).exp2(), whole)
 }
 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
@@ -255,29 +218,6 @@ mod tests {
         assert!((value / 1e300 - 1.0).abs() < 1e-15, "{value:e}");
         let value: f64 = term(1e300, 1e-60, 10.0);
         assert!((value / 1e-300 - 1.0).abs() < 1e-15, "{value:e}");
-    }
-
-    /// Lengths change by powers of 16, so that quarters are whole powers of two, too.
-    #[test]
-    fn terms_are_equal_at_the_same_place_in_other_units() {
-        let exponents = [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75)];
-        for (p, q) in
-            exponents.into_iter().chain([(6.0, 7.0), (6.0, 8.0), (7.0, 9.0), (6.0, 10.0), (5.5, 7.5)])
-        {
-            for k in 1..200 {
-                let (c, d) = (f64::from(k) / 7.0, 0.3 + f64::from(k % 17));
-                let (x, per_value) = equal_terms((c, p), (d, q));
-                let share = |j: f64, p: f64| (per_value * (j * x.powf(p)) - 1.0).abs();
-                assert!(share(c, p) < 1e-12 && share(d, q) < 1e-12, "{c} {p} {d} {q}");
-                for octaves in [-8, -4, 4, 8] {
-                    let unit = |p: f64| 2f64.powf(-p * f64::from(octaves));
-                    let found = equal_terms((c * unit(p), p), (d * unit(q), q));
-                    assert_eq!(found, (x * 2f64.powi(octaves), per_value), "{c} {p} {d} {q}");
-                }
-            }
-        }
-        let [turned, none] = [(1.0_f64, -1.0), (f64::NAN, 1.0)].map(|(c, d)| equal_terms((c, 6.0), (d, 9.0)));
-        assert!(turned.0.is_nan() && none.0.is_nan());
     }
 
     #[test]

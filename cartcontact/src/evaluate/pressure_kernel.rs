@@ -9,11 +9,11 @@
 
 use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
 use super::kernel_of_term::{Edge, Order};
 use super::power::{quarter_root, quick_whole_term};
 use crate::Scalar;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::is_plain;
 
 /// Up to this many even powers repeat the rounding of a² too little to matter.

@@ -12,10 +12,10 @@
 //! K = n (n+2) δ² (1 − (n+1)/3 δ (1 − (n−1)/4 δ (1 − (n−2)/5 δ (1 − …))))
 //! ```
 
-use super::double_functions::{double_log_of_ratio, negative_exp_m1};
-use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::in_double_words;
+use crate::numbers::double_functions::{double_log_of_ratio, negative_exp_m1};
+use crate::numbers::double_word::DoubleWord;
 use crate::scalar::{is_plain, smallest_normal};
 
 /// K(q) from 1 − q and q, with the error of about ten roundings.

@@ -1,7 +1,7 @@
 //! How long ago the hereditary load was smaller, along a straight load.
 
 use crate::Scalar;
-use crate::evaluate::binary::{scale, split};
+use crate::numbers::binary::{scale, split};
 use crate::scalar::{is_nothing, raised_to_zero, smallest_normal};
 
 /// A straight load, as seen from its end.

@@ -40,7 +40,7 @@ mod stretch;
 mod time_form;
 
 use crate::Scalar;
-use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::is_nothing;
 use fading::Fading;
 

@@ -23,9 +23,9 @@
 use super::Increment;
 use crate::contact::Contact;
 use crate::dispatch::wide;
-use crate::evaluate::compensated_sum::CompensatedSum;
-use crate::evaluate::exponential::decay;
 use crate::load::{Load, Piece};
+use crate::numbers::compensated_sum::CompensatedSum;
+use crate::numbers::exponential::decay;
 use crate::quadrature::Rule;
 use crate::scalar::Tabled;
 use crate::{GapProfile, Scalar};

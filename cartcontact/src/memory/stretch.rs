@@ -4,8 +4,8 @@ use super::fading::Fading;
 use super::line::Line;
 use super::{Increment, time_form};
 use crate::contact::Contact;
-use crate::evaluate::exponential::decay;
 use crate::load::{ForceSeries, Load};
+use crate::numbers::exponential::decay;
 use crate::{GapProfile, Scalar};
 
 /// The radii from `low` to `high` that the edge passed while the load took a course.

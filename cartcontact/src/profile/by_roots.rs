@@ -10,9 +10,9 @@
 //! with W[a, s] = (W(a) − W(s))/(a − s), without cancellation for coefficients of one sign.
 
 use super::slopes_and_drops::{Places, SlopesAndDrops, fill_one_by_one};
-use crate::evaluate::exponent::Exponent;
 use crate::evaluate::horner::{divided_difference, value_and_quotient};
 use crate::evaluate::power::power_sum_drop;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 

@@ -7,10 +7,10 @@
 //! one logarithm is left, and two exponentials for each term, in vector code.
 
 use crate::dispatch::half_wide;
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::exponential::{decay, loss};
-use crate::evaluate::logarithm::log_of_ratio;
 use crate::evaluate::power::term_of_drop;
+use crate::numbers::exponent::Exponent;
+use crate::numbers::exponential::{decay, loss};
+use crate::numbers::logarithm::log_of_ratio;
 use crate::scalar::is_plain;
 use crate::{GapProfile, Scalar};
 

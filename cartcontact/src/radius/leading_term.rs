@@ -24,12 +24,12 @@
 use super::step::Target;
 use crate::Scalar;
 use crate::dispatch::out_of_line;
-use crate::evaluate::bits::{
+use crate::evaluate::steepness::Steepness;
+use crate::numbers::bits::{
     DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
     with_half_its_digits,
 };
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::steepness::Steepness;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::{floor, greater, is, is_plain, lesser};
 
 /// Added to logarithms, whole numbers over p, before they are rounded. Hardly any then lies so near the midpoint of two

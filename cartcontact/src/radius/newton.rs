@@ -27,7 +27,7 @@
 
 use super::{beyond, needs_search};
 use crate::Scalar;
-use crate::evaluate::binary::{estimated_root_of_product, scale, split};
+use crate::numbers::binary::{estimated_root_of_product, scale, split};
 use crate::profile::RadiusError;
 use crate::scalar::{is, is_plain, lesser};
 

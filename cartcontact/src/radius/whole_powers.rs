@@ -9,8 +9,8 @@ use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
 use super::step::Target;
 use crate::Scalar;
 use crate::dispatch::out_of_line;
-use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::evaluate::steepness::Steepness;
+use crate::numbers::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::profile::RadiusError;
 use crate::scalar::{is_plain, lesser};
 

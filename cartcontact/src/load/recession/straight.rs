@@ -7,8 +7,8 @@ use super::contradiction::Contradiction;
 use super::descent::Descent;
 use super::fault::{Fault, is_force, tolerances};
 use crate::Scalar;
-use crate::evaluate::compensated_sum::CompensatedSum;
 use crate::load::{Load, Piece};
+use crate::numbers::compensated_sum::CompensatedSum;
 
 /// How many pieces are asked for at once.
 const PIECES: usize = 16;

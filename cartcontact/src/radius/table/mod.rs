@@ -30,7 +30,7 @@ pub(crate) mod units;
 use core::any::Any;
 
 use crate::Scalar;
-use crate::evaluate::bits::{least_of_quarter, quarter};
+use crate::numbers::bits::{least_of_quarter, quarter};
 use crate::scalar::is;
 
 /// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.

@@ -23,10 +23,10 @@
 
 use super::{Row, Step, Table};
 use crate::Scalar;
-use crate::evaluate::bits::{
+use crate::numbers::bits::{
     exponent, fraction, is_normal, least_of_quarter, middle_of_part, part_of_octave, power_of_two,
 };
-use crate::evaluate::series::four_terms;
+use crate::numbers::series::four_terms;
 use crate::profile::RadiusError;
 use crate::scalar::{from_single, is};
 

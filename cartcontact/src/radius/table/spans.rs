@@ -13,8 +13,8 @@
 use super::Row;
 use super::roots::{Divisor, Term};
 use crate::Scalar;
-use crate::evaluate::bits::power_of_two;
-use crate::evaluate::halved::Halved;
+use crate::numbers::bits::power_of_two;
+use crate::numbers::halved::Halved;
 use crate::scalar::is;
 
 /// Quarters of octaves in a span: as many as a table has rows.
