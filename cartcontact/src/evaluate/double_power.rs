@@ -1,7 +1,7 @@
 //! Terms c · x^n and their sums in double words, for any real exponent: what is rounded once.
 
 use super::coefficient::{Coefficient, number};
-use super::power::{quarter_power, quarters, quick_power_sum, quick_term, real_fractional_power};
+use super::power::{plain_term, quarter_power, quarters, quick_power_sum, real_fractional_power};
 use crate::Scalar;
 use crate::dispatch::out_of_line;
 use crate::numbers::double_functions;
@@ -63,7 +63,7 @@ fn double_term_out_of_range<T: Scalar, const FUSED: bool>(
             return term;
         }
     }
-    DoubleWord::of(quick_term(c.rounded(), x, n))
+    DoubleWord::of(plain_term(c.rounded(), x, n))
 }
 
 /// The term times a power of two. It multiplies the middle value, as c may have no digits to spare.

@@ -49,7 +49,7 @@ pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Expo
 #[inline]
 pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> (T, T) {
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
-        let value = quick_term(c, x, n);
+        let value = plain_term(c, x, n);
         (sum + value, slope + n.value() * value)
     })
 }
@@ -73,7 +73,7 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
 /// c x^n within 12 ε at the most, which is enough for a drop: powers up to the 24th have every product rounded.
 #[inline]
 pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
-    if n.value() <= T::constant(24.0) { quick_term(c, x, n) } else { term(c, x, n) }
+    if n.value() <= T::constant(24.0) { plain_term(c, x, n) } else { term(c, x, n) }
 }
 
 /// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
@@ -83,7 +83,7 @@ pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
 #[inline]
 pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     if n.whole < 0 || x.is_zero() {
-        return quick_term(c, x, n);
+        return plain_term(c, x, n);
     }
     let degree = n.whole as u32;
     let power = if degree < 4 {
@@ -94,11 +94,11 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
         if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if power.is_finite() { power * fractional_power(x, n.fraction) } else { quick_term(c, x, n) }
+    if power.is_finite() { power * fractional_power(x, n.fraction) } else { plain_term(c, x, n) }
 }
 
 /// [`term`] with every product rounded.
-pub(super) fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
+pub(super) fn plain_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     // The power may be out of range; a zero that carries a derivative does not count as zero.
     if is_nothing(c) {
         return c;
@@ -108,16 +108,16 @@ pub(super) fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     }
     if n.whole < 0 {
         // Only slopes of gaps with an exponent below 1. Changing the sign of the exponent would round its fraction.
-        return quick_term(c, x, n.plus(1)) / x;
+        return plain_term(c, x, n.plus(1)) / x;
     }
-    let term = quick_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
+    let term = plain_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
     // A zero with a derivative times an infinite power is NaN. Its derivative becomes one that the format just holds.
     if c.is_zero() && !term.is_finite() { c / smallest_normal() } else { term }
 }
 
 /// c x^k with every product rounded, in halves.
 #[inline(always)]
-pub(crate) fn quick_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
+pub(crate) fn plain_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
     let half = integer_power(x, degree / 2);
     let even = c * half * half;
     if degree & 1 == 1 { even * x } else { even }
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn nothing_times_a_power_out_of_range_is_nothing() {
-        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, Exponent::whole(52))), (0.0, 0.0));
+        assert_eq!((term(0.0, 1e20, 48.0), plain_term(0.0, 1e20, Exponent::whole(52))), (0.0, 0.0));
     }
 
     #[test]

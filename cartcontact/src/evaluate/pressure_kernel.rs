@@ -10,7 +10,7 @@
 use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
 use super::kernel_of_term::{Edge, Order};
-use super::power::{quarter_root, quick_whole_term};
+use super::power::{plain_whole_term, quarter_root};
 use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
@@ -154,7 +154,7 @@ fn sum_in_root<T: Scalar, const D: usize, const N: usize>(a: T, r: T, weights: &
     let mut scaled = [T::zero(); N];
     let quarters = [T::one(), quarter_root::<T, 1>(a), quarter_root::<T, 2>(a), quarter_root::<T, 3>(a)];
     for &(weight, k) in weights {
-        scaled[k - 1] = quick_whole_term(weight, a, 2 + (k / D) as u32) * quarters[k % D * (4 / D)];
+        scaled[k - 1] = plain_whole_term(weight, a, 2 + (k / D) as u32) * quarters[k % D * (4 / D)];
     }
     let (one, ratio) = (T::one(), r / a);
     let root = ratio.sqrt();

@@ -76,13 +76,13 @@ pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
     }
     in_double_words!(FUSED => {
         let [inset, ratio, n] = [inset, ratio, n].map(DoubleWord::converted);
-        plain_kernel::<T, FUSED>(inset, ratio, n).converted()
+        kernel_without_derivatives::<T, FUSED>(inset, ratio, n).converted()
     })
 }
 
 /// [`kernel`] of numbers without derivatives, and without that choice.
 #[inline(always)]
-fn plain_kernel<T: Scalar, const FUSED: bool>(
+fn kernel_without_derivatives<T: Scalar, const FUSED: bool>(
     inset: DoubleWord<T, FUSED>,
     ratio: DoubleWord<T, FUSED>,
     n: DoubleWord<T, FUSED>,

@@ -17,7 +17,7 @@
 //! Anything else is below ε/100. So 1/2 ulp is left for sums known at run time with common exponents. For all others,
 //! with k ≤ 3.1 and with p > 4 for symbols, 1.3 ulp would be the most, and 0.95 was seen in millions of radii.
 
-use super::power::{fractional_power, quarter_power, quarters, quick_whole_term, real_fractional_power};
+use super::power::{fractional_power, plain_whole_term, quarter_power, quarters, real_fractional_power};
 use crate::Scalar;
 use crate::numbers::bits::{exponent, power_of_two};
 use crate::numbers::double_word::DoubleWord;
@@ -220,14 +220,15 @@ fn halved_term<T: Scalar>(c: Halved<T>, x: Halved<T>, square: Halved<T>, p: Expo
     }
 }
 
-/// [`halved_term`] with every product rounded.
+/// [`halved_term`] with every product rounded. Powers are above 4: it has no branches for negative exponents, as the
+/// [`plain_term`](super::power::plain_term) of any power has.
 #[inline(always)]
 fn plain_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
     if c.is_zero() {
         return c;
     }
-    let whole_power = quick_whole_term(c, x, p.whole as u32);
-    if p.fraction.is_zero() { whole_power } else { whole_power * quick_fractional_power(x, p.fraction) }
+    let whole_power = plain_whole_term(c, x, p.whole as u32);
+    if p.fraction.is_zero() { whole_power } else { whole_power * plain_fractional_power(x, p.fraction) }
 }
 
 /// x^φ for 0 ≤ φ < 1, from a fraction and what it lacks; not inlined, out of the way of whole powers.
@@ -244,7 +245,7 @@ fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Ha
 
 /// [`fractional_power`], not inlined either.
 #[inline(never)]
-fn quick_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+fn plain_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     fractional_power(x, fraction)
 }
 

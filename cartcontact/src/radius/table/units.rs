@@ -1,7 +1,7 @@
 //! The units of a table of seeds.
 
 use crate::Scalar;
-use crate::evaluate::power::{fractional_power, integer_power, quick_whole_term};
+use crate::evaluate::power::{fractional_power, integer_power, plain_whole_term};
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::binary::{divide, scale, split};
 use crate::numbers::bits::with_half_its_digits;
@@ -131,7 +131,7 @@ fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
         return (ratio.sqrt(), if whole & 1 == 1 { even * inverse.sqrt() } else { even });
     }
     let x = if order == T::constant(4.0) { ratio.sqrt().sqrt() } else { root(ratio, order) };
-    let whole_term = quick_whole_term(c, x, whole as u32);
+    let whole_term = plain_whole_term(c, x, whole as u32);
     (x, (if is_whole { whole_term } else { whole_term * fractional_power(x, fraction) }).recip())
 }
 
