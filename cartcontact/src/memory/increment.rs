@@ -5,8 +5,12 @@ use crate::Scalar;
 /// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to that at the end of a stretch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Increment<T> {
+    /// The pressure at `low`, in units of m/4.
     pub(super) offset: T,
+    /// By how much the pressure falls with r².
     pub(super) slope: T,
+    /// Not part of any pressure: with the other two it gives the [load](Self::doubled_load) that the increment carries,
+    /// to which it is scaled.
     spread: T,
 }
 

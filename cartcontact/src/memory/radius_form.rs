@@ -1,4 +1,4 @@
-//! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {s² − low², 1} ds.
+//! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {…} ds with the integrands of an [`Increment`].
 //!
 //! The variable is the depth below the edge: after a long history the integrand is a thin layer there, for which
 //! rounded radii would be too coarse. Most held loads take one panel, see [`held`](super::held). All others take panels

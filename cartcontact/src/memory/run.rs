@@ -4,7 +4,7 @@
 //! Eq. (28) integrated by parts over time reads
 //!
 //! ```text
-//! (8/(π m)) ∫ Y′(τ) e^(−χ (end − τ)) {a² − low², 1} / a⁴ dτ,    a = a(Y(τ))
+//! (8/(π m)) ∫ Y′(τ) e^(−χ (end − τ)) {a² − low², 1, (a² − low²)²} / a⁴ dτ,    a = a(Y(τ))
 //! ```
 //!
 //! Let v be the share of a piece that lies after a time in it. Then Y falls short of its final value by R v − B v²/2,

@@ -5,7 +5,7 @@
 //! δ₀′ ds = 2 dD/((π m/4) s⁴) turns the integrals over s into
 //!
 //! ```text
-//! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1} / s⁴ · dx
+//! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1, (s² − low²)²} / s⁴ · dx
 //! ```
 //!
 //! with s from the inverse of J, up to the exact radius at the end. The integrand stays smooth where the load falls as
@@ -151,7 +151,8 @@ where
         )
     }
 
-    /// The load integrals at the nodes, and the weights of the integrand without s⁻⁴ {s² − low², 1}.
+    /// The load integrals at the nodes, and the weights 2 e^(−x) dD/(π m/4), which an [`Increment`] takes for its
+    /// integrands.
     #[inline(always)]
     fn fill(&self, rule: &Rule, panel: Panel<T>, load_integrals: &mut [T], weights: &mut [T]) {
         // Copies, which cannot alias what is written: otherwise they would be read again for every node.
