@@ -31,13 +31,13 @@ pub(super) enum Order {
 }
 
 /// Where a radius lies in the contact of radius a: 1 − q from a − r, and q = r/a.
-pub(super) struct Edge<T, A> {
+pub(super) struct Position<T, A> {
     a: T,
     pub(super) inset: A,
     pub(super) ratio: A,
 }
 
-impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
+impl<T: Scalar, A: Arithmetic<T>> Position<T, A> {
     #[inline(always)]
     pub(super) fn between(a: T, r: T) -> Self {
         let whole = A::of(a);

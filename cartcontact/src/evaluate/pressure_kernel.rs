@@ -9,7 +9,7 @@
 
 use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
-use super::kernel_of_term::{Edge, Order};
+use super::kernel_of_term::{Order, Position};
 use super::power::{plain_whole_term, quarter_root};
 use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
@@ -94,10 +94,10 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
 ) -> A {
     let mut sum = A::of(T::zero());
     if r < a {
-        let edge = Edge::between(a, r);
+        let position = Position::between(a, r);
         // No `fold`, which need not be inlined.
         for term in terms {
-            sum = sum.plus(edge.kernel_of_term(term, order));
+            sum = sum.plus(position.kernel_of_term(term, order));
         }
     }
     sum
@@ -214,8 +214,8 @@ mod tests {
         for n in 1..=12 {
             for x in 0..100 {
                 let expected = exact(n, x, 100);
-                let edge = Edge::<f64, DoubleWord<f64>>::between(100.0, x as f64);
-                let tent = edge.kernel(Exponent::of(f64::from(n))).rounded();
+                let position = Position::<f64, DoubleWord<f64>>::between(100.0, x as f64);
+                let tent = position.kernel(Exponent::of(f64::from(n))).rounded();
                 // The expected value rounds three times.
                 assert!((tent / expected - 1.0).abs() < 2.0 * f64::EPSILON, "n = {n}, q = {x} %");
             }
@@ -256,13 +256,14 @@ mod tests {
             for i in 1..800 {
                 let inset = f64::from(i) / 400.0;
                 let inset = T::constant(if inset <= 1.0 { inset } else { (-4.0 * inset).exp() });
-                let edge = Edge::<T, DoubleWord<T>>::between(T::one(), T::one() - inset);
-                let tent = edge.kernel(Exponent::of(n));
+                let position = Position::<T, DoubleWord<T>>::between(T::one(), T::one() - inset);
+                let tent = position.kernel(Exponent::of(n));
                 let difference = |found: DoubleWord<T>| {
                     let share = found.plus(-tent).high() / tent.high();
                     share.abs().value() / T::default_epsilon().value()
                 };
-                let word = real_exponent_kernel::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
+                let word =
+                    real_exponent_kernel::quick_kernel(position.inset.rounded(), position.ratio.rounded(), n);
                 quick = quick.max(difference(DoubleWord::of(word)));
                 let mut add = |sum: T| quick = quick.max(difference(DoubleWord::of(sum)));
                 let (one, k) = (T::one(), quarters as usize);
@@ -275,8 +276,8 @@ mod tests {
                     add(quick_pressure_kernel_in_root::<T, 2, 12, 1>(one, one - inset, weights, []));
                 }
                 precise = precise.max(difference(real_exponent_kernel::kernel(
-                    edge.inset,
-                    edge.ratio,
+                    position.inset,
+                    position.ratio,
                     DoubleWord::of(n),
                 )));
             }

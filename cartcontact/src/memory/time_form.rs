@@ -135,8 +135,8 @@ where
 
     /// The increment by a rule on a panel, and whether the rule resolves the radius.
     fn increment_of_panel(&self, rule: &Rule, panel: Panel<T>) -> (Increment<T>, bool) {
-        let mut nodes = Nodes::none();
-        let (load_integrals, weights, radii) = nodes.rows(rule);
+        let mut rows = Rows::none();
+        let (load_integrals, weights, radii) = rows.of(rule);
         half_wide(
             #[inline(always)]
             || self.fill(rule, panel, load_integrals, weights),
@@ -180,19 +180,19 @@ where
 }
 
 /// The nodes of a panel.
-struct Nodes<T> {
+struct Rows<T> {
     load_integrals: Row<T>,
     weights: Row<T>,
     radii: Row<T>,
 }
 
-impl<T: Scalar> Nodes<T> {
+impl<T: Scalar> Rows<T> {
     fn none() -> Self {
         Self { load_integrals: Row::zero(), weights: Row::zero(), radii: Row::zero() }
     }
 
     /// As many places as a rule has nodes, in every row.
-    fn rows(&mut self, rule: &Rule) -> (&mut [T], &mut [T], &mut [T]) {
+    fn of(&mut self, rule: &Rule) -> (&mut [T], &mut [T], &mut [T]) {
         let nodes = ..rule.len();
         (&mut self.load_integrals.0[nodes], &mut self.weights.0[nodes], &mut self.radii.0[nodes])
     }

@@ -26,8 +26,8 @@ use crate::Scalar;
 use crate::dispatch::out_of_line;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::bits::{
-    DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
-    with_half_its_digits,
+    LOGARITHM_DIGITS, bias, exponent, fraction, is_normal, log2_digits, nearest_integer, one_and_digits,
+    power_of_two, with_half_its_digits,
 };
 use crate::numbers::exponent::Exponent;
 use crate::scalar::{floor, greater, is, is_plain, lesser};
@@ -53,21 +53,21 @@ impl<T: Scalar> Start<T> {
     /// by a power of two changes only its octave.
     #[inline(always)]
     pub(super) fn of(lowest: T, least: T) -> Self {
-        let half_octave = T::constant(f64::from(1 << (DIGITS - 1))) / lowest;
-        let base =
-            T::constant(f64::from((bias::<T>() << DIGITS) - floor(half_octave))) + T::constant(OFF_MIDDLE);
+        let half_octave = T::constant(f64::from(1 << (LOGARITHM_DIGITS - 1))) / lowest;
+        let base = T::constant(f64::from((bias::<T>() << LOGARITHM_DIGITS) - floor(half_octave)))
+            + T::constant(OFF_MIDDLE);
         let (_, place) = nearest_integer(least + base);
         // 2^(u−1) by a parabola through both ends of the octave, within 0.2 %.
         let u = one_and_digits::<T>(place);
         let fraction = (T::constant(0.6870) - u * T::constant(0.0305)) + (u * T::constant(0.3435)) * u;
-        Self { octave: (place >> DIGITS) - bias::<T>(), fraction }
+        Self { octave: (place >> LOGARITHM_DIGITS) - bias::<T>(), fraction }
     }
 }
 
 /// The logarithm of the radius of the term (j, p) alone, from the logarithm of y.
 #[inline(always)]
 pub(super) fn logarithm_alone<T: Scalar>(logarithm_of_y: T, (j, p): (T, T)) -> T {
-    (logarithm_of_y - logarithm(j)) * p.recip()
+    (logarithm_of_y - log2_digits(j)) * p.recip()
 }
 
 /// The range of the powers of J.
@@ -135,7 +135,7 @@ pub fn radius_of_real_powers<T: Scalar>(
     if !is_plain::<T>() {
         return None;
     }
-    let logarithm_of_y = logarithm(load_integral);
+    let logarithm_of_y = log2_digits(load_integral);
     let (mut lowest, mut highest, mut least, mut are_positive) =
         (T::infinity(), T::zero(), T::infinity(), true);
     for (j, p) in terms {

@@ -10,7 +10,7 @@ use super::step::Target;
 use crate::Scalar;
 use crate::dispatch::out_of_line;
 use crate::evaluate::steepness::Steepness;
-use crate::numbers::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
+use crate::numbers::bits::{exponent, fraction, is_normal, log2_digits, power_of_two};
 use crate::profile::RadiusError;
 use crate::scalar::{is_plain, lesser};
 
@@ -65,7 +65,7 @@ where
     #[inline(always)]
     pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
-        let logarithm_of_y = logarithm(load_integral * self.per_unit);
+        let logarithm_of_y = log2_digits(load_integral * self.per_unit);
         let alone = self.coefficients.iter().zip(&self.powers).map(
             #[inline(always)]
             |(&j, &p)| logarithm_alone(logarithm_of_y, (j, T::constant(f64::from(p)))),

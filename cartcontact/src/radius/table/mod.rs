@@ -122,7 +122,7 @@ impl Table {
     #[inline(always)]
     pub(super) fn row(&self, digits: u32) -> Row {
         let (rows, _) = self.rows.0.as_chunks();
-        Row(rows[usize::from(place(digits))])
+        Row(rows[usize::from(row_index(digits))])
     }
 
     /// The row of all these digits, if they have the same one.
@@ -130,11 +130,11 @@ impl Table {
     pub(super) fn row_of_all(&self, digits: &[u32]) -> Option<Row> {
         let [first, .., last] = *digits else { return None };
         // Where load integrals are in no order, a look at two of them usually settles it.
-        if place(first ^ last) != 0 {
+        if row_index(first ^ last) != 0 {
             return None;
         }
         let differing = digits.iter().fold(0, |all, digits| all | (digits ^ first));
-        (place(differing) == 0).then(|| self.row(first))
+        (row_index(differing) == 0).then(|| self.row(first))
     }
 }
 
@@ -160,7 +160,7 @@ impl Row {
 
 /// Where the row of these digits is.
 #[inline(always)]
-fn place(digits: u32) -> u8 {
+fn row_index(digits: u32) -> u8 {
     (digits >> 21) as u8
 }
 
