@@ -18,8 +18,8 @@ use crate::numbers::halved::Halved;
 use crate::pairs::Pairs;
 use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
-use crate::radius::leading_term::radius_of_real_powers;
 use crate::radius::newton::{invert, positive_terms};
+use crate::radius::real_powers::radius_of_real_powers;
 use crate::scalar::{floor, is_nothing};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.

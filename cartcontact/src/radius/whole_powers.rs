@@ -5,8 +5,8 @@
 //! which then takes the place of a.
 
 use super::blocks::{fill, leading_blocks};
+use super::halley::Target;
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
-use super::step::Target;
 use crate::Scalar;
 use crate::dispatch::out_of_line;
 use crate::evaluate::steepness::Steepness;

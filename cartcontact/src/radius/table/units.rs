@@ -6,7 +6,7 @@ use crate::evaluate::steepness::Steepness;
 use crate::numbers::binary::{divide, scale, split};
 use crate::numbers::bits::with_half_its_digits;
 use crate::numbers::exponent::Exponent;
-use crate::radius::step::Target;
+use crate::radius::halley::Target;
 use crate::scalar::is;
 
 /// The units of a table's load integrals and radii, and of the step from them.
