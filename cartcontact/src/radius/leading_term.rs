@@ -89,6 +89,8 @@ impl<T: Scalar> Spread<T> {
 
     /// The radius from the root of J(a) = y, 1 ≤ y < 4, near `start`, and whether the steps have come near it. All steps
     /// but the last take `evaluate`; `more` is the number of extra steps.
+    ///
+    /// `evaluate` has derivatives in the unit u = 1: the first step takes them as they are.
     #[inline(always)]
     pub(super) fn radius(
         self,
@@ -99,6 +101,7 @@ impl<T: Scalar> Spread<T> {
         last_step: impl Fn(T) -> T,
     ) -> (T, bool) {
         let at = evaluate(start);
+        debug_assert!(at.per_unit.value() == 1.0, "derivatives in units of their own");
         let value = at.power * at.value;
         let (near, far) = (at.value * (value - y), at.first * (value + y));
         let mut a = start * ((far - near) / (far + near));
