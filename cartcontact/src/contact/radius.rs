@@ -69,14 +69,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         }
     }
 
-    /// a J′/J = a⁵ δ₀′/(2 J), the degree of the load integral at a radius, in an order that keeps the fifth power in
-    /// range.
-    pub(crate) fn degree(&self, a: T, load_integral: T) -> T {
-        let square = a * a;
-        let slope = self.profile.quick_approach_slope(a);
-        (a * slope * T::constant(0.5)) * (square / (load_integral / square))
-    }
-
     /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
     ///
     /// J/a⁵ is δ₀′ up to a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.

@@ -14,6 +14,8 @@
 
 mod anchors;
 mod block;
+#[cfg(feature = "nalgebra")]
+mod matrix;
 mod panel;
 mod runs;
 mod sweep;

@@ -24,6 +24,12 @@ pub(crate) mod whole_powers;
 use crate::Scalar;
 use crate::profile::RadiusError;
 
+/// Checks that there is a place for the radius of every load integral.
+pub(crate) fn check_places<T>(load_integrals: &[T], radii: &[T]) -> Result<(), RadiusError> {
+    let (load_integrals, radii) = (load_integrals.len(), radii.len());
+    if load_integrals == radii { Ok(()) } else { Err(RadiusError::Length { load_integrals, radii }) }
+}
+
 /// Whether the radius has to be searched for: a load integral of zero has the radius zero.
 ///
 /// # Errors

@@ -15,7 +15,7 @@
 use super::March;
 use crate::load::{ForceSeries, Load, Shortest};
 use crate::memory::fading::Fading;
-use crate::memory::stretch::Course;
+use crate::memory::stretch::{Course, degree};
 use crate::scalar::smallest_normal;
 use crate::{GapProfile, Scalar};
 
@@ -147,7 +147,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// How many of its own roundings a radius is off by, at least 1, because the load integral is rounded: many where
     /// the degree of the load integral nearly vanishes.
     fn condition_of(&self, a: T) -> T {
-        self.contact.degree(a, self.contact.profile().quick_load_integral(a)).recip().max(T::one())
+        let profile = self.contact.profile();
+        degree(profile, a, profile.quick_load_integral(a)).recip().max(T::one())
     }
 
     /// The force from now to the end of a step.
