@@ -3,7 +3,7 @@
 pub(crate) mod by_roots;
 mod error;
 mod parameters;
-mod reference;
+mod pointers;
 pub(crate) mod slopes_and_drops;
 
 pub use error::{ProfileError, RadiusError, with_parameters};
