@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::medium::MediumError;
 use crate::numbers::binary::quotient;
-use crate::scalar::is_size;
+use crate::scalar::is_finite_and_not_negative;
 
 /// One biphasic layer on its bone.
 ///
@@ -81,7 +81,7 @@ impl<T: Scalar> Layer<T> {
         if !positive(self.shear_modulus) {
             return Err(MediumError::ShearModulus { shear_modulus: self.shear_modulus.value() });
         }
-        if !is_size(self.permeability) {
+        if !is_finite_and_not_negative(self.permeability) {
             return Err(MediumError::Permeability { permeability: self.permeability.value() });
         }
         Ok(())

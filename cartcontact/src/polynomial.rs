@@ -20,7 +20,7 @@ use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::radius::newton::{invert, positive_terms};
 use crate::radius::real_powers::radius_of_real_powers;
-use crate::scalar::{floor, is_nothing};
+use crate::scalar::{floor, is_plain_zero};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///
@@ -96,7 +96,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         let max_radius = checked_range(&terms, max_radius)?;
         let has_negative_terms = pairs().any(|(c, _)| c < T::zero());
         // A zero that carries a derivative counts.
-        let exponents = || pairs().filter(|(c, _)| !is_nothing(*c)).map(|(_, n)| n);
+        let exponents = || pairs().filter(|(c, _)| !is_plain_zero(*c)).map(|(_, n)| n);
         let has_whole_exponents = exponents().all(|n| n == T::constant(f64::from(floor(n))));
         let highest_exponent = exponents().fold(T::zero(), T::max);
         Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, highest_exponent })

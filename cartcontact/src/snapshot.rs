@@ -8,7 +8,7 @@ use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{Late, Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
-use crate::scalar::is_plain;
+use crate::scalar::has_no_derivatives;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
 ///
@@ -155,7 +155,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
     /// covered from the start.
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
-        if !is_plain::<T>() && (self.contact.medium().chi() * self.time).is_zero() {
+        if !has_no_derivatives::<T>() && (self.contact.medium().chi() * self.time).is_zero() {
             // Nothing drains that could carry derivatives.
             pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
             return;

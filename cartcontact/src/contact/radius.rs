@@ -6,7 +6,7 @@ use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::load::{Load, LoadError, impulse_tolerance};
 use crate::profile::{GapProfile, RadiusError};
-use crate::scalar::{is_size, smallest_normal};
+use crate::scalar::{is_finite_and_not_negative, smallest_normal};
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline]
@@ -103,12 +103,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The loading at a time, from a load that a user may have got wrong.
     pub(super) fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
         let time = t.value();
-        if !is_size(t) {
+        if !is_finite_and_not_negative(t) {
             return Err(ContactError::InvalidTime { time });
         }
         let loading = self.loading(t);
         let (force, impulse) = (loading.force.value(), loading.impulse.value());
-        if !is_size(loading.force) {
+        if !is_finite_and_not_negative(loading.force) {
             return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
         // Early on a valid impulse, being a difference of nearly equal numbers, may be negative by rounding.
@@ -116,7 +116,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             let rounding = impulse_tolerance(loading.hereditary, self.medium.chi());
             loading.impulse.is_finite() && loading.impulse.abs() <= rounding
         };
-        if !(is_size(loading.impulse) || is_rounding()) {
+        if !(is_finite_and_not_negative(loading.impulse) || is_rounding()) {
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
         }
         Ok(loading)

@@ -16,7 +16,7 @@ use super::arithmetic::Arithmetic;
 use super::coefficient::{Coefficient, number};
 use crate::Scalar;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{floor, is_plain, smallest_normal};
+use crate::scalar::{floor, has_no_derivatives, smallest_normal};
 
 /// The longest tent. The time for a tent grows with its length, that for logarithms does not.
 const LONGEST_TENT: u32 = 72;
@@ -78,7 +78,7 @@ impl<T: Scalar, A: Arithmetic<T>> Position<T, A> {
         let quarters = n * T::constant(4.0);
         let count = floor(quarters);
         // An exponent that carries a derivative must not be taken for a number.
-        if T::constant(f64::from(count)) != quarters || !is_plain::<T>() {
+        if T::constant(f64::from(count)) != quarters || !has_no_derivatives::<T>() {
             return None;
         }
         let count = count.unsigned_abs();

@@ -4,7 +4,7 @@ use crate::Scalar;
 use crate::numbers::bits::with_half_its_digits;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{is_nothing, is_plain, smallest_normal};
+use crate::scalar::{has_no_derivatives, is_plain_zero, smallest_normal};
 
 /// x^k by binary powering.
 #[inline]
@@ -57,7 +57,7 @@ pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
 #[inline]
 pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    if is_nothing(depth) {
+    if is_plain_zero(depth) {
         return T::zero();
     }
     // Nothing is left of any term. The derivative of ln 0 times 0 would be NaN.
@@ -100,7 +100,7 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
 /// [`term`] with every product rounded.
 pub(super) fn plain_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     // The power may be out of range; a zero that carries a derivative does not count as zero.
-    if is_nothing(c) {
+    if is_plain_zero(c) {
         return c;
     }
     if n.whole < 0 && x.is_zero() {
@@ -135,7 +135,7 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
 /// x^(`QUARTERS`/4) for 1, 2 and 3, with the derivatives that a power has.
 #[inline(always)]
 pub fn quarter_root<T: Scalar, const QUARTERS: u8>(x: T) -> T {
-    if is_plain::<T>() {
+    if has_no_derivatives::<T>() {
         quarter_power(x, QUARTERS, |x| x.sqrt(), |x, y| x * y)
     } else {
         real_fractional_power(x, T::constant(0.25 * f64::from(QUARTERS)))
@@ -162,7 +162,7 @@ pub(super) fn quarter_power<X: Copy>(
 pub(crate) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     let is = |quarters: f64| fraction == T::constant(0.25 * quarters);
     let whole = [0, 1, 2, 3].into_iter().find(|&whole| is(f64::from(whole)));
-    whole.filter(|_| is_plain::<T>() && !x.is_zero())
+    whole.filter(|_| has_no_derivatives::<T>() && !x.is_zero())
 }
 
 pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
@@ -171,7 +171,7 @@ pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
         return if fraction.is_zero() { T::one() } else { T::zero() };
     }
     // The exponent may carry a derivative, even where its fraction is zero.
-    if is_plain::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
+    if has_no_derivatives::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ use super::power::{plain_whole_term, quarter_root};
 use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::is_plain;
+use crate::scalar::has_no_derivatives;
 
 /// Up to this many even powers repeat the rounding of a² too little to matter.
 const FEW: usize = 3;
@@ -82,7 +82,11 @@ pub fn quick_pressure_kernel_in_root<T: Scalar, const D: usize, const N: usize, 
     weights: [(T, usize); COUNT],
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> T {
-    if is_plain::<T>() { sum_in_root::<T, D, N>(a, r, &weights) } else { quick_pressure_kernel(a, r, terms) }
+    if has_no_derivatives::<T>() {
+        sum_in_root::<T, D, N>(a, r, &weights)
+    } else {
+        quick_pressure_kernel(a, r, terms)
+    }
 }
 
 #[inline(always)]

@@ -16,7 +16,7 @@ use crate::Scalar;
 use crate::in_double_words;
 use crate::numbers::double_functions::{double_log_of_ratio, negative_exp_m1};
 use crate::numbers::double_word::DoubleWord;
-use crate::scalar::{is_plain, smallest_normal};
+use crate::scalar::{has_no_derivatives, smallest_normal};
 
 /// K(q) from 1 − q and q, with the error of about ten roundings.
 pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
@@ -71,7 +71,7 @@ pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
     ratio: DoubleWord<T, FUSED>,
     n: DoubleWord<T, FUSED>,
 ) -> DoubleWord<T, FUSED> {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return DoubleWord::of(quick_kernel(inset.rounded(), ratio.rounded(), n.rounded()));
     }
     in_double_words!(FUSED => {

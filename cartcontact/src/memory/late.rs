@@ -10,7 +10,7 @@
 use super::{Stage, Transition, march};
 use crate::contact::Contact;
 use crate::load::{Load, knot_between};
-use crate::scalar::is_plain;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// The most sections: room on the stack of a small processor.
@@ -39,7 +39,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
     ) -> Self {
         let load = contact.load();
         let is_one_piece = load.is_linear_between_knots() && knot_between(load, start.time, time).is_none();
-        let count = if radii < FEW || is_one_piece || !is_plain::<T>() {
+        let count = if radii < FEW || is_one_piece || !has_no_derivatives::<T>() {
             1
         } else {
             (radii + radii).isqrt().min(MOST)

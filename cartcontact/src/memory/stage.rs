@@ -2,7 +2,7 @@
 
 use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;
-use crate::scalar::is_nothing;
+use crate::scalar::is_plain_zero;
 
 /// A stage of the contact: a time with its contact radius.
 ///
@@ -22,7 +22,7 @@ impl<T: Scalar> Stage<T> {
     /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
     #[inline(always)]
     pub(crate) fn strip(&self, integral_per_load: T) -> T {
-        if is_nothing(self.surplus) || self.radius.is_zero() {
+        if is_plain_zero(self.surplus) || self.radius.is_zero() {
             return T::zero();
         }
         // One division, and a⁴ need not be in range.

@@ -2,17 +2,18 @@
 
 use super::bits::{exponent, fraction};
 use crate::Scalar;
-use crate::scalar::{floor, from_single, is, is_plain, is_single, smallest_normal};
+use crate::scalar::{floor, from_single, has_no_derivatives, is_same, is_single, smallest_normal};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
 pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         // Whatever else the number carries, such as derivatives, scales with it.
         let (_, exponent) = split(x.value());
         return (scale(x, -exponent), exponent);
     }
-    let (units, shift) = if is::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
+    let (units, shift) =
+        if is_same::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
     let (x, shift) = if x < smallest_normal() { (x * T::constant(units), shift) } else { (x, 0) };
     (fraction(x), exponent(x) - shift)
 }

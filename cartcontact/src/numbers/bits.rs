@@ -6,7 +6,7 @@
 use core::any::Any;
 
 use crate::Scalar;
-use crate::scalar::is;
+use crate::scalar::is_same;
 
 /// Fractional digits of a logarithm.
 pub(crate) const LOGARITHM_DIGITS: u32 = 8;
@@ -33,7 +33,7 @@ fn with_bits<T: Scalar>(x: T, single: impl Fn(u32) -> u32, double: impl Fn(u64) 
 /// The bias of exponents.
 #[inline(always)]
 pub(crate) fn bias<T: Scalar>() -> i32 {
-    if is::<T, f32>() { 127 } else { 1023 }
+    if is_same::<T, f32>() { 127 } else { 1023 }
 }
 
 /// Whether 2^`exponent` is a normal number.
@@ -58,7 +58,7 @@ pub(crate) fn log2_digits<T: Scalar>(x: T) -> T {
 /// The nearest integer, of 21 digits and a sign, as a `T` and as an `i32`.
 #[inline(always)]
 pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
-    let unit = T::constant(if is::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
+    let unit = T::constant(if is_same::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
     // A sum of this size has no fractional digits, and the integer in its last bits.
     let sum = x + unit;
     let any: &dyn Any = &sum;
@@ -74,7 +74,7 @@ pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
 #[inline(always)]
 pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
     let digits = integer as u32 & ((1 << LOGARITHM_DIGITS) - 1);
-    if is::<T, f32>() {
+    if is_same::<T, f32>() {
         T::from_subset(&f32::from_bits(digits << (23 - LOGARITHM_DIGITS) | 0x3f80_0000))
     } else {
         T::constant(f64::from_bits(u64::from(digits) << (52 - LOGARITHM_DIGITS) | 0x3ff0_0000_0000_0000))
@@ -84,7 +84,7 @@ pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
 /// 2^e if that is a normal number; otherwise something else.
 #[inline(always)]
 pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
-    if is::<T, f32>() {
+    if is_same::<T, f32>() {
         T::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
     } else {
         T::constant(f64::from_bits(((e + 1023) as u64) << 52))
@@ -134,7 +134,7 @@ pub(crate) fn quarter<T: Scalar>(x: T) -> i32 {
 #[inline(always)]
 pub(crate) fn least_of_quarter<T: Scalar>(k: i32) -> T {
     let biased = (k + 4 * bias::<T>()) as u32;
-    if is::<T, f32>() {
+    if is_same::<T, f32>() {
         T::from_subset(&f32::from_bits(biased << 21))
     } else {
         T::constant(f64::from_bits(u64::from(biased) << 50))

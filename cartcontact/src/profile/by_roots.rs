@@ -13,7 +13,7 @@ use super::slopes_and_drops::{Places, SlopesAndDrops, fill_one_by_one};
 use crate::evaluate::horner::{divided_difference, value_and_quotient};
 use crate::evaluate::power::power_sum_drop;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::is_plain;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// The coefficients of W, Q, H and R.
@@ -29,7 +29,7 @@ pub fn drop_by_roots<T: Scalar, const W: usize, const Q: usize, const H: usize, 
     parts: Parts<T, W, Q, H, R>,
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> T {
-    if !is_plain::<T>() || a.is_zero() {
+    if !has_no_derivatives::<T>() || a.is_zero() {
         return power_sum_drop(a, depth, terms);
     }
     depth * quotient(a, a - depth, parts)
@@ -54,7 +54,7 @@ pub fn fill_by_roots<
     slope: impl Fn(T) -> T,
     parts: Parts<T, W, Q, H, R>,
 ) {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
     }
     let values = slopes.iter_mut().zip(drops);

@@ -10,7 +10,7 @@ use crate::dispatch::out_of_line;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::bits::{exponent, fraction, is_normal, log2_digits, power_of_two};
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{greater, is, is_plain, lesser};
+use crate::scalar::{greater, has_no_derivatives, is_same, lesser};
 
 /// The highest power for which single precision has enough digits.
 const HIGHEST_SINGLE_POWER: f64 = 110.0;
@@ -28,7 +28,7 @@ pub fn radius_of_real_powers<T: Scalar>(
     evaluate: impl Fn(T, T) -> Steepness<T>,
     evaluate_at_last: impl Fn(T, T) -> Steepness<T>,
 ) -> Option<T> {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return None;
     }
     let logarithm_of_y = log2_digits(load_integral);
@@ -47,7 +47,7 @@ pub fn radius_of_real_powers<T: Scalar>(
     let start = Start::of(lowest, least);
     let exponent = exponent(load_integral);
     let fits = is_normal::<T>(exponent) & is_normal::<T>(-exponent) & is_normal::<T>(start.octave);
-    let is_within = is::<T, f64>() || highest <= T::constant(HIGHEST_SINGLE_POWER);
+    let is_within = is_same::<T, f64>() || highest <= T::constant(HIGHEST_SINGLE_POWER);
     if !(are_positive & fits & is_within) {
         return None;
     }

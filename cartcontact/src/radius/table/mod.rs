@@ -31,7 +31,7 @@ use core::any::Any;
 
 use crate::Scalar;
 use crate::numbers::bits::{least_of_quarter, quarter};
-use crate::scalar::is;
+use crate::scalar::is_same;
 
 /// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
 #[derive(Debug)]
@@ -98,12 +98,12 @@ impl Table {
 
     /// Whether there are rows for a scalar type.
     pub(super) fn holds<T: Scalar>(&self) -> bool {
-        is::<T, f64>() || (is::<T, f32>() && self.single.count > 0)
+        is_same::<T, f64>() || (is_same::<T, f32>() && self.single.count > 0)
     }
 
     #[inline(always)]
     fn quarters<T: Scalar>(&self) -> Quarters {
-        if is::<T, f32>() { self.single } else { self.quarters }
+        if is_same::<T, f32>() { self.single } else { self.quarters }
     }
 
     /// If y is too small for the table or has its sign set, its index is too large.

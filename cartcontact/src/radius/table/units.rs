@@ -7,7 +7,7 @@ use crate::numbers::binary::{divide, scale, split};
 use crate::numbers::bits::with_half_its_digits;
 use crate::numbers::exponent::Exponent;
 use crate::radius::halley::Target;
-use crate::scalar::is;
+use crate::scalar::is_same;
 
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
@@ -53,7 +53,7 @@ impl<T: Scalar> Units<T> for OwnUnits {
     #[inline(always)]
     fn seed(self, radius: T) -> T {
         // The table's numbers have half the digits of double precision.
-        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
+        if is_same::<T, f32>() { with_half_its_digits(radius) } else { radius }
     }
 
     #[inline(always)]
@@ -81,7 +81,7 @@ impl<T: Scalar> EqualTerms<T> {
     /// nearer to 1. Terms outside these bounds have no table.
     #[inline(always)]
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
-        let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
+        let (least, most) = if is_same::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
         // A term with a sign other than in the table has a negative size; the unit may then be NaN or not.
