@@ -1,6 +1,6 @@
 //! What a solver needs to know about a geometry.
 
-pub(crate) mod by_roots;
+pub(crate) mod drops_by_roots;
 mod error;
 mod parameters;
 mod pointers;
