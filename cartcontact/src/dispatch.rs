@@ -24,8 +24,8 @@ pub(crate) fn wide<R, W: FnOnce() -> R>(work: W) -> R {
 
 /// [`wide`] without the widest vectors, for loops over a few dozen values between code that has none.
 ///
-/// Instructions for vectors of 512 bits keep others, also those of the code around, from one of three ports: a panel of
-/// a memory integral is quicker with two vectors of 256 bits than with one of 512.
+/// Operations of 512 bits close a vector port: they keep other instructions, also those of the code around, from one of
+/// three. A panel of a memory integral is quicker with two vectors of 256 bits than with one of 512.
 #[cfg_attr(feature = "simd", multiversion::multiversion(targets("x86_64+avx2")))]
 pub(crate) fn half_wide<R, W: FnOnce() -> R>(work: W) -> R {
     work()
