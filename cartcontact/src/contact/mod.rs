@@ -147,8 +147,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         Ok(Snapshot::new(self, t, self.radius_at(t)?))
     }
 
-    /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order: Eq. (14), doi
-    /// 10.1016/j.mechrescom.2010.11.006.
+    /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order.
     ///
     /// # Accuracy
     ///
@@ -170,6 +169,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// assert_eq!(radii[2], contact.at(200.0)?.radius());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         if times.is_empty() {
             return Err(ContactError::Empty { what: "times" });
