@@ -101,6 +101,12 @@ pub(crate) fn is_finite_and_not_negative<T: Scalar>(x: T) -> bool {
     (x >= T::zero()) & x.is_finite()
 }
 
+/// A duration that surely moves a time up to `end`: four roundings of it.
+#[inline(always)]
+pub(crate) fn spacing_of_times<T: Scalar>(end: T) -> T {
+    end * T::default_epsilon() * T::constant(4.0)
+}
+
 /// A number of single precision.
 #[inline(always)]
 pub(crate) fn from_single<T: Scalar>(value: f32) -> T {

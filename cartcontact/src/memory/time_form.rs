@@ -34,7 +34,8 @@ use crate::{GapProfile, Scalar};
 /// The most halvings of panels. A user-defined geometry may have radii that no panel resolves.
 const MOST_HALVINGS: u32 = 256;
 
-/// How many e-foldings count as one, and how many are added, because D′ may vanish at the end.
+/// How many e-foldings count as one, and how many are added, because D′ may vanish at the end: what
+/// [`FOLDS_AT_DISTANCE`] was computed with.
 const MARGIN: f64 = 1.2;
 const FOLDS_AT_ZERO: f64 = 0.5;
 

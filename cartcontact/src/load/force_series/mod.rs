@@ -72,6 +72,7 @@ impl<T: Scalar> ForceSeries<T> {
         let size = largest(&forces);
         let mut variation = interpolate(&forces.map(|force| force - forces[0]));
         let rest = variation[DEGREE - 2..].iter().fold(T::zero(), |rest, c| rest + c.abs());
+        // The rounding of the largest force.
         let length = length_above(&variation, size * T::default_epsilon() * T::constant(0.5));
         let length = leave_out(&mut variation, length);
         let none = [T::zero(); DEGREE + 1];

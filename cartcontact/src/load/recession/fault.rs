@@ -50,8 +50,12 @@ impl<T: Scalar> Fault<T> {
 #[inline]
 pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> (T, T) {
     let hereditary = load.force(t) + chi * load.impulse(t);
-    let negligible_force = hereditary * T::default_epsilon() * T::constant(64.0);
-    (negligible_force, impulse_tolerance(hereditary, chi))
+    (rounding_within_load(hereditary), impulse_tolerance(hereditary, chi))
+}
+
+/// By how much a force or an impulse may be off because a load computes it from numbers of the given size, 64 ε of them.
+pub(super) fn rounding_within_load<T: Scalar>(size: T) -> T {
+    size * T::default_epsilon() * T::constant(64.0)
 }
 
 /// Whether a number is a valid force, which may be negative by up to `negligible`.

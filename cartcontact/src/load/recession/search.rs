@@ -21,10 +21,10 @@
 //! A load that is [straight](super::straight) between its knots is not searched.
 
 use super::contradiction::Contradiction;
-use super::fault::{Fault, tolerances};
+use super::fault::{Fault, rounding_within_load, tolerances};
 use crate::Scalar;
 use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between};
-use crate::scalar::smallest_normal;
+use crate::scalar::{smallest_normal, spacing_of_times};
 
 /// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
 /// are short already.
@@ -139,7 +139,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let mut step = end - self.time;
         let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
-        let least = (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal());
+        let least = spacing_of_times(end).max(smallest_normal());
         let whole = step;
         while self.time < end {
             let short = (whole * self.shortest.length()).max(least);
@@ -244,9 +244,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if force.is_unresolved() {
             return halving == Halving::Free;
         }
-        let epsilon = T::default_epsilon();
         let gain = impulse - self.impulse;
-        let rounding = gain * epsilon.sqrt() + impulse * epsilon * T::constant(64.0);
+        let rounding = gain * T::default_epsilon().sqrt() + rounding_within_load(impulse);
         if !force.misses(gain, rounding) {
             return false;
         }

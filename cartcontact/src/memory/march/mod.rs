@@ -29,7 +29,7 @@ use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
-use crate::scalar::has_no_derivatives;
+use crate::scalar::{has_no_derivatives, spacing_of_times};
 use crate::{GapProfile, Scalar};
 
 /// The transition to a time with its contact radius, for radii up to `reach`, which is at least the first radius.
@@ -69,7 +69,8 @@ where
     march.transition
 }
 
-/// Whether a difference has kept its digits; `sizes` is the sum of the magnitudes that it is the difference of.
+/// Whether a difference has kept its digits, all but the last four; `sizes` is the sum of the magnitudes that it is the
+/// difference of.
 fn has_digits<T: Scalar>(difference: T, sizes: T) -> bool {
     sizes <= T::constant(16.0) * difference
 }
@@ -213,7 +214,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             return piece;
         }
         // At least a few roundings of the time, so that something is left.
-        let time = end - (folds / chi).max(end * T::default_epsilon() * T::constant(4.0));
+        let time = end - (folds / chi).max(spacing_of_times(end));
         let skipped = piece.before(time);
         self.now.impulse.add(skipped.impulse());
         let force = skipped.end.1;
@@ -246,6 +247,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let fading = course.fading(chi);
         let (depth, is_covered) = (high - self.now.radius, self.is_covered());
+        // The share by which the radius grows, which bounds the error of the pressure.
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
             self.cover_at_once(high, fading, forces, gain);
             return;

@@ -16,7 +16,7 @@ use super::March;
 use crate::load::{ForceSeries, Load, Shortest};
 use crate::memory::fading::Fading;
 use crate::memory::stretch::{Course, degree};
-use crate::scalar::smallest_normal;
+use crate::scalar::{smallest_normal, spacing_of_times};
 use crate::{GapProfile, Scalar};
 
 /// The most halvings of steps between knots because of their impulse, which may simply be that of another load.
@@ -38,7 +38,7 @@ struct Pace<T> {
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
-        let least = (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal());
+        let least = spacing_of_times(end).max(smallest_normal());
         let shortest = Shortest::of((duration * T::constant(1.0 / 1_048_576.0)).max(least));
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
     }
