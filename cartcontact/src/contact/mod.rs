@@ -245,8 +245,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The contact radius of a single load integral: out of line, and given the number in a register.
     ///
-    /// A [`Loading`] would be passed in memory, with a store-forwarding stall: its numbers are written one by one, but two
-    /// of them are then read at once, and a processor waits with that until all earlier work is done, 20 ns of one
+    /// A [`Loading`] would be passed in memory, with a store-forwarding stall: its numbers are written one by one, but
+    /// two of them are then read at once, and a processor waits with that until all earlier work is done, 20 ns of one
     /// pressure.
     #[inline(never)]
     fn radius_of_one(&self, load_integral: T) -> Result<T, RadiusError> {

@@ -6,9 +6,9 @@
 //! | pressure kernels | `pressure_kernel`, `kernel_of_term`, `real_exponent_kernel` |
 //! | what they are made of | `coefficient` (a number, or what follows from fields), `arithmetic` (a trait of plain and double words) |
 //!
-//! Three words in names say how exact a result is. *Plain*: every operation is rounded. *Quick*: within a few ε, mostly in
-//! plain arithmetic, corrected where errors would add up. *Precise*: rounded once, as is what has no word in its name but
-//! a quick counterpart. `quick_power_sum_steepness`, which generated code calls, is a plain one.
+//! Three words in names say how exact a result is. *Plain*: every operation is rounded. *Quick*: within a few ε, mostly
+//! in plain arithmetic, corrected where errors would add up. *Precise*: rounded once, as is what has no word in its
+//! name but a quick counterpart. `quick_power_sum_steepness`, which generated code calls, is a plain one.
 
 pub(crate) mod arithmetic;
 pub(crate) mod coefficient;

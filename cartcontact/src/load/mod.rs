@@ -1,9 +1,9 @@
 //! How hard the joint is loaded, as a function of time.
 
-// Loads: `constant`, `piecewise_linear` (through `knots`), and `pointers` to loads of a user; what can be wrong with one
-// is an `error`. A straight part of any of them is a `piece`; where a load is not straight, a `force_series` is its force
-// during a step. `recession`: up to when the solution covers a history, which is divided into parts no shorter than
-// `shortest`.
+// Loads: `constant`, `piecewise_linear` (through `knots`), and `pointers` to loads of a user; what can be wrong with
+// one is an `error`. A straight part of any of them is a `piece`; where a load is not straight, a `force_series` is its
+// force during a step. `recession`: up to when the solution covers a history, which is divided into parts no shorter
+// than `shortest`.
 mod constant;
 mod error;
 mod force_series;

@@ -19,8 +19,8 @@ use crate::{GapProfile, Scalar};
 
 /// How much larger slopes may be elsewhere than where they are evaluated.
 ///
-/// Measured: a margin of 1.3 left up to 14 ε of the peak pressure where a few e-foldings fade over one panel, because the
-/// age is a power of the radius and not a line; with 1.5 less than 6 ε were seen.
+/// Measured: a margin of 1.3 left up to 14 ε of the peak pressure where a few e-foldings fade over one panel, because
+/// the age is a power of the radius and not a line; with 1.5 less than 6 ε were seen.
 const MARGIN: f64 = 1.5;
 
 /// A singularity of the integrand counts as this many e-foldings in a length equal to its distance: the rule of 24

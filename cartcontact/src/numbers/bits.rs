@@ -44,8 +44,8 @@ pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
 
 /// 2⁸ log₂ x plus a constant, too low by 23 at most, for positive x.
 ///
-/// Exponent and first digits, read as an integer. It is converted without the conversion instruction `cvtsi2sd`, because
-/// of its false dependency: it would wait for the earlier content of its register.
+/// Exponent and first digits, read as an integer. It is converted without the conversion instruction `cvtsi2sd`,
+/// because of its false dependency: it would wait for the earlier content of its register.
 #[inline(always)]
 pub(crate) fn log2_digits<T: Scalar>(x: T) -> T {
     with_bits(

@@ -1,8 +1,8 @@
 //! δ₀′ and drops of the load integral where exponents are multiples of 1/4: from the roots of radii.
 //!
-//! With α = a^(1/4), J(a) = W(a) + α Q(a) + α² H(a) + α³ R(a). The polynomial W has the terms with whole exponents; Q, H
-//! and R are what those with a quarter, a half and three quarters more than a whole number have beside a power of α. At
-//! a radius s = σ⁴ that is less by a depth, J has dropped by depth times
+//! With α = a^(1/4), J(a) = W(a) + α Q(a) + α² H(a) + α³ R(a). The polynomial W has the terms with whole exponents; Q,
+//! H and R are what those with a quarter, a half and three quarters more than a whole number have beside a power of α.
+//! At a radius s = σ⁴ that is less by a depth, J has dropped by depth times
 //!
 //! ```text
 //! W[a, s] + σ Q[a, s] + σ² H[a, s] + σ³ R[a, s] + (H(a) + (Q(a) + (α² + α σ + σ²) R(a))/(α + σ))/(√a + √s)

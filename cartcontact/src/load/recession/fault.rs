@@ -53,7 +53,8 @@ pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T)
     (rounding_within_load(hereditary), impulse_tolerance(hereditary, chi))
 }
 
-/// By how much a force or an impulse may be off because a load computes it from numbers of the given size, 64 ε of them.
+/// By how much a force or an impulse may be off because a load computes it from numbers of the given size, 64 ε of
+/// them.
 pub(super) fn rounding_within_load<T: Scalar>(size: T) -> T {
     size * T::default_epsilon() * T::constant(64.0)
 }
