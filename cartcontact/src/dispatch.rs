@@ -7,7 +7,7 @@
 //! **Results do not depend on the choice.** Vectors take several values at once, but every value goes through
 //! the same operations with the same roundings: no product is fused with a sum, and no sum is reordered. Fused
 //! instructions only find the error of a product, which has no other value where it is representable: see
-//! [`DoubleWord`](crate::evaluate::double_word::DoubleWord).
+//! [`DoubleWord`](crate::numbers::double_word::DoubleWord).
 
 /// Runs `work`, whose loops over values may use wide vectors if the feature `simd` is on.
 ///
@@ -24,8 +24,8 @@ pub(crate) fn wide<R, W: FnOnce() -> R>(work: W) -> R {
 
 /// [`wide`] without the widest vectors, for loops over a few dozen values between code that has none.
 ///
-/// Instructions for vectors of 512 bits keep others, also those of the code around, from one of three ports: a panel of
-/// a memory integral is quicker with two vectors of 256 bits than with one of 512.
+/// Operations of 512 bits close a vector port: they keep other instructions, also those of the code around, from one of
+/// three. A panel of a memory integral is quicker with two vectors of 256 bits than with one of 512.
 #[cfg_attr(feature = "simd", multiversion::multiversion(targets("x86_64+avx2")))]
 pub(crate) fn half_wide<R, W: FnOnce() -> R>(work: W) -> R {
     work()

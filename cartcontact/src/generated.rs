@@ -9,7 +9,6 @@ pub use crate::admissibility::{
 pub use crate::dispatch::{fused_or_split, out_of_line};
 pub use crate::evaluate::coefficient::{Precise, finite_or, rounded};
 pub use crate::evaluate::double_power::power_sum;
-pub use crate::evaluate::exponent::{Exponent, whole_terms};
 pub use crate::evaluate::horner::{
     divided_difference, even_sum, precise_even_sum, precise_sum, value_and_slope,
 };
@@ -25,12 +24,13 @@ pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
 };
 pub use crate::in_double_words;
-pub use crate::profile::by_roots::{drop_by_roots, fill_by_roots};
+pub use crate::numbers::exponent::{Exponent, whole_terms};
+pub use crate::profile::drops_by_roots::{drop_by_roots, fill_by_roots};
 pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
-pub use crate::radius::leading_term::radius_of_real_powers;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;
+pub use crate::radius::real_powers::radius_of_real_powers;
 pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
 pub use crate::radius::table::spans::{AnyPower, Spans};
 pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};

@@ -1,9 +1,9 @@
 //! A cartilage layer.
 
 use crate::Scalar;
-use crate::evaluate::binary::{scale, split};
 use crate::medium::MediumError;
-use crate::scalar::{is_single, is_size};
+use crate::numbers::binary::quotient;
+use crate::scalar::is_finite_and_not_negative;
 
 /// One biphasic layer on its bone.
 ///
@@ -81,7 +81,7 @@ impl<T: Scalar> Layer<T> {
         if !positive(self.shear_modulus) {
             return Err(MediumError::ShearModulus { shear_modulus: self.shear_modulus.value() });
         }
-        if !is_size(self.permeability) {
+        if !is_finite_and_not_negative(self.permeability) {
             return Err(MediumError::Permeability { permeability: self.permeability.value() });
         }
         Ok(())
@@ -104,33 +104,6 @@ impl<T: Scalar> Layer<T> {
         let h = self.thickness;
         quotient([T::constant(3.0), self.shear_modulus, self.permeability], [h, h])
     }
-}
-
-/// The product of some numbers over that of others, which is out of range only if the result is.
-///
-/// Zeros, infinities and NaN are not split into a fraction and a power of two; they never leave the range.
-fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N], divisors: [T; M]) -> T {
-    // Of five numbers between 1/most and most all products are in range.
-    let most = T::constant(if is_single::<T>() { 3e7 } else { 1e60 });
-    let least = most.recip();
-    if factors.iter().chain(&divisors).all(|&x| least <= x && x <= most) {
-        return over(product(factors), divisors);
-    }
-    let parts = |x: T| if x > T::zero() && x.is_finite() { split(x) } else { (x, 0) };
-    let octaves = |parts: &[(T, i32)]| parts.iter().map(|&(_, octaves)| octaves).sum::<i32>();
-    let (factors, divisors) = (factors.map(parts), divisors.map(parts));
-    let fraction = |(fraction, _)| fraction;
-    let quotient = over(product(factors.map(fraction)), divisors.map(fraction));
-    scale(quotient, octaves(&factors) - octaves(&divisors))
-}
-
-fn product<T: Scalar, const N: usize>(factors: [T; N]) -> T {
-    factors.into_iter().fold(T::one(), |product, factor| product * factor)
-}
-
-/// A number over some others by one division, the slowest of all operations.
-fn over<T: Scalar, const N: usize>(number: T, divisors: [T; N]) -> T {
-    if N == 0 { number } else { number / product(divisors) }
 }
 
 #[cfg(test)]

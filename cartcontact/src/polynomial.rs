@@ -6,19 +6,21 @@ use crate::Scalar;
 use crate::admissibility::checked_range;
 use crate::dispatch::out_of_line;
 use crate::evaluate::double_power::{power_sum, weighted_power_sum};
-use crate::evaluate::double_word::DoubleWord;
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::halved::Halved;
 use crate::evaluate::power::{power_sum_and_log_slope, power_sum_drop, quick_power_sum};
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
-use crate::evaluate::steepness::{halved_power_sum_steepness, quick_power_sum_steepness};
+use crate::evaluate::steepness::{
+    halved_power_sum_steepness, load_integral_coefficient, quick_power_sum_steepness,
+};
 use crate::in_double_words;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
+use crate::numbers::halved::Halved;
 use crate::pairs::Pairs;
 use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
-use crate::radius::leading_term::radius_of_real_powers;
 use crate::radius::newton::{invert, positive_terms};
-use crate::scalar::{floor, is_nothing};
+use crate::radius::real_powers::radius_of_real_powers;
+use crate::scalar::{floor, is_plain_zero};
 
 /// The gap Φ(r) = Σ C r^n given as pairs (C, n), in any storage: an array, a slice, a `Vec`.
 ///
@@ -94,7 +96,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         let max_radius = checked_range(&terms, max_radius)?;
         let has_negative_terms = pairs().any(|(c, _)| c < T::zero());
         // A zero that carries a derivative counts.
-        let exponents = || pairs().filter(|(c, _)| !is_nothing(*c)).map(|(_, n)| n);
+        let exponents = || pairs().filter(|(c, _)| !is_plain_zero(*c)).map(|(_, n)| n);
         let has_whole_exponents = exponents().all(|n| n == T::constant(f64::from(floor(n))));
         let highest_exponent = exponents().fold(T::zero(), T::max);
         Ok(Self { terms, max_radius, has_negative_terms, has_whole_exponents, highest_exponent })
@@ -129,7 +131,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
 
     /// The same terms, with nothing rounded.
     fn precise_load_integral_terms(&self) -> impl Iterator<Item = (Halved<T>, Exponent<T>)> {
-        self.map(|c, n| (Halved::load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
+        self.map(|c, n| (load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
     }
 
     /// Σ w(C, n) x^(n+k), rounded once.

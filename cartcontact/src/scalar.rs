@@ -4,7 +4,7 @@ use core::any::TypeId;
 
 use simba::scalar::{RealField, SupersetOf};
 
-use crate::evaluate::bits::nearest_integer;
+use crate::numbers::bits::nearest_integer;
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
@@ -76,7 +76,7 @@ pub fn constants<T: Scalar, const N: usize>(values: [f64; N]) -> [T; N] {
 /// ⌊x⌋ of a number below 2²⁰ in size; dual numbers have no `floor` of their own.
 #[inline]
 pub(crate) fn floor<T: Scalar>(x: T) -> i32 {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return floor(x.value());
     }
     let (nearest, integer) = nearest_integer(x);
@@ -97,8 +97,14 @@ pub(crate) fn greater<T: Scalar>(x: T, y: T) -> T {
 
 /// Whether a number may be a time, force, impulse or distance: finite and not negative.
 #[inline(always)]
-pub(crate) fn is_size<T: Scalar>(x: T) -> bool {
+pub(crate) fn is_finite_and_not_negative<T: Scalar>(x: T) -> bool {
     (x >= T::zero()) & x.is_finite()
+}
+
+/// A duration that surely moves a time up to `end`: four roundings of it.
+#[inline(always)]
+pub(crate) fn spacing_of_times<T: Scalar>(end: T) -> T {
+    end * T::default_epsilon() * T::constant(4.0)
 }
 
 /// A number of single precision.
@@ -151,20 +157,20 @@ pub(crate) const fn tabled_rows<const WIDTH: usize, const ROWS: usize>(
 
 /// Whether numbers of this type are nothing but their values; others, such as dual numbers, may carry derivatives.
 #[inline]
-pub(crate) fn is_plain<T: Scalar>() -> bool {
-    is::<T, f64>() || is::<T, f32>()
+pub(crate) fn has_no_derivatives<T: Scalar>() -> bool {
+    is_same::<T, f64>() || is_same::<T, f32>()
 }
 
 /// Whether a number is zero and cannot carry a derivative.
 #[inline]
-pub(crate) fn is_nothing<T: Scalar>(x: T) -> bool {
-    is_plain::<T>() && x.is_zero()
+pub(crate) fn is_plain_zero<T: Scalar>(x: T) -> bool {
+    has_no_derivatives::<T>() && x.is_zero()
 }
 
 /// The number with its value raised to zero if that is negative; derivatives stay.
 #[inline]
 pub(crate) fn raised_to_zero<T: Scalar>(x: T) -> T {
-    if is_plain::<T>() {
+    if has_no_derivatives::<T>() {
         x.max(T::zero())
     } else if x < T::zero() {
         x - T::constant(x.value())
@@ -186,8 +192,12 @@ pub(crate) fn smallest_normal<T: Scalar>() -> T {
 }
 
 /// Whether two types are the same.
+///
+/// `is_same::<T, f32>` is for what reads or makes the bits of a number, or has found that it
+/// [has no derivatives](has_no_derivatives), and says nothing of dual numbers. Where only digits and range count, which
+/// dual numbers of f32 share, [`is_single`] is right.
 #[inline(always)]
-pub(crate) fn is<T: 'static, U: 'static>() -> bool {
+pub(crate) fn is_same<T: 'static, U: 'static>() -> bool {
     TypeId::of::<T>() == TypeId::of::<U>()
 }
 

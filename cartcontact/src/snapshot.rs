@@ -8,7 +8,7 @@ use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{Late, Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
-use crate::scalar::is_plain;
+use crate::scalar::has_no_derivatives;
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
 ///
@@ -43,15 +43,27 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         self.time
     }
 
-    /// The contact radius a(t), in mm: Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
+    /// The contact radius a(t), in mm.
+    ///
+    /// # References
+    ///
+    /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn radius(&self) -> T {
         self.radius
     }
 
-    /// The approach δ₀(t) of the bones, in mm: Eq. (10), doi 10.1016/j.mechrescom.2010.11.006.
+    /// The approach δ₀(t) of the bones, in mm.
     ///
     /// It belongs to the exact contact radius rather than to the rounded one, so that high powers do not multiply
     /// the rounding.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// δ₀(t) = Σ 2 C a(t)ⁿ / (n+2)
+    /// ```
+    ///
+    /// over the terms C rⁿ of the gap.
     ///
     /// # Accuracy
     ///
@@ -69,6 +81,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// assert!((approach - 0.025 * a * a / 2.0).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// Eq. (10), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn approach(&self) -> T {
         let (approach, load_integral) = self.contact.profile().approach_and_load_integral(self.radius);
         let loading = self.contact.loading(self.time);
@@ -155,7 +171,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
     /// covered from the start.
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
-        if !is_plain::<T>() && (self.contact.medium().chi() * self.time).is_zero() {
+        if !has_no_derivatives::<T>() && (self.contact.medium().chi() * self.time).is_zero() {
             // Nothing drains that could carry derivatives.
             pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
             return;

@@ -1,14 +1,14 @@
 //! Whether a geometry known at run time is admissible, and up to which radius.
 
 mod fields;
-mod slope;
+mod first_zero;
 
 use crate::Scalar;
 use crate::dispatch::out_of_line;
 use crate::profile::{Parameters, ProfileError};
 use crate::scalar::smallest_normal;
 pub use fields::{check_positive, check_product, check_range_of_fields};
-use slope::Slope;
+use first_zero::Slope;
 
 /// Checks the terms (C, n) of a gap and returns the end of its admissible range, or infinity if the end is known to lie
 /// beyond the `requested` radius.

@@ -147,8 +147,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         Ok(Snapshot::new(self, t, self.radius_at(t)?))
     }
 
-    /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order: Eq. (14), doi
-    /// 10.1016/j.mechrescom.2010.11.006.
+    /// The contact radii at many times, in mm; `radii[i]` belongs to `times[i]`, in any order.
     ///
     /// # Accuracy
     ///
@@ -170,6 +169,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// assert_eq!(radii[2], contact.at(200.0)?.radius());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         if times.is_empty() {
             return Err(ContactError::Empty { what: "times" });
@@ -242,8 +245,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The contact radius of a single load integral: out of line, and given the number in a register.
     ///
-    /// A [`Loading`] would be passed in memory. Its numbers are written one by one, but two of them are then read at
-    /// once; a processor waits with that until all earlier work is done, 20 ns of one pressure.
+    /// A [`Loading`] would be passed in memory, with a store-forwarding stall: its numbers are written one by one, but
+    /// two of them are then read at once, and a processor waits with that until all earlier work is done, 20 ns of one
+    /// pressure.
     #[inline(never)]
     fn radius_of_one(&self, load_integral: T) -> Result<T, RadiusError> {
         self.radius_of(load_integral)

@@ -6,7 +6,7 @@ use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::load::{Load, LoadError, impulse_tolerance};
 use crate::profile::{GapProfile, RadiusError};
-use crate::scalar::{is_size, smallest_normal};
+use crate::scalar::{is_finite_and_not_negative, smallest_normal};
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline]
@@ -69,14 +69,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         }
     }
 
-    /// a J′/J = a⁵ δ₀′/(2 J), the degree of the load integral at a radius, in an order that keeps the fifth power in
-    /// range.
-    pub(crate) fn degree(&self, a: T, load_integral: T) -> T {
-        let square = a * a;
-        let slope = self.profile.quick_approach_slope(a);
-        (a * slope * T::constant(0.5)) * (square / (load_integral / square))
-    }
-
     /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
     ///
     /// J/a⁵ is δ₀′ up to a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
@@ -109,11 +101,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The loading at a time, from a load that a user may have got wrong.
     pub(super) fn valid_loading(&self, t: T) -> Result<Loading<T>, ContactError> {
-        if !is_size(t) {
+        if !is_finite_and_not_negative(t) {
             return Err(ContactError::InvalidTime { time: t.value() });
         }
         let loading = self.loading(t);
-        if !is_size(loading.force) {
+        if !is_finite_and_not_negative(loading.force) {
             let (time, force) = (t.value(), loading.force.value());
             return Err(ContactError::Load(LoadError::InvalidForce { time, force }));
         }
@@ -122,7 +114,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             let rounding = impulse_tolerance(loading.hereditary, self.medium.chi());
             loading.impulse.is_finite() && loading.impulse.abs() <= rounding
         };
-        if !(is_size(loading.impulse) || is_rounding()) {
+        if !(is_finite_and_not_negative(loading.impulse) || is_rounding()) {
             let (time, impulse) = (t.value(), loading.impulse.value());
             return Err(ContactError::Load(LoadError::InvalidImpulse { time, impulse }));
         }

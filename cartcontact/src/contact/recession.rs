@@ -4,7 +4,7 @@ use super::Contact;
 use crate::Scalar;
 use crate::load::{Load, rounding_of};
 use crate::profile::GapProfile;
-use crate::scalar::is_size;
+use crate::scalar::is_finite_and_not_negative;
 
 /// Since when the load falls too fast, if it does up to the latest of some times.
 ///
@@ -27,7 +27,7 @@ fn deepest_fall<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
 ) -> Option<T> {
-    let mut valid = times.iter().filter(|&&time| is_size(time));
+    let mut valid = times.iter().filter(|&&time| is_finite_and_not_negative(time));
     let hereditary_at = |time: T| (time, contact.loading(time).hereditary);
     let mut before = hereditary_at(*valid.next()?);
     let mut deepest = (T::zero(), None);

@@ -2,11 +2,11 @@
 
 use super::Loading;
 use crate::Scalar;
-use crate::evaluate::binary::{scale, split};
-use crate::evaluate::bits::is_normal;
-use crate::evaluate::double_word::DoubleWord;
 use crate::in_double_words;
 use crate::medium::Medium;
+use crate::numbers::binary::{scale, split};
+use crate::numbers::bits::is_normal;
+use crate::numbers::double_word::DoubleWord;
 use crate::scalar::is_single;
 
 /// π/4 minus its word in each format, from the next digits of π; half a unit of the last digit counts for 2⁻¹⁰⁶ and

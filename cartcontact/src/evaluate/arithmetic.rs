@@ -2,11 +2,11 @@
 //! corrected for rounded squares, and double words where the result itself is asked for.
 
 use super::double_power::double_term;
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
 use super::power::term;
 use super::real_exponent_kernel;
 use crate::Scalar;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
 
 /// What polynomials need from numbers made of words of type `T`.
 pub(crate) trait Ring<T>: Copy {

@@ -7,10 +7,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::arithmetic::Ring;
 use super::double_power::double_term;
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
 use super::power::real_power;
 use crate::Scalar;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
 use crate::scalar::is_single;
 
 /// A factor of a power.

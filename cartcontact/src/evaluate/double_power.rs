@@ -1,13 +1,13 @@
 //! Terms c · x^n and their sums in double words, for any real exponent: what is rounded once.
 
 use super::coefficient::{Coefficient, number};
-use super::double_functions;
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
-use super::power::{quarter_power, quarters, quick_power_sum, quick_term, real_fractional_power};
+use super::power::{plain_term, quarter_power, quarters, quick_power_sum, real_fractional_power};
 use crate::Scalar;
 use crate::dispatch::out_of_line;
-use crate::scalar::{is_plain, smallest_normal};
+use crate::numbers::double_functions;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
+use crate::scalar::{has_no_derivatives, smallest_normal};
 
 /// Σ c x^n over the terms (c, n), rounded once.
 #[inline(always)]
@@ -63,7 +63,7 @@ fn double_term_out_of_range<T: Scalar, const FUSED: bool>(
             return term;
         }
     }
-    DoubleWord::of(quick_term(c.rounded(), x, n))
+    DoubleWord::of(plain_term(c.rounded(), x, n))
 }
 
 /// The term times a power of two. It multiplies the middle value, as c may have no digits to spare.
@@ -97,7 +97,7 @@ fn double_fractional_power<T: Scalar, const FUSED: bool>(x: T, n: Exponent<T>) -
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
         Some(0) => DoubleWord::of(T::one()),
         Some(quarters) => quarter_power(DoubleWord::of(x), quarters, DoubleWord::sqrt, DoubleWord::times),
-        None if is_plain::<T>() && x >= smallest_normal() && x.is_finite() => {
+        None if has_no_derivatives::<T>() && x >= smallest_normal() && x.is_finite() => {
             double_functions::fractional_power(x, DoubleWord::sum(n.fraction, n.rest))
         }
         None => DoubleWord::of(real_fractional_power(x, n.fraction)),

@@ -1,8 +1,8 @@
 //! Polynomials with coefficients in ascending order, densely stored: c\[0\] + c\[1\] x + c\[2\] x² + …
 
 use super::coefficient::{Coefficient, added, number, rounded};
-use super::double_word::DoubleWord;
 use crate::Scalar;
+use crate::numbers::double_word::DoubleWord;
 
 /// Horner's rule at `x`, and at the same time the quotient of the polynomial by (x − `y`) taken at `y`.
 ///

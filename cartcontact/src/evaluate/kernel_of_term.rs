@@ -14,9 +14,9 @@
 
 use super::arithmetic::Arithmetic;
 use super::coefficient::{Coefficient, number};
-use super::exponent::Exponent;
 use crate::Scalar;
-use crate::scalar::{floor, is_plain, smallest_normal};
+use crate::numbers::exponent::Exponent;
+use crate::scalar::{floor, has_no_derivatives, smallest_normal};
 
 /// The longest tent. The time for a tent grows with its length, that for logarithms does not.
 const LONGEST_TENT: u32 = 72;
@@ -31,13 +31,13 @@ pub(super) enum Order {
 }
 
 /// Where a radius lies in the contact of radius a: 1 − q from a − r, and q = r/a.
-pub(super) struct Edge<T, A> {
+pub(super) struct Position<T, A> {
     a: T,
     pub(super) inset: A,
     pub(super) ratio: A,
 }
 
-impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
+impl<T: Scalar, A: Arithmetic<T>> Position<T, A> {
     #[inline(always)]
     pub(super) fn between(a: T, r: T) -> Self {
         let whole = A::of(a);
@@ -78,7 +78,7 @@ impl<T: Scalar, A: Arithmetic<T>> Edge<T, A> {
         let quarters = n * T::constant(4.0);
         let count = floor(quarters);
         // An exponent that carries a derivative must not be taken for a number.
-        if T::constant(f64::from(count)) != quarters || !is_plain::<T>() {
+        if T::constant(f64::from(count)) != quarters || !has_no_derivatives::<T>() {
             return None;
         }
         let count = count.unsigned_abs();

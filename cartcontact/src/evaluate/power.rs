@@ -1,11 +1,10 @@
 //! Terms c · x^n and their sums, for any real exponent.
 
-use super::binary::{divide, scale, split};
-use super::bits::with_half_its_digits;
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
 use crate::Scalar;
-use crate::scalar::{is_nothing, is_plain, smallest_normal};
+use crate::numbers::bits::with_half_its_digits;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
+use crate::scalar::{has_no_derivatives, is_plain_zero, smallest_normal};
 
 /// x^k by binary powering.
 #[inline]
@@ -50,51 +49,15 @@ pub fn quick_power_sum<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Expo
 #[inline]
 pub fn power_sum_and_log_slope<T: Scalar>(x: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> (T, T) {
     terms.into_iter().fold((T::zero(), T::zero()), |(sum, slope), (c, n)| {
-        let value = quick_term(c, x, n);
+        let value = plain_term(c, x, n);
         (sum + value, slope + n.value() * value)
     })
-}
-
-/// Where the terms c x^p and d x^q, 0 < p < q, are equal, and the reciprocal of their value there, both to a few digits
-/// less than a word has.
-///
-/// Where c/d is x or x², the reciprocal is formed from powers of d/c and does not wait for x. Inlined where exponents
-/// are constants, which leaves only products.
-#[inline(always)]
-pub(crate) fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
-    let per_low = c.recip();
-    let (ratio, inverse, order) = (c / d, d * per_low, q - p);
-    let Exponent { whole, fraction, .. } = Exponent::of(p);
-    let is_whole = fraction.is_zero();
-    if order == T::one() && is_whole {
-        return (ratio, per_low * integer_power(inverse, whole as u32));
-    }
-    if order == T::constant(2.0) && is_whole {
-        let even = per_low * integer_power(inverse, whole as u32 / 2);
-        return (ratio.sqrt(), if whole & 1 == 1 { even * inverse.sqrt() } else { even });
-    }
-    let x = if order == T::constant(4.0) { ratio.sqrt().sqrt() } else { root(ratio, order) };
-    let whole_term = quick_whole_term(c, x, whole as u32);
-    (x, (if is_whole { whole_term } else { whole_term * fractional_power(x, fraction) }).recip())
-}
-
-/// x^(1/p) of a positive number. Whole periods of octaves are taken out first, so that a change of units by a power of
-/// two changes no digit.
-fn root<T: Scalar>(x: T, p: T) -> T {
-    let inverse = p.recip();
-    // Zero, negative numbers, infinity and NaN have no octaves, and have to show in the result.
-    if !(x > T::zero() && x.is_finite()) {
-        return x.powf(inverse);
-    }
-    let (fraction, octaves) = split(x);
-    let (whole, rest) = divide(octaves, p, inverse);
-    scale(((fraction.log2() + rest) * inverse).exp2(), whole)
 }
 
 /// Σ c (a^p − (a − depth)^p) for 0 ≤ depth ≤ a without cancellation, as −Σ c a^p expm1(p ln(1 − depth/a)).
 #[inline]
 pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item = (T, Exponent<T>)>) -> T {
-    if is_nothing(depth) {
+    if is_plain_zero(depth) {
         return T::zero();
     }
     // Nothing is left of any term. The derivative of ln 0 times 0 would be NaN.
@@ -110,7 +73,7 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
 /// c x^n within 12 ε at the most, which is enough for a drop: powers up to the 24th have every product rounded.
 #[inline]
 pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
-    if n.value() <= T::constant(24.0) { quick_term(c, x, n) } else { term(c, x, n) }
+    if n.value() <= T::constant(24.0) { plain_term(c, x, n) } else { term(c, x, n) }
 }
 
 /// c x^n within 2 ε: whole powers above the third in twice the working precision, all others rounded.
@@ -120,7 +83,7 @@ pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
 #[inline]
 pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     if n.whole < 0 || x.is_zero() {
-        return quick_term(c, x, n);
+        return plain_term(c, x, n);
     }
     let degree = n.whole as u32;
     let power = if degree < 4 {
@@ -131,13 +94,13 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
         if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if power.is_finite() { power * fractional_power(x, n.fraction) } else { quick_term(c, x, n) }
+    if power.is_finite() { power * fractional_power(x, n.fraction) } else { plain_term(c, x, n) }
 }
 
 /// [`term`] with every product rounded.
-pub(super) fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
+pub(super) fn plain_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     // The power may be out of range; a zero that carries a derivative does not count as zero.
-    if is_nothing(c) {
+    if is_plain_zero(c) {
         return c;
     }
     if n.whole < 0 && x.is_zero() {
@@ -145,16 +108,16 @@ pub(super) fn quick_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     }
     if n.whole < 0 {
         // Only slopes of gaps with an exponent below 1. Changing the sign of the exponent would round its fraction.
-        return quick_term(c, x, n.plus(1)) / x;
+        return plain_term(c, x, n.plus(1)) / x;
     }
-    let term = quick_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
+    let term = plain_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
     // A zero with a derivative times an infinite power is NaN. Its derivative becomes one that the format just holds.
     if c.is_zero() && !term.is_finite() { c / smallest_normal() } else { term }
 }
 
 /// c x^k with every product rounded, in halves.
 #[inline(always)]
-pub(crate) fn quick_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
+pub(crate) fn plain_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
     let half = integer_power(x, degree / 2);
     let even = c * half * half;
     if degree & 1 == 1 { even * x } else { even }
@@ -172,7 +135,7 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
 /// x^(`QUARTERS`/4) for 1, 2 and 3, with the derivatives that a power has.
 #[inline(always)]
 pub fn quarter_root<T: Scalar, const QUARTERS: u8>(x: T) -> T {
-    if is_plain::<T>() {
+    if has_no_derivatives::<T>() {
         quarter_power(x, QUARTERS, |x| x.sqrt(), |x, y| x * y)
     } else {
         real_fractional_power(x, T::constant(0.25 * f64::from(QUARTERS)))
@@ -210,7 +173,7 @@ pub(crate) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     } else {
         return None;
     };
-    (is_plain::<T>() && !x.is_zero()).then_some(whole)
+    (has_no_derivatives::<T>() && !x.is_zero()).then_some(whole)
 }
 
 pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
@@ -219,7 +182,7 @@ pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
         return if fraction.is_zero() { T::one() } else { T::zero() };
     }
     // The exponent may carry a derivative, even where its fraction is zero.
-    if is_plain::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
+    if has_no_derivatives::<T>() { x.powf(fraction) } else { (fraction * x.ln()).exp() }
 }
 
 #[cfg(test)]
@@ -268,32 +231,9 @@ mod tests {
         assert!((value / 1e-300 - 1.0).abs() < 1e-15, "{value:e}");
     }
 
-    /// Lengths change by powers of 16, so that quarters are whole powers of two, too.
-    #[test]
-    fn terms_are_equal_at_the_same_place_in_other_units() {
-        let exponents = [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75)];
-        for (p, q) in
-            exponents.into_iter().chain([(6.0, 7.0), (6.0, 8.0), (7.0, 9.0), (6.0, 10.0), (5.5, 7.5)])
-        {
-            for k in 1..200 {
-                let (c, d) = (f64::from(k) / 7.0, 0.3 + f64::from(k % 17));
-                let (x, per_value) = equal_terms((c, p), (d, q));
-                let share = |j: f64, p: f64| (per_value * (j * x.powf(p)) - 1.0).abs();
-                assert!(share(c, p) < 1e-12 && share(d, q) < 1e-12, "{c} {p} {d} {q}");
-                for octaves in [-8, -4, 4, 8] {
-                    let unit = |p: f64| 2f64.powf(-p * f64::from(octaves));
-                    let found = equal_terms((c * unit(p), p), (d * unit(q), q));
-                    assert_eq!(found, (x * 2f64.powi(octaves), per_value), "{c} {p} {d} {q}");
-                }
-            }
-        }
-        let [turned, none] = [(1.0_f64, -1.0), (f64::NAN, 1.0)].map(|(c, d)| equal_terms((c, 6.0), (d, 9.0)));
-        assert!(turned.0.is_nan() && none.0.is_nan());
-    }
-
     #[test]
     fn nothing_times_a_power_out_of_range_is_nothing() {
-        assert_eq!((term(0.0, 1e20, 48.0), quick_term(0.0, 1e20, Exponent::whole(52))), (0.0, 0.0));
+        assert_eq!((term(0.0, 1e20, 48.0), plain_term(0.0, 1e20, Exponent::whole(52))), (0.0, 0.0));
     }
 
     #[test]

@@ -9,12 +9,12 @@
 
 use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
-use super::double_word::DoubleWord;
-use super::exponent::Exponent;
-use super::kernel_of_term::{Edge, Order};
-use super::power::{quarter_root, quick_whole_term};
+use super::kernel_of_term::{Order, Position};
+use super::power::{plain_whole_term, quarter_root};
 use crate::Scalar;
-use crate::scalar::is_plain;
+use crate::numbers::double_word::DoubleWord;
+use crate::numbers::exponent::Exponent;
+use crate::scalar::has_no_derivatives;
 
 /// Up to this many even powers repeat the rounding of a² too little to matter.
 const FEW: usize = 3;
@@ -82,7 +82,11 @@ pub fn quick_pressure_kernel_in_root<T: Scalar, const D: usize, const N: usize, 
     weights: [(T, usize); COUNT],
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> T {
-    if is_plain::<T>() { sum_in_root::<T, D, N>(a, r, &weights) } else { quick_pressure_kernel(a, r, terms) }
+    if has_no_derivatives::<T>() {
+        sum_in_root::<T, D, N>(a, r, &weights)
+    } else {
+        quick_pressure_kernel(a, r, terms)
+    }
 }
 
 #[inline(always)]
@@ -94,10 +98,10 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
 ) -> A {
     let mut sum = A::of(T::zero());
     if r < a {
-        let edge = Edge::between(a, r);
+        let position = Position::between(a, r);
         // No `fold`, which need not be inlined.
         for term in terms {
-            sum = sum.plus(edge.kernel_of_term(term, order));
+            sum = sum.plus(position.kernel_of_term(term, order));
         }
     }
     sum
@@ -154,7 +158,7 @@ fn sum_in_root<T: Scalar, const D: usize, const N: usize>(a: T, r: T, weights: &
     let mut scaled = [T::zero(); N];
     let quarters = [T::one(), quarter_root::<T, 1>(a), quarter_root::<T, 2>(a), quarter_root::<T, 3>(a)];
     for &(weight, k) in weights {
-        scaled[k - 1] = quick_whole_term(weight, a, 2 + (k / D) as u32) * quarters[k % D * (4 / D)];
+        scaled[k - 1] = plain_whole_term(weight, a, 2 + (k / D) as u32) * quarters[k % D * (4 / D)];
     }
     let (one, ratio) = (T::one(), r / a);
     let root = ratio.sqrt();
@@ -214,8 +218,8 @@ mod tests {
         for n in 1..=12 {
             for x in 0..100 {
                 let expected = exact(n, x, 100);
-                let edge = Edge::<f64, DoubleWord<f64>>::between(100.0, x as f64);
-                let tent = edge.kernel(Exponent::of(f64::from(n))).rounded();
+                let position = Position::<f64, DoubleWord<f64>>::between(100.0, x as f64);
+                let tent = position.kernel(Exponent::of(f64::from(n))).rounded();
                 // The expected value rounds three times.
                 assert!((tent / expected - 1.0).abs() < 2.0 * f64::EPSILON, "n = {n}, q = {x} %");
             }
@@ -256,13 +260,14 @@ mod tests {
             for i in 1..800 {
                 let inset = f64::from(i) / 400.0;
                 let inset = T::constant(if inset <= 1.0 { inset } else { (-4.0 * inset).exp() });
-                let edge = Edge::<T, DoubleWord<T>>::between(T::one(), T::one() - inset);
-                let tent = edge.kernel(Exponent::of(n));
+                let position = Position::<T, DoubleWord<T>>::between(T::one(), T::one() - inset);
+                let tent = position.kernel(Exponent::of(n));
                 let difference = |found: DoubleWord<T>| {
                     let share = found.plus(-tent).high() / tent.high();
                     share.abs().value() / T::default_epsilon().value()
                 };
-                let word = real_exponent_kernel::quick_kernel(edge.inset.rounded(), edge.ratio.rounded(), n);
+                let word =
+                    real_exponent_kernel::quick_kernel(position.inset.rounded(), position.ratio.rounded(), n);
                 quick = quick.max(difference(DoubleWord::of(word)));
                 let mut add = |sum: T| quick = quick.max(difference(DoubleWord::of(sum)));
                 let (one, k) = (T::one(), quarters as usize);
@@ -275,8 +280,8 @@ mod tests {
                     add(quick_pressure_kernel_in_root::<T, 2, 12, 1>(one, one - inset, weights, []));
                 }
                 precise = precise.max(difference(real_exponent_kernel::kernel(
-                    edge.inset,
-                    edge.ratio,
+                    position.inset,
+                    position.ratio,
                     DoubleWord::of(n),
                 )));
             }

@@ -12,11 +12,11 @@
 //! K = n (n+2) δ² (1 − (n+1)/3 δ (1 − (n−1)/4 δ (1 − (n−2)/5 δ (1 − …))))
 //! ```
 
-use super::double_functions::{double_log_of_ratio, negative_exp_m1};
-use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::in_double_words;
-use crate::scalar::{is_plain, smallest_normal};
+use crate::numbers::double_functions::{double_log_of_ratio, negative_exp_m1};
+use crate::numbers::double_word::DoubleWord;
+use crate::scalar::{has_no_derivatives, smallest_normal};
 
 /// K(q) from 1 − q and q, with the error of about ten roundings.
 pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
@@ -71,18 +71,18 @@ pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
     ratio: DoubleWord<T, FUSED>,
     n: DoubleWord<T, FUSED>,
 ) -> DoubleWord<T, FUSED> {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return DoubleWord::of(quick_kernel(inset.rounded(), ratio.rounded(), n.rounded()));
     }
     in_double_words!(FUSED => {
         let [inset, ratio, n] = [inset, ratio, n].map(DoubleWord::converted);
-        plain_kernel::<T, FUSED>(inset, ratio, n).converted()
+        kernel_without_derivatives::<T, FUSED>(inset, ratio, n).converted()
     })
 }
 
 /// [`kernel`] of numbers without derivatives, and without that choice.
 #[inline(always)]
-fn plain_kernel<T: Scalar, const FUSED: bool>(
+fn kernel_without_derivatives<T: Scalar, const FUSED: bool>(
     inset: DoubleWord<T, FUSED>,
     ratio: DoubleWord<T, FUSED>,
     n: DoubleWord<T, FUSED>,

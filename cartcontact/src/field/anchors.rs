@@ -9,7 +9,7 @@ use super::block::Edge;
 use super::runs::Runs;
 use super::sweep::Change;
 use crate::Scalar;
-use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::numbers::compensated_sum::CompensatedSum;
 
 /// How many blocks, or lengths of the next shorter kind, an anchor lasts.
 const RATIO: usize = 64;

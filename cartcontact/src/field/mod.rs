@@ -14,6 +14,8 @@
 
 mod anchors;
 mod block;
+#[cfg(feature = "nalgebra")]
+mod matrix;
 mod panel;
 mod runs;
 mod sweep;
@@ -23,7 +25,7 @@ use crate::contact::{Contact, ContactError, check_length, recession_within};
 use crate::load::Load;
 use crate::memory::faded_folds;
 use crate::profile::GapProfile;
-use crate::scalar::{is_plain, is_size};
+use crate::scalar::{has_no_derivatives, is_finite_and_not_negative};
 use crate::snapshot::Snapshot;
 use anchors::Anchors;
 use block::{Block, Edge};
@@ -42,25 +44,25 @@ pub(crate) fn check<T: Scalar>(times: &[T], radii: &[T], values: &[T]) -> Result
         }
     }
     check_length("values", values.len(), times.len().saturating_mul(radii.len()))?;
-    if let Some(index) = first_of_no_size(radii) {
+    if let Some(index) = first_invalid(radii) {
         return Err(ContactError::InvalidRadius { index, radius: radii[index].value() });
     }
     if let Some(before) = times.windows(2).position(|pair| pair[1] < pair[0]) {
         return Err(ContactError::Unsorted { index: before + 1, time: times[before + 1].value() });
     }
-    match first_of_no_size(times) {
+    match first_invalid(times) {
         Some(index) => Err(ContactError::InvalidTime { time: times[index].value() }),
         None => Ok(()),
     }
 }
 
 /// The index of the first number that is negative or not finite.
-fn first_of_no_size<T: Scalar>(numbers: &[T]) -> Option<usize> {
+fn first_invalid<T: Scalar>(numbers: &[T]) -> Option<usize> {
     // All at once first, in a loop without branches.
-    if numbers.iter().fold(true, |all, &x| all & is_size(x)) {
+    if numbers.iter().fold(true, |all, &x| all & is_finite_and_not_negative(x)) {
         return None;
     }
-    numbers.iter().position(|&x| !is_size(x))
+    numbers.iter().position(|&x| !is_finite_and_not_negative(x))
 }
 
 /// Fills `values`, row-major, times × radii, after [`check`].
@@ -127,5 +129,5 @@ where
 /// unless forces fall as fast, and a history of many e-foldings takes long to follow; or no time passes that could carry
 /// the derivatives that only the later time may have.
 fn may_be_apart<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, from: T, to: T) -> bool {
-    contact.medium().chi() * (to - from) > faded_folds::<T>() || !is_plain::<T>() && to <= from
+    contact.medium().chi() * (to - from) > faded_folds::<T>() || !has_no_derivatives::<T>() && to <= from
 }

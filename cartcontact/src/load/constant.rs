@@ -2,7 +2,7 @@
 
 use super::{Load, LoadError};
 use crate::Scalar;
-use crate::scalar::is_size;
+use crate::scalar::is_finite_and_not_negative;
 
 /// A load of the given force, in N, applied at t = 0 and held for ever.
 ///
@@ -43,7 +43,7 @@ impl<T: Scalar> Load<T> for Constant<T> {
     }
 
     fn check(&self) -> Result<(), LoadError> {
-        if is_size(self.0) {
+        if is_finite_and_not_negative(self.0) {
             Ok(())
         } else {
             Err(LoadError::InvalidForce { time: 0.0, force: self.0.value() })

@@ -2,7 +2,7 @@
 
 use super::{LoadError, Piece};
 use crate::Scalar;
-use crate::scalar::is_size;
+use crate::scalar::is_finite_and_not_negative;
 
 /// The pieces between neighbouring knots, including steps.
 pub(super) fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
@@ -21,7 +21,7 @@ pub(super) fn check<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
         if !time.is_finite() {
             return Err(LoadError::InvalidTime { knot, time: time.value() });
         }
-        if !is_size(force) {
+        if !is_finite_and_not_negative(force) {
             return Err(LoadError::InvalidForce { time: time.value(), force: force.value() });
         }
     }

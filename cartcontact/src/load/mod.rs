@@ -1,11 +1,11 @@
 //! How hard the joint is loaded, as a function of time.
 
-mod chebyshev;
+// Loads: `constant`, `piecewise_linear` (through `knots`), and `pointers` to loads of a user; what can be wrong with
+// one is an `error`. A straight part of any of them is a `piece`; where a load is not straight, a `force_series` is its
+// force during a step. `recession`: up to when the solution covers a history, which is divided into parts no shorter
+// than `shortest`.
 mod constant;
-mod contradiction;
-mod descent;
 mod error;
-mod fault;
 mod force_series;
 mod knots;
 mod piece;
@@ -13,17 +13,15 @@ mod piecewise_linear;
 mod pointers;
 mod recession;
 mod shortest;
-mod straight;
 
 use crate::Scalar;
 
 pub use constant::Constant;
-pub(crate) use contradiction::impulse_tolerance;
 pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
-pub(crate) use recession::rounding_of;
+pub(crate) use recession::{impulse_tolerance, rounding_of};
 pub(crate) use shortest::Shortest;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.

@@ -2,11 +2,11 @@
 
 use core::fmt;
 
-use super::descent::{Descent, may_add_up};
 use super::knots::{check, pieces};
+use super::recession::{Descent, may_add_up};
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
-use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::numbers::compensated_sum::CompensatedSum;
 use crate::pairs::Pairs;
 
 /// How many impulses a load stores; any other is the sum of one of them and of few pieces.

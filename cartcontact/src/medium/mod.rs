@@ -61,6 +61,10 @@ impl<T: Scalar> Medium<T> {
     /// assert!((medium.chi() - 5e-4_f64).abs() < 1e-18); // 1/s
     /// # Ok::<(), cartcontact::MediumError>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// For m, I. Argatov, Mech. Res. Commun. 38 (2011), section 2, doi 10.1016/j.mechrescom.2010.11.006.
     pub fn between(first: Layer<T>, second: Layer<T>) -> Result<Self, MediumError> {
         let m = stiffness(first, second)?;
         Self::from_constants(m, first.rate_within(m) + second.rate_within(m))
@@ -119,6 +123,11 @@ impl<T: Scalar> Medium<T> {
     /// assert_eq!((medium.m(), medium.chi()), (0.75, 0.0015));
     /// # Ok::<(), cartcontact::MediumError>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// The terms of one layer in I. Argatov, Mech. Res. Commun. 38 (2011), section 2, doi
+    /// 10.1016/j.mechrescom.2010.11.006.
     pub fn against_rigid(layer: Layer<T>) -> Result<Self, MediumError> {
         let m = layer.compliance()?.recip();
         Self::from_constants(m, layer.rate_within(m))

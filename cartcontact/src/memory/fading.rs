@@ -1,8 +1,8 @@
 //! How much of a memory fades over some e-foldings.
 
 use crate::Scalar;
-use crate::evaluate::compensated_sum::CompensatedSum;
-use crate::evaluate::double_word::DoubleWord;
+use crate::numbers::compensated_sum::CompensatedSum;
+use crate::numbers::double_word::DoubleWord;
 use crate::scalar::{Tabled, tabled};
 
 /// The number of e-foldings after which a pressure is below rounding, with a margin.

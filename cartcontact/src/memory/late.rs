@@ -1,8 +1,8 @@
 //! Pressures at radii that the contact reaches one after the other, after the memory has begun.
 //!
 //! A radius needs an integral from the time at which it is reached. Marching to each of N radii from the beginning, along
-//! a load of K knots, would pass N K knots. The time is therefore cut into S stretches: a radius is marched to from the
-//! beginning of the stretch in which it is reached to the end of that stretch, and from there one transition leads on,
+//! a load of K knots, would pass N K knots. The time is therefore cut into S sections: a radius is marched to from the
+//! beginning of the section in which it is reached to the end of that section, and from there one transition leads on,
 //! which all radii reached so far share. That passes N K/S + S K/2 knots, the fewest for S = √(2 N).
 //!
 //! Stages in between are computed independently, as rows of a field are.
@@ -10,22 +10,22 @@
 use super::{Stage, Transition, march};
 use crate::contact::Contact;
 use crate::load::{Load, knot_between};
-use crate::scalar::is_plain;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
-/// The most stretches: room on the stack of a small processor.
+/// The most sections: room on the stack of a small processor.
 const MOST: usize = 32;
 
 /// Fewer radii than these are as quick one by one.
 const FEW: usize = 4;
 
-/// The stretches of time between a stage and the end.
+/// The sections of time between a stage and the end.
 pub(crate) struct Late<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     count: usize,
-    /// The beginning of each stretch, and at `count` the end of the last.
+    /// The beginning of each section, and at `count` the end of the last.
     stages: [Stage<T>; MOST + 1],
-    /// How pressures change from the end of each stretch on, where a radius has asked for it.
+    /// How pressures change from the end of each section on, where a radius has asked for it.
     to_end: [Option<Transition<T>>; MOST],
 }
 
@@ -39,7 +39,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
     ) -> Self {
         let load = contact.load();
         let is_one_piece = load.is_linear_between_knots() && knot_between(load, start.time, time).is_none();
-        let count = if radii < FEW || is_one_piece || !is_plain::<T>() {
+        let count = if radii < FEW || is_one_piece || !has_no_derivatives::<T>() {
             1
         } else {
             (radii + radii).isqrt().min(MOST)

@@ -1,8 +1,8 @@
 //! How long ago the hereditary load was smaller, along a straight load.
 
 use crate::Scalar;
-use crate::evaluate::binary::{scale, split};
-use crate::scalar::{is_nothing, raised_to_zero, smallest_normal};
+use crate::numbers::binary::{scale, split};
+use crate::scalar::{is_plain_zero, raised_to_zero, smallest_normal};
 
 /// A straight load, as seen from its end.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ impl<T: Scalar> Line<T> {
     /// Whether F′ = 0, also for other values of the parameters with respect to which numbers carry derivatives.
     #[inline(always)]
     pub(super) fn is_held(self) -> bool {
-        is_nothing(self.force_rate)
+        is_plain_zero(self.force_rate)
     }
 
     /// Y′ at the end, as ages need it.

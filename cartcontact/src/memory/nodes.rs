@@ -95,7 +95,7 @@ impl<T: Scalar> Nodes<T> {
         stretch.fade(weights, drops);
     }
 
-    /// ∫ δ₀′ e^(−χ age) {s² − low², 1} ds
+    /// The integrals of an [`Increment`] by the rule.
     #[inline(always)]
     pub(super) fn increment(&self, low: T) -> Increment<T> {
         let (radii, weights) = (&self.radii.0[..self.count], &self.weights.0[..self.count]);

@@ -1,4 +1,4 @@
-//! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {s² − low², 1} ds.
+//! The memory integrals over the radius: ∫ δ₀′(s) e^(−χ age(s)) {…} ds with the integrands of an [`Increment`].
 //!
 //! The variable is the depth below the edge: after a long history the integrand is a thin layer there, for which
 //! rounded radii would be too coarse. Most held loads take one panel, see [`held`](super::held). All others take panels
@@ -18,6 +18,9 @@ use crate::quadrature::Rule;
 use crate::{GapProfile, Scalar};
 
 /// How much larger slopes may be elsewhere than where they are evaluated.
+///
+/// Measured: a margin of 1.3 left up to 14 ε of the peak pressure where a few e-foldings fade over one panel, because
+/// the age is a power of the radius and not a line; with 1.5 less than 6 ε were seen.
 const MARGIN: f64 = 1.5;
 
 /// A singularity of the integrand counts as this many e-foldings in a length equal to its distance: the rule of 24
@@ -136,6 +139,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let mut length = end - depth;
         loop {
             let end = self.age_at(depth + length);
+            // The rate at the end, from the last 64th of the panel.
             let shortly_before = self.age_at(depth + length * T::constant(63.0 / 64.0));
             let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
             // NaN, which derivatives may be, gets no better.
@@ -190,6 +194,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     fn folds_per_length(&self, depth: T, age: T) -> (T, T) {
         let (profile, chi) = (self.contact.profile(), self.contact.medium().chi());
         let top = self.high - depth;
+        // The rate at which ages grow, from the first 64th of what is left.
         let step = (top - self.low) * T::constant(1.0 / 64.0);
         // δ₀′ (s² − low²); a high power may add little here, but no short rule integrates it.
         let powers = (profile.highest_exponent() + T::one()) / top;

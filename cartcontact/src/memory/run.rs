@@ -4,7 +4,7 @@
 //! Eq. (28) integrated by parts over time reads
 //!
 //! ```text
-//! (8/(π m)) ∫ Y′(τ) e^(−χ (end − τ)) {a² − low², 1} / a⁴ dτ,    a = a(Y(τ))
+//! (8/(π m)) ∫ Y′(τ) e^(−χ (end − τ)) {a² − low², 1, (a² − low²)²} / a⁴ dτ,    a = a(Y(τ))
 //! ```
 //!
 //! Let v be the share of a piece that lies after a time in it. Then Y falls short of its final value by R v − B v²/2,
@@ -23,9 +23,9 @@
 use super::Increment;
 use crate::contact::Contact;
 use crate::dispatch::wide;
-use crate::evaluate::compensated_sum::CompensatedSum;
-use crate::evaluate::exponential::decay;
 use crate::load::{Load, Piece};
+use crate::numbers::compensated_sum::CompensatedSum;
+use crate::numbers::exponential::decay;
 use crate::quadrature::Rule;
 use crate::scalar::Tabled;
 use crate::{GapProfile, Scalar};
@@ -33,7 +33,7 @@ use crate::{GapProfile, Scalar};
 /// The most pieces in a run.
 pub(super) const MOST_PIECES: usize = 16;
 /// The most nodes of all pieces.
-const MOST_NODES: usize = 96;
+const MOST_NODES_OF_RUN: usize = 96;
 
 /// A number for every piece.
 type Pieces<T> = [T; MOST_PIECES];
@@ -121,7 +121,8 @@ impl<T: Scalar> Run<T> {
             while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
             }
-            let Some(rule) = rule.filter(|rule| (run.count + 1) * rule.rule.len() <= MOST_NODES) else {
+            let Some(rule) = rule.filter(|rule| (run.count + 1) * rule.rule.len() <= MOST_NODES_OF_RUN)
+            else {
                 break;
             };
             run.rule = rule.rule;
@@ -172,7 +173,7 @@ impl<T: Scalar> Run<T> {
         P: GapProfile<T>,
         L: Load<T>,
     {
-        let zero = [T::zero(); MOST_NODES];
+        let zero = [T::zero(); MOST_NODES_OF_RUN];
         let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
         let nodes = ..self.count * self.rule.len();
         let (load_integrals, weights) = (&mut load_integrals[nodes], &mut weights[nodes]);

@@ -5,7 +5,7 @@
 //! δ₀′ ds = 2 dD/((π m/4) s⁴) turns the integrals over s into
 //!
 //! ```text
-//! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1} / s⁴ · dx
+//! (8/(π m)) ∫ D′(x) e^(−x) {s² − low², 1, (s² − low²)²} / s⁴ · dx
 //! ```
 //!
 //! with s from the inverse of J, up to the exact radius at the end. The integrand stays smooth where the load falls as
@@ -25,8 +25,8 @@ use super::nodes::Row;
 use super::stretch::{Course, Stretch};
 use crate::contact::Contact;
 use crate::dispatch::half_wide;
-use crate::evaluate::exponential::decay;
 use crate::load::Load;
+use crate::numbers::exponential::decay;
 use crate::quadrature::Rule;
 use crate::scalar::greater;
 use crate::{GapProfile, Scalar};
@@ -34,7 +34,8 @@ use crate::{GapProfile, Scalar};
 /// The most halvings of panels. A user-defined geometry may have radii that no panel resolves.
 const MOST_HALVINGS: u32 = 256;
 
-/// How many e-foldings count as one, and how many are added, because D′ may vanish at the end.
+/// How many e-foldings count as one, and how many are added, because D′ may vanish at the end: what
+/// [`FOLDS_AT_DISTANCE`] was computed with.
 const MARGIN: f64 = 1.2;
 const FOLDS_AT_ZERO: f64 = 0.5;
 
@@ -135,8 +136,8 @@ where
 
     /// The increment by a rule on a panel, and whether the rule resolves the radius.
     fn increment_of_panel(&self, rule: &Rule, panel: Panel<T>) -> (Increment<T>, bool) {
-        let mut nodes = Nodes::none();
-        let (load_integrals, weights, radii) = nodes.rows(rule);
+        let mut rows = Rows::none();
+        let (load_integrals, weights, radii) = rows.of(rule);
         half_wide(
             #[inline(always)]
             || self.fill(rule, panel, load_integrals, weights),
@@ -151,7 +152,8 @@ where
         )
     }
 
-    /// The load integrals at the nodes, and the weights of the integrand without s⁻⁴ {s² − low², 1}.
+    /// The load integrals at the nodes, and the weights 2 e^(−x) dD/(π m/4), which an [`Increment`] takes for its
+    /// integrands.
     #[inline(always)]
     fn fill(&self, rule: &Rule, panel: Panel<T>, load_integrals: &mut [T], weights: &mut [T]) {
         // Copies, which cannot alias what is written: otherwise they would be read again for every node.
@@ -179,19 +181,19 @@ where
 }
 
 /// The nodes of a panel.
-struct Nodes<T> {
+struct Rows<T> {
     load_integrals: Row<T>,
     weights: Row<T>,
     radii: Row<T>,
 }
 
-impl<T: Scalar> Nodes<T> {
+impl<T: Scalar> Rows<T> {
     fn none() -> Self {
         Self { load_integrals: Row::zero(), weights: Row::zero(), radii: Row::zero() }
     }
 
     /// As many places as a rule has nodes, in every row.
-    fn rows(&mut self, rule: &Rule) -> (&mut [T], &mut [T], &mut [T]) {
+    fn of(&mut self, rule: &Rule) -> (&mut [T], &mut [T], &mut [T]) {
         let nodes = ..rule.len();
         (&mut self.load_integrals.0[nodes], &mut self.weights.0[nodes], &mut self.radii.0[nodes])
     }

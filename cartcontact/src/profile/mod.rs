@@ -1,18 +1,18 @@
 //! What a solver needs to know about a geometry.
 
-pub(crate) mod by_roots;
+pub(crate) mod drops_by_roots;
 mod error;
 mod parameters;
-mod reference;
+mod pointers;
 pub(crate) mod slopes_and_drops;
 
-pub(crate) use error::check_lengths;
 pub use error::{ProfileError, RadiusError, with_parameters};
 pub use parameters::Parameters;
 use slopes_and_drops::fill_one_by_one;
 
 use crate::Scalar;
 use crate::quadrature::Rule;
+use crate::radius::check_places;
 
 /// A gap profile Φ(r) = Σ C r^n with everything that follows from it in closed form.
 ///
@@ -287,7 +287,7 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// [`RadiusError`] as [`radii`](Self::radii), and beyond J(`limit`).
     fn radii_within(&self, load_integrals: &[T], limit: T, radii: &mut [T]) -> Result<(), RadiusError> {
-        check_lengths(load_integrals, radii)?;
+        check_places(load_integrals, radii)?;
         for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
             *radius = self.radius_within(load_integral, limit)?;
         }

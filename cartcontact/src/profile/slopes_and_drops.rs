@@ -7,11 +7,11 @@
 //! one logarithm is left, and two exponentials for each term, in vector code.
 
 use crate::dispatch::half_wide;
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::exponential::{decay, loss};
-use crate::evaluate::logarithm::log_of_ratio;
 use crate::evaluate::power::term_of_drop;
-use crate::scalar::is_plain;
+use crate::numbers::exponent::Exponent;
+use crate::numbers::exponential::{decay, loss};
+use crate::numbers::logarithm::log_of_ratio;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
@@ -72,7 +72,7 @@ pub fn fill_slopes_and_drops<T: Scalar, P: GapProfile<T> + ?Sized>(
     terms: impl IntoIterator<Item = (T, Exponent<T>), IntoIter: Clone>,
 ) {
     // The bits of a number with derivatives do not give its logarithm.
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
     }
     let terms = terms.into_iter().map(|(c, p)| (term_of_drop(c, a, p), p.value()));

@@ -2,10 +2,11 @@
 
 use core::iter;
 
+use super::check_places;
 use super::table::{Row, Step, Table, digits};
 use crate::Scalar;
 use crate::dispatch::wide;
-use crate::profile::{RadiusError, check_lengths};
+use crate::profile::RadiusError;
 
 /// Radii per block. Their rows and seeds stay in the first-level cache.
 const BLOCK: usize = 64;
@@ -53,7 +54,7 @@ pub(super) fn fill<T: Scalar>(
     leading: impl Fn(&[T], &mut [T]) -> usize,
     general: impl Fn(T) -> Result<T, RadiusError>,
 ) -> Result<(), RadiusError> {
-    check_lengths(load_integrals, radii)?;
+    check_places(load_integrals, radii)?;
     let mut start = 0;
     while start < radii.len() {
         let (load_integrals, radii) = (&load_integrals[start..], &mut radii[start..]);

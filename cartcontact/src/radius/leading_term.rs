@@ -21,23 +21,17 @@
 //! 1/2 ulp. Where powers are not whole, or are those of a root, J has more digits in this step, see
 //! [`steepness`](crate::evaluate::steepness); with whole powers up to seven roundings are divided by p ≥ 5.
 
-use super::step::Target;
+use super::halley::Target;
 use crate::Scalar;
-use crate::dispatch::out_of_line;
-use crate::evaluate::bits::{
-    DIGITS, bias, exponent, fraction, is_normal, logarithm, nearest_integer, one_and_digits, power_of_two,
-    with_half_its_digits,
-};
-use crate::evaluate::exponent::Exponent;
 use crate::evaluate::steepness::Steepness;
-use crate::scalar::{floor, greater, is, is_plain, lesser};
+use crate::numbers::bits::{
+    LOGARITHM_DIGITS, bias, log2_digits, nearest_integer, one_and_digits, with_half_its_digits,
+};
+use crate::scalar::{floor, is_same};
 
 /// Added to logarithms, whole numbers over p, before they are rounded. Hardly any then lies so near the midpoint of two
 /// integers that its own rounding error, which depends on the units, decides.
 const OFF_MIDDLE: f64 = 0.013;
-
-/// The highest power for which single precision has enough digits.
-const HIGHEST_SINGLE_POWER: f64 = 110.0;
 
 /// How many of Halley's steps a second attempt takes beyond those of the first.
 pub(super) const MORE_STEPS: u32 = 2;
@@ -53,21 +47,21 @@ impl<T: Scalar> Start<T> {
     /// by a power of two changes only its octave.
     #[inline(always)]
     pub(super) fn of(lowest: T, least: T) -> Self {
-        let half_octave = T::constant(f64::from(1 << (DIGITS - 1))) / lowest;
-        let base =
-            T::constant(f64::from((bias::<T>() << DIGITS) - floor(half_octave))) + T::constant(OFF_MIDDLE);
+        let half_octave = T::constant(f64::from(1 << (LOGARITHM_DIGITS - 1))) / lowest;
+        let base = T::constant(f64::from((bias::<T>() << LOGARITHM_DIGITS) - floor(half_octave)))
+            + T::constant(OFF_MIDDLE);
         let (_, place) = nearest_integer(least + base);
         // 2^(u−1) by a parabola through both ends of the octave, within 0.2 %.
         let u = one_and_digits::<T>(place);
         let fraction = (T::constant(0.6870) - u * T::constant(0.0305)) + (u * T::constant(0.3435)) * u;
-        Self { octave: (place >> DIGITS) - bias::<T>(), fraction }
+        Self { octave: (place >> LOGARITHM_DIGITS) - bias::<T>(), fraction }
     }
 }
 
 /// The logarithm of the radius of the term (j, p) alone, from the logarithm of y.
 #[inline(always)]
 pub(super) fn logarithm_alone<T: Scalar>(logarithm_of_y: T, (j, p): (T, T)) -> T {
-    (logarithm_of_y - logarithm(j)) * p.recip()
+    (logarithm_of_y - log2_digits(j)) * p.recip()
 }
 
 /// The range of the powers of J.
@@ -95,6 +89,8 @@ impl<T: Scalar> Spread<T> {
 
     /// The radius from the root of J(a) = y, 1 ≤ y < 4, near `start`, and whether the steps have come near it. All steps
     /// but the last take `evaluate`; `more` is the number of extra steps.
+    ///
+    /// `evaluate` has derivatives in the unit u = 1: the first step takes them as they are.
     #[inline(always)]
     pub(super) fn radius(
         self,
@@ -105,101 +101,17 @@ impl<T: Scalar> Spread<T> {
         last_step: impl Fn(T) -> T,
     ) -> (T, bool) {
         let at = evaluate(start);
+        debug_assert!(at.per_unit.value() == 1.0, "derivatives in units of their own");
         let value = at.power * at.value;
         let (near, far) = (at.value * (value - y), at.first * (value + y));
         let mut a = start * ((far - near) / (far + near));
         let mut is_near = true;
-        let close = T::constant(if is::<T, f32>() { 0.4 } else { 0.05 }) / self.highest;
+        let close = T::constant(if is_same::<T, f32>() { 0.4 } else { 0.05 }) / self.highest;
         for _ in 0..self.steps() + more {
             let next = evaluate(a).halley(a, Target::of(y));
             is_near = (next - a).abs() <= a * close;
             a = next;
         }
         (last_step(with_half_its_digits(a)), is_near)
-    }
-}
-
-/// The radius at which Σ j a^p is `load_integral`, for any powers, from the pairs (j, p). Two functions evaluate J
-/// times a factor at a, one for the last step and one for those before.
-///
-/// None beyond `limit`, where the steps have not come near, with negative terms, and for scalars other than f32 and
-/// f64.
-#[inline(always)]
-pub fn radius_of_real_powers<T: Scalar>(
-    load_integral: T,
-    limit: T,
-    terms: impl Iterator<Item = (T, Exponent<T>)>,
-    evaluate: impl Fn(T, T) -> Steepness<T>,
-    evaluate_at_last: impl Fn(T, T) -> Steepness<T>,
-) -> Option<T> {
-    if !is_plain::<T>() {
-        return None;
-    }
-    let logarithm_of_y = logarithm(load_integral);
-    let (mut lowest, mut highest, mut least, mut are_positive) =
-        (T::infinity(), T::zero(), T::infinity(), true);
-    for (j, p) in terms {
-        let p = p.value();
-        lowest = lesser(lowest, p);
-        highest = greater(highest, p);
-        are_positive &= j >= T::zero();
-        // The bits of zero would give the logarithm of a positive number.
-        if !j.is_zero() {
-            least = lesser(least, logarithm_alone(logarithm_of_y, (j, p)));
-        }
-    }
-    let start = Start::of(lowest, least);
-    let exponent = exponent(load_integral);
-    let fits = is_normal::<T>(exponent) & is_normal::<T>(-exponent) & is_normal::<T>(start.octave);
-    let is_within = is::<T, f64>() || highest <= T::constant(HIGHEST_SINGLE_POWER);
-    if !(are_positive & fits & is_within) {
-        return None;
-    }
-    let (y, scale) = (fraction(load_integral), power_of_two(-exponent));
-    let spread = Spread { lowest, highest };
-    let attempt = |more: u32| {
-        spread.radius(
-            more,
-            y,
-            start.fraction * power_of_two(start.octave),
-            #[inline(always)]
-            |a| evaluate(a, scale),
-            #[inline(always)]
-            |a| evaluate_at_last(a, scale).halley(a, Target::of(y)),
-        )
-    };
-    let found = |(radius, is_near): (T, bool)| (is_near & (radius <= limit)).then_some(radius);
-    match found(attempt(0)) {
-        None => out_of_line(|| found(attempt(MORE_STEPS))),
-        first => first,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::evaluate::steepness::{quick_power_sum_steepness, scaled_power_sum_steepness};
-
-    /// Not only right, which the general solution would be as well, but found here.
-    #[test]
-    fn radii_of_equal_terms_are_found() {
-        for count in 2..=10 {
-            let powers = (0..count).map(|k| 5.3 + 0.7 * f64::from(k));
-            let terms = || powers.clone().map(|p| (1.0, Exponent::of(p)));
-            for k in 0..400 {
-                let planted = 0.2 * 1.008_f64.powi(k);
-                let target = powers.clone().map(|p| planted.powf(p)).sum::<f64>();
-                let found = radius_of_real_powers(
-                    target,
-                    f64::INFINITY,
-                    terms(),
-                    |a, scale| quick_power_sum_steepness(a, scale, terms()),
-                    |a, scale| scaled_power_sum_steepness(a, scale, terms()),
-                );
-                // The test rounds the terms, and their sum up to nine times; p divides these errors.
-                let is_near = |found: f64| (found / planted - 1.0).abs() < 3.0 * f64::EPSILON;
-                assert!(found.is_some_and(is_near), "{count}, {planted}: {found:?}");
-            }
-        }
     }
 }

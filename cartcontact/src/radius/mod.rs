@@ -2,9 +2,9 @@
 //!
 //! | module | for | how |
 //! |---|---|---|
-//! | [`table`] | constants; fields that set units | a row of the macro's table, and one [`step`] |
+//! | [`table`] | constants; fields that set units | a row of the macro's table, and one step of [`halley`] |
 //! | [`table::roots`] | one term | a root from a table, and a series |
-//! | [`whole_powers`], [`leading_term`] | other sums of positive terms | leading term, and a fixed number of steps |
+//! | [`whole_powers`], [`real_powers`] | other sums of positive terms | [`leading_term`], and a fixed number of steps of [`halley`] |
 //! | [`one_term`] | one term, whatever the load integral | the root, Eq. (18) |
 //! | [`newton`] | all else | Newton's method inside a bracket |
 //!
@@ -13,15 +13,22 @@
 //! radii in vector code.
 
 mod blocks;
-pub(crate) mod leading_term;
+mod halley;
+mod leading_term;
 pub(crate) mod newton;
 pub(crate) mod one_term;
-mod step;
+pub(crate) mod real_powers;
 pub(crate) mod table;
 pub(crate) mod whole_powers;
 
 use crate::Scalar;
 use crate::profile::RadiusError;
+
+/// Checks that there is a place for the radius of every load integral.
+pub(crate) fn check_places<T>(load_integrals: &[T], radii: &[T]) -> Result<(), RadiusError> {
+    let (load_integrals, radii) = (load_integrals.len(), radii.len());
+    if load_integrals == radii { Ok(()) } else { Err(RadiusError::Length { load_integrals, radii }) }
+}
 
 /// Whether the radius has to be searched for: a load integral of zero has the radius zero.
 ///

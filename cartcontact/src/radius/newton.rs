@@ -27,9 +27,9 @@
 
 use super::{beyond, needs_search};
 use crate::Scalar;
-use crate::evaluate::binary::{estimated_root_of_product, scale, split};
+use crate::numbers::binary::{estimated_root_of_product, scale, split};
 use crate::profile::RadiusError;
-use crate::scalar::{is, is_plain, lesser};
+use crate::scalar::{has_no_derivatives, is_same, lesser};
 
 /// A positive term of J: 1/j and the power p.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ pub fn invert<T: Scalar>(
     let (_, exponent) = split(target);
     // The derivative of 1/y has a factor 1/y², which a small y makes leave the format: all is divided by a power of two
     // near y.
-    let scaled = |x| if is_plain::<T>() { x } else { scale(x, -exponent) };
+    let scaled = |x| if has_no_derivatives::<T>() { x } else { scale(x, -exponent) };
     let functions = (
         |a| {
             let (value, log_slope) = evaluate(a);
@@ -217,9 +217,9 @@ fn close_enough<T: Scalar>(negative: bool, highest_power: T) -> T {
     if negative {
         let root = T::default_epsilon().sqrt();
         root * root.sqrt()
-    } else if is::<T, f64>() {
+    } else if is_same::<T, f64>() {
         T::constant(4e-6) * share
-    } else if is::<T, f32>() {
+    } else if is_same::<T, f32>() {
         T::constant(3e-4) * share
     } else {
         T::default_epsilon().sqrt() * T::constant(0.5)

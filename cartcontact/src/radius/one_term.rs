@@ -15,10 +15,11 @@
 
 use super::{beyond, needs_search};
 use crate::Scalar;
-use crate::evaluate::binary::{divide, scale, split};
-use crate::evaluate::exponent::Exponent;
-use crate::evaluate::halved::{Halved, product_with_few_digits};
 use crate::evaluate::power;
+use crate::evaluate::steepness::load_integral_coefficient;
+use crate::numbers::binary::{divide, scale, split};
+use crate::numbers::exponent::Exponent;
+use crate::numbers::halved::product_with_few_digits;
 use crate::profile::RadiusError;
 use crate::scalar::floor;
 
@@ -48,7 +49,7 @@ pub fn invert_one_term<T: Scalar>(target: T, (c, n): (T, T), limit: T) -> Result
 #[inline]
 fn radius<T: Scalar>(target: T, c: T, n: T) -> T {
     let ((target, exponent_of_target), (c, exponent_of_c)) = (split(target), split(c));
-    let (quotient, lost) = Halved::load_integral_coefficient(c, n).divide(target);
+    let (quotient, lost) = load_integral_coefficient(c, n).divide(target);
     let (quotient, exponent) = split(quotient);
     let p = n + T::constant(4.0);
     let multiple = whole_multiple(p);

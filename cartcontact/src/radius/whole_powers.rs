@@ -5,14 +5,14 @@
 //! which then takes the place of a.
 
 use super::blocks::{fill, leading_blocks};
+use super::halley::Target;
 use super::leading_term::{MORE_STEPS, Spread, Start, logarithm_alone};
-use super::step::Target;
 use crate::Scalar;
 use crate::dispatch::out_of_line;
-use crate::evaluate::bits::{exponent, fraction, is_normal, logarithm, power_of_two};
 use crate::evaluate::steepness::Steepness;
+use crate::numbers::bits::{exponent, fraction, is_normal, log2_digits, power_of_two};
 use crate::profile::RadiusError;
-use crate::scalar::{is_plain, lesser};
+use crate::scalar::{has_no_derivatives, lesser};
 
 /// How many radii are found at once.
 const BLOCK: usize = 16;
@@ -47,7 +47,7 @@ where
     /// scalars other than f32 and f64.
     #[inline(always)]
     pub fn radius(&self, load_integral: T, limit: T) -> Option<T> {
-        if !is_plain::<T>() {
+        if !has_no_derivatives::<T>() {
             return None;
         }
         let found = |(radius, is_found): (T, bool)| (is_found & (radius <= limit)).then_some(radius);
@@ -65,7 +65,7 @@ where
     #[inline(always)]
     pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
-        let logarithm_of_y = logarithm(load_integral * self.per_unit);
+        let logarithm_of_y = log2_digits(load_integral * self.per_unit);
         let alone = self.coefficients.iter().zip(&self.powers).map(
             #[inline(always)]
             |(&j, &p)| logarithm_alone(logarithm_of_y, (j, T::constant(f64::from(p)))),
@@ -108,7 +108,7 @@ pub fn radii_of_whole_powers<T: Scalar>(
     solve: impl Fn(T, u32) -> (T, bool),
     general: impl Fn(T) -> Result<T, RadiusError>,
 ) -> Result<(), RadiusError> {
-    let least = if is_plain::<T>() { BLOCK } else { usize::MAX };
+    let least = if has_no_derivatives::<T>() { BLOCK } else { usize::MAX };
     fill(
         values,
         (least, BLOCK),

@@ -29,7 +29,7 @@ use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
-use crate::scalar::is_plain;
+use crate::scalar::{has_no_derivatives, spacing_of_times};
 use crate::{GapProfile, Scalar};
 
 /// The transition to a time with its contact radius, for radii up to `reach`, which is at least the first radius.
@@ -69,7 +69,8 @@ where
     march.transition
 }
 
-/// Whether a difference has kept its digits; `sizes` is the sum of the magnitudes that it is the difference of.
+/// Whether a difference has kept its digits, all but the last four; `sizes` is the sum of the magnitudes that it is the
+/// difference of.
 fn has_digits<T: Scalar>(difference: T, sizes: T) -> bool {
     sizes <= T::constant(16.0) * difference
 }
@@ -147,7 +148,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Passes a jump of the load, which is never downward. A jump of no height may have a derivative.
     fn jump(&mut self, before: T, after: T) {
-        if after > before || !is_plain::<T>() {
+        if after > before || !has_no_derivatives::<T>() {
             let radius = self.radius_under(self.now.time, after);
             self.cover(radius, &Course::jump(), (before, after), after - before);
         }
@@ -159,7 +160,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         // A single piece costs less over the radius, and between two pieces there may be a step that only derivatives
         // show.
-        if pieces.len() < 2 || !is_plain::<T>() || !self.is_covered() {
+        if pieces.len() < 2 || !has_no_derivatives::<T>() || !self.is_covered() {
             return 0;
         }
         let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
@@ -213,7 +214,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             return piece;
         }
         // At least a few roundings of the time, so that something is left.
-        let time = end - (folds / chi).max(end * T::default_epsilon() * T::constant(4.0));
+        let time = end - (folds / chi).max(spacing_of_times(end));
         let skipped = piece.before(time);
         self.now.impulse.add(skipped.impulse());
         let force = skipped.end.1;
@@ -246,6 +247,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let fading = course.fading(chi);
         let (depth, is_covered) = (high - self.now.radius, self.is_covered());
+        // The share by which the radius grows, which bounds the error of the pressure.
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
             self.cover_at_once(high, fading, forces, gain);
             return;
@@ -341,7 +343,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// The increment of what is `kept` of a gain during a stretch that covers hardly more than now, laid at one radius.
     fn laid_at_once(&self, high: T, kept: T, gain: T) -> Increment<T> {
         // The mean place of what is kept: half-way if nothing drains, and next to the edge if nearly all does.
-        let share = if !is_plain::<T>() {
+        let share = if !has_no_derivatives::<T>() {
             // The same place but for rounding, and there second derivatives are those of the gain.
             T::constant(0.5)
         } else if T::zero() < kept && kept <= gain {

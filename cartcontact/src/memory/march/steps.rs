@@ -15,8 +15,8 @@
 use super::March;
 use crate::load::{ForceSeries, Load, Shortest};
 use crate::memory::fading::Fading;
-use crate::memory::stretch::Course;
-use crate::scalar::smallest_normal;
+use crate::memory::stretch::{Course, degree};
+use crate::scalar::{smallest_normal, spacing_of_times};
 use crate::{GapProfile, Scalar};
 
 /// The most halvings of steps between knots because of their impulse, which may simply be that of another load.
@@ -38,7 +38,7 @@ struct Pace<T> {
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
-        let least = (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal());
+        let least = spacing_of_times(end).max(smallest_normal());
         let shortest = Shortest::of((duration * T::constant(1.0 / 1_048_576.0)).max(least));
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
     }
@@ -147,7 +147,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// How many of its own roundings a radius is off by, at least 1, because the load integral is rounded: many where
     /// the degree of the load integral nearly vanishes.
     fn condition_of(&self, a: T) -> T {
-        self.contact.degree(a, self.contact.profile().quick_load_integral(a)).recip().max(T::one())
+        let profile = self.contact.profile();
+        degree(profile, a, profile.quick_load_integral(a)).recip().max(T::one())
     }
 
     /// The force from now to the end of a step.

@@ -2,12 +2,12 @@
 //! integral.
 //!
 //! A row is a cubic in the fraction of the load integral y that gives the radius to six digits, see [`cubics`]. One
-//! [`step`](super::step) from there reaches the last bit. In single precision the seed is first cut to half its digits,
+//! [step](super::halley) from there reaches the last bit. In single precision the seed is first cut to half its digits,
 //! so that its square is exact in both formats. The macro has checked the error after the step for every row: it is
-//! less than ε/8. The weights of symbols have few digits, see [`Target`](super::step::Target), so that they are rounded
-//! no more than constants. With whole powers up to 8 radii in a million are off by more than 1 ulp; up to 43 where the
-//! gap begins with r, whose p is the least. `cargo run --release -p tests --bin radii` counts them. The largest error in
-//! five million radii each of eleven geometries was 1.16 ulp.
+//! less than ε/8. The weights of symbols have few digits, see [`Target`](super::halley::Target), so that they are
+//! rounded no more than constants. With whole powers up to 8 radii in a million are off by more than 1 ulp; up to 43
+//! where the gap begins with r, whose p is the least. `cargo run --release -p tests --bin radii` counts them. The
+//! largest error in five million radii each of eleven geometries was 1.16 ulp.
 //!
 //! Where powers are multiples of 1/2, the same is done with x, the square root of the radius, whose powers are whole.
 //! Its square less the step is as exact as the radius would be, and what x^p loses is known, as p is twice as high: up
@@ -30,8 +30,8 @@ pub(crate) mod units;
 use core::any::Any;
 
 use crate::Scalar;
-use crate::evaluate::bits::{least_of_quarter, quarter};
-use crate::scalar::is;
+use crate::numbers::bits::{least_of_quarter, quarter};
+use crate::scalar::is_same;
 
 /// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
 #[derive(Debug)]
@@ -98,12 +98,12 @@ impl Table {
 
     /// Whether there are rows for a scalar type.
     pub(super) fn holds<T: Scalar>(&self) -> bool {
-        is::<T, f64>() || (is::<T, f32>() && self.single.count > 0)
+        is_same::<T, f64>() || (is_same::<T, f32>() && self.single.count > 0)
     }
 
     #[inline(always)]
     fn quarters<T: Scalar>(&self) -> Quarters {
-        if is::<T, f32>() { self.single } else { self.quarters }
+        if is_same::<T, f32>() { self.single } else { self.quarters }
     }
 
     /// If y is too small for the table or has its sign set, its index is too large.
@@ -122,7 +122,7 @@ impl Table {
     #[inline(always)]
     pub(super) fn row(&self, digits: u32) -> Row {
         let (rows, _) = self.rows.0.as_chunks();
-        Row(rows[usize::from(place(digits))])
+        Row(rows[usize::from(row_index(digits))])
     }
 
     /// The row of all these digits, if they have the same one.
@@ -130,11 +130,11 @@ impl Table {
     pub(super) fn row_of_all(&self, digits: &[u32]) -> Option<Row> {
         let [first, .., last] = *digits else { return None };
         // Where load integrals are in no order, a look at two of them usually settles it.
-        if place(first ^ last) != 0 {
+        if row_index(first ^ last) != 0 {
             return None;
         }
         let differing = digits.iter().fold(0, |all, digits| all | (digits ^ first));
-        (place(differing) == 0).then(|| self.row(first))
+        (row_index(differing) == 0).then(|| self.row(first))
     }
 }
 
@@ -160,7 +160,7 @@ impl Row {
 
 /// Where the row of these digits is.
 #[inline(always)]
-fn place(digits: u32) -> u8 {
+fn row_index(digits: u32) -> u8 {
     (digits >> 21) as u8
 }
 

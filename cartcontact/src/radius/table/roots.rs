@@ -23,12 +23,12 @@
 
 use super::{Row, Step, Table};
 use crate::Scalar;
-use crate::evaluate::bits::{
+use crate::numbers::bits::{
     exponent, fraction, is_normal, least_of_quarter, middle_of_part, part_of_octave, power_of_two,
 };
-use crate::evaluate::series::four_terms;
+use crate::numbers::series::four_terms;
 use crate::profile::RadiusError;
-use crate::scalar::{from_single, is};
+use crate::scalar::{from_single, is_same};
 
 /// A table of roots, and the series of N terms.
 #[derive(Debug)]
@@ -124,7 +124,7 @@ impl Row {
     #[inline(always)]
     pub(super) fn root<T: Scalar>(&self) -> (T, T) {
         let part = |place: usize| from_single::<T>(self.at(place));
-        (part(0), if is::<T, f32>() { part(3) } else { part(3) + part(1) })
+        (part(0), if is_same::<T, f32>() { part(3) } else { part(3) + part(1) })
     }
 }
 
@@ -134,7 +134,7 @@ fn growth_per_s<T: Scalar, const N: usize>(s: T, series: &[f64; N]) -> T {
     let (square, (rows, _)) = (s * s, series.as_chunks());
     let row = |k: usize| four_terms(&rows[k], s, square);
     let fourth = square * square;
-    let terms = if is::<T, f32>() { N - 4 } else { N };
+    let terms = if is_same::<T, f32>() { N - 4 } else { N };
     let mut sum = row(0);
     if terms > 4 {
         sum += row(1) * fourth;

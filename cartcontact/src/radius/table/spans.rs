@@ -13,9 +13,9 @@
 use super::Row;
 use super::roots::{Divisor, Term};
 use crate::Scalar;
-use crate::evaluate::bits::power_of_two;
-use crate::evaluate::halved::Halved;
-use crate::scalar::is;
+use crate::numbers::bits::power_of_two;
+use crate::numbers::halved::Halved;
+use crate::scalar::is_same;
 
 /// Quarters of octaves in a span: as many as a table has rows.
 const QUARTERS: u32 = 256;
@@ -84,5 +84,5 @@ impl<T: Scalar> Term<T> for AnyPower<T> {
 /// The product of two numbers of single precision, and what it lacks: nothing in double precision.
 #[inline(always)]
 fn product_of_parts<T: Scalar>(x: T, y: T) -> (T, T) {
-    if is::<T, f32>() { Halved::of(x).times(Halved::of(y)).word_and_lost() } else { (x * y, T::zero()) }
+    if is_same::<T, f32>() { Halved::of(x).times(Halved::of(y)).word_and_lost() } else { (x * y, T::zero()) }
 }

@@ -1,11 +1,13 @@
 //! The units of a table of seeds.
 
 use crate::Scalar;
-use crate::evaluate::bits::with_half_its_digits;
-use crate::evaluate::power::equal_terms;
+use crate::evaluate::power::{fractional_power, integer_power, plain_whole_term};
 use crate::evaluate::steepness::Steepness;
-use crate::radius::step::Target;
-use crate::scalar::is;
+use crate::numbers::binary::{divide, scale, split};
+use crate::numbers::bits::with_half_its_digits;
+use crate::numbers::exponent::Exponent;
+use crate::radius::halley::Target;
+use crate::scalar::is_same;
 
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
@@ -51,7 +53,7 @@ impl<T: Scalar> Units<T> for OwnUnits {
     #[inline(always)]
     fn seed(self, radius: T) -> T {
         // The table's numbers have half the digits of double precision.
-        if is::<T, f32>() { with_half_its_digits(radius) } else { radius }
+        if is_same::<T, f32>() { with_half_its_digits(radius) } else { radius }
     }
 
     #[inline(always)]
@@ -79,7 +81,7 @@ impl<T: Scalar> EqualTerms<T> {
     /// nearer to 1. Terms outside these bounds have no table.
     #[inline(always)]
     pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
-        let (least, most) = if is::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
+        let (least, most) = if is_same::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
         // A term with a sign other than in the table has a negative size; the unit may then be NaN or not.
@@ -108,6 +110,42 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
     fn target(self, load_integral: T) -> Target<T> {
         Target::in_units(load_integral, self.per_unit)
     }
+}
+
+/// Where the terms c x^p and d x^q, 0 < p < q, are equal, and the reciprocal of their value there, both to a few digits
+/// less than a word has.
+///
+/// Where c/d is x or x², the reciprocal is formed from powers of d/c and does not wait for x. Inlined where exponents
+/// are constants, which leaves only products.
+#[inline(always)]
+fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
+    let per_low = c.recip();
+    let (ratio, inverse, order) = (c / d, d * per_low, q - p);
+    let Exponent { whole, fraction, .. } = Exponent::of(p);
+    let is_whole = fraction.is_zero();
+    if order == T::one() && is_whole {
+        return (ratio, per_low * integer_power(inverse, whole as u32));
+    }
+    if order == T::constant(2.0) && is_whole {
+        let even = per_low * integer_power(inverse, whole as u32 / 2);
+        return (ratio.sqrt(), if whole & 1 == 1 { even * inverse.sqrt() } else { even });
+    }
+    let x = if order == T::constant(4.0) { ratio.sqrt().sqrt() } else { root(ratio, order) };
+    let whole_term = plain_whole_term(c, x, whole as u32);
+    (x, (if is_whole { whole_term } else { whole_term * fractional_power(x, fraction) }).recip())
+}
+
+/// x^(1/p) of a positive number. Whole periods of octaves are taken out first, so that a change of units by a power of
+/// two changes no digit.
+fn root<T: Scalar>(x: T, p: T) -> T {
+    let inverse = p.recip();
+    // Zero, negative numbers, infinity and NaN have no octaves, and have to show in the result.
+    if !(x > T::zero() && x.is_finite()) {
+        return x.powf(inverse);
+    }
+    let (fraction, octaves) = split(x);
+    let (whole, rest) = divide(octaves, p, inverse);
+    scale(((fraction.log2() + rest) * inverse).exp2(), whole)
 }
 
 /// The units `U` for the `Q`-th root x of the radius; J has whole powers of x.
@@ -162,5 +200,28 @@ mod tests {
                 assert!(difference.abs() < 2.0 * f64::EPSILON, "{load_integral}, {error}: {difference:e}");
             }
         }
+    }
+
+    /// Lengths change by powers of 16, so that quarters are whole powers of two, too.
+    #[test]
+    fn terms_are_equal_at_the_same_place_in_other_units() {
+        let exponents = [(6.0, 12.0), (6.0, 9.0), (9.0, 68.0), (5.25, 6.0), (4.5, 10.75)];
+        for (p, q) in
+            exponents.into_iter().chain([(6.0, 7.0), (6.0, 8.0), (7.0, 9.0), (6.0, 10.0), (5.5, 7.5)])
+        {
+            for k in 1..200 {
+                let (c, d) = (f64::from(k) / 7.0, 0.3 + f64::from(k % 17));
+                let (x, per_value) = equal_terms((c, p), (d, q));
+                let share = |j: f64, p: f64| (per_value * (j * x.powf(p)) - 1.0).abs();
+                assert!(share(c, p) < 1e-12 && share(d, q) < 1e-12, "{c} {p} {d} {q}");
+                for octaves in [-8, -4, 4, 8] {
+                    let unit = |p: f64| 2f64.powf(-p * f64::from(octaves));
+                    let found = equal_terms((c * unit(p), p), (d * unit(q), q));
+                    assert_eq!(found, (x * 2f64.powi(octaves), per_value), "{c} {p} {d} {q}");
+                }
+            }
+        }
+        let [turned, none] = [(1.0_f64, -1.0), (f64::NAN, 1.0)].map(|(c, d)| equal_terms((c, 6.0), (d, 9.0)));
+        assert!(turned.0.is_nan() && none.0.is_nan());
     }
 }

@@ -3,7 +3,7 @@
 //! Source: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use crate::Scalar;
-use crate::scalar::{Tabled, is_plain};
+use crate::scalar::{Tabled, has_no_derivatives};
 
 /// The degree N.
 pub(super) const DEGREE: usize = 16;
@@ -89,7 +89,7 @@ pub(super) fn leave_out<T: Scalar>(coefficients: &mut [T], length: usize) -> usi
     for c in &mut coefficients[length..] {
         *c -= T::constant(c.value());
     }
-    if is_plain::<T>() { length } else { coefficients.len() }
+    if has_no_derivatives::<T>() { length } else { coefficients.len() }
 }
 
 /// The sum at ξ.

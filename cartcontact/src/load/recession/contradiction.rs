@@ -13,13 +13,12 @@
 //!
 //! Many impulses result from a quadrature themselves. They may be off by √ε of Y/χ, which counts for little.
 
-use super::ForceSeries;
-use super::LoadError;
 use crate::Scalar;
+use crate::load::{ForceSeries, LoadError};
 
 /// An impulse that no force with these samples can have unless the hereditary load falls between them.
 #[derive(Clone, Copy)]
-pub(super) struct Contradiction<T> {
+pub(in crate::load) struct Contradiction<T> {
     from: T,
     to: T,
     impulse: T,

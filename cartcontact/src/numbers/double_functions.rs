@@ -14,7 +14,7 @@ use super::double_word::DoubleWord;
 use super::series::{inverse_factorials, odd_reciprocals};
 use crate::Scalar;
 use crate::in_double_words;
-use crate::scalar::{Tabled, is, tabled_rows};
+use crate::scalar::{Tabled, is_same, tabled_rows};
 
 /// x^φ of a normal number above 0, for 0 ≤ φ < 1. A function of its own, too long to be part of others: it chooses its
 /// instructions again.
@@ -83,7 +83,7 @@ fn logarithm<T: Scalar, const FUSED: bool>(
     let t = beyond.over(beyond.plus_word(two));
     let square = t.times(t);
     let s = square.high();
-    let rest = polynomial(s, if is::<T, f32>() { &ARTANH[..3] } else { &ARTANH });
+    let rest = polynomial(s, if is_same::<T, f32>() { &ARTANH[..3] } else { &ARTANH });
     let third = DoubleWord::of(one).over(DoubleWord::of(T::constant(3.0)));
     let series = square.times(third).plus_word(s * s * rest).plus_word(one);
     ln_2().times_word(T::constant(f64::from(octaves))).plus(t.times(series).scaled(two))
@@ -94,7 +94,7 @@ fn logarithm<T: Scalar, const FUSED: bool>(
 fn reduced_exponential<T: Scalar, const FUSED: bool>(x: DoubleWord<T, FUSED>) -> (DoubleWord<T, FUSED>, i32) {
     let (octaves, count) = nearest_integer(x.high() * T::constant(LOG2_E));
     let g = x.plus(ln_2().times_word(-octaves));
-    let rest = polynomial(g.high(), if is::<T, f32>() { &TAYLOR[..3] } else { &TAYLOR });
+    let rest = polynomial(g.high(), if is_same::<T, f32>() { &TAYLOR[..3] } else { &TAYLOR });
     let sixth = DoubleWord::of(T::one()).over(DoubleWord::of(T::constant(6.0)));
     let series = sixth.plus_word(g.high() * rest);
     let series = series.times(g).plus_word(T::constant(0.5)).times(g).plus_word(T::one());
@@ -114,7 +114,7 @@ fn polynomial<T: Scalar>(x: T, coefficients: &[[Tabled; 2]]) -> T {
 /// ln 2 with what its word lacks, in either format.
 #[inline(always)]
 fn ln_2<T: Scalar, const FUSED: bool>() -> DoubleWord<T, FUSED> {
-    let low = if is::<T, f32>() { -1.904_654_299_957_768e-9 } else { 2.319_046_813_846_299_6e-17 };
+    let low = if is_same::<T, f32>() { -1.904_654_299_957_768e-9 } else { 2.319_046_813_846_299_6e-17 };
     DoubleWord::sum(T::constant(LN_2), T::constant(low))
 }
 

@@ -1,18 +1,19 @@
-//! Powers of two, taken out of a number and put back, so that roots neither overflow nor lose accuracy.
+//! Powers of two, taken out of a number and put back, so that roots and quotients neither overflow nor lose accuracy.
 
 use super::bits::{exponent, fraction};
 use crate::Scalar;
-use crate::scalar::{floor, from_single, is, is_plain, is_single, smallest_normal};
+use crate::scalar::{floor, from_single, has_no_derivatives, is_same, is_single, smallest_normal};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
 pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         // Whatever else the number carries, such as derivatives, scales with it.
         let (_, exponent) = split(x.value());
         return (scale(x, -exponent), exponent);
     }
-    let (units, shift) = if is::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
+    let (units, shift) =
+        if is_same::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
     let (x, shift) = if x < smallest_normal() { (x * T::constant(units), shift) } else { (x, 0) };
     (fraction(x), exponent(x) - shift)
 }
@@ -37,6 +38,33 @@ fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
     } else {
         T::constant(f64::from_bits(((e.clamp(-1022, 1023) + 1023) as u64) << 52))
     }
+}
+
+/// The product of some numbers over that of others, which is out of range only if the result is.
+///
+/// Zeros, infinities and NaN are not split into a fraction and a power of two; they never leave the range.
+pub(crate) fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N], divisors: [T; M]) -> T {
+    // Of five numbers between 1/most and most all products are in range.
+    let most = T::constant(if is_single::<T>() { 3e7 } else { 1e60 });
+    let least = most.recip();
+    if factors.iter().chain(&divisors).all(|&x| least <= x && x <= most) {
+        return over(product(factors), divisors);
+    }
+    let parts = |x: T| if x > T::zero() && x.is_finite() { split(x) } else { (x, 0) };
+    let octaves = |parts: &[(T, i32)]| parts.iter().map(|&(_, octaves)| octaves).sum::<i32>();
+    let (factors, divisors) = (factors.map(parts), divisors.map(parts));
+    let fraction = |(fraction, _)| fraction;
+    let quotient = over(product(factors.map(fraction)), divisors.map(fraction));
+    scale(quotient, octaves(&factors) - octaves(&divisors))
+}
+
+fn product<T: Scalar, const N: usize>(factors: [T; N]) -> T {
+    factors.into_iter().fold(T::one(), |product, factor| product * factor)
+}
+
+/// A number over some others by one division, the slowest of all operations.
+fn over<T: Scalar, const N: usize>(number: T, divisors: [T; N]) -> T {
+    if N == 0 { number } else { number / product(divisors) }
 }
 
 /// (x · y)^(1/p) for p ≥ 4 within 1 %, by parabolas for the logarithm and the exponential: a start for an iteration.

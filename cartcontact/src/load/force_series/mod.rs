@@ -11,12 +11,14 @@
 //! where the time to the end is short; and the force enters only through its difference from that at the end, so that
 //! the many small gains of a long history do not round as the force does.
 
+mod chebyshev;
+
 use super::Load;
-use super::chebyshev::{
+use super::recession::is_force;
+use crate::Scalar;
+use chebyshev::{
     Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end, sum_at,
 };
-use super::fault::is_force;
-use crate::Scalar;
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {
@@ -70,6 +72,7 @@ impl<T: Scalar> ForceSeries<T> {
         let size = largest(&forces);
         let mut variation = interpolate(&forces.map(|force| force - forces[0]));
         let rest = variation[DEGREE - 2..].iter().fold(T::zero(), |rest, c| rest + c.abs());
+        // The rounding of the largest force.
         let length = length_above(&variation, size * T::default_epsilon() * T::constant(0.5));
         let length = leave_out(&mut variation, length);
         let none = [T::zero(); DEGREE + 1];

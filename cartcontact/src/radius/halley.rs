@@ -8,8 +8,8 @@
 //! error is divided by p = a J′/J > 4, and from the last subtraction.
 
 use crate::Scalar;
-use crate::evaluate::halved::{Halved, product_with_few_digits};
 use crate::evaluate::steepness::Steepness;
+use crate::numbers::halved::{Halved, product_with_few_digits};
 
 /// The value that J has to reach: a number rounded from a product, and what it lacks of that product.
 ///

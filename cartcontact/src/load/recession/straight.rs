@@ -1,14 +1,14 @@
 //! When a user-defined load that is straight between its knots first falls too fast, or is not valid.
 //!
-//! Its pieces are all there is to know: the walk follows them as for [`PiecewiseLinear`](super::PiecewiseLinear), with
-//! three forces for each.
+//! Its pieces are all there is to know: the walk follows them as for [`PiecewiseLinear`](crate::load::PiecewiseLinear),
+//! with three forces for each.
 
 use super::contradiction::Contradiction;
 use super::descent::Descent;
 use super::fault::{Fault, is_force, tolerances};
-use super::{Load, Piece};
 use crate::Scalar;
-use crate::evaluate::compensated_sum::CompensatedSum;
+use crate::load::{Load, Piece};
+use crate::numbers::compensated_sum::CompensatedSum;
 
 /// How many pieces are asked for at once.
 const PIECES: usize = 16;

@@ -9,12 +9,12 @@
 use super::bits::{nearest_integer, power_of_two};
 use super::series::{four_terms, inverse_factorials};
 use crate::Scalar;
-use crate::scalar::{is, is_plain};
+use crate::scalar::{has_no_derivatives, is_same};
 
 /// e^(−x) for x above −700, or −80 in single precision, within ε. After as many e-foldings nothing is left.
 #[inline(always)]
 pub(crate) fn decay<T: Scalar>(x: T) -> T {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return (-x).exp();
     }
     let (gain, power) = reduced(x);
@@ -24,7 +24,7 @@ pub(crate) fn decay<T: Scalar>(x: T) -> T {
 /// 1 − e^(−x) for x ≥ 0 within 1.5 ε, also where x is small.
 #[inline(always)]
 pub(crate) fn loss<T: Scalar>(x: T) -> T {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return -(-x).exp_m1();
     }
     let (gain, power) = reduced(x);
@@ -35,7 +35,7 @@ pub(crate) fn loss<T: Scalar>(x: T) -> T {
 /// 2^(−n) (e^g − 1) and 2^(−n).
 #[inline(always)]
 fn reduced<T: Scalar>(x: T) -> (T, T) {
-    let is_single = is::<T, f32>();
+    let is_single = is_same::<T, f32>();
     let Reduction { ln_2_high, ln_2_low, .. } = if is_single { SINGLE } else { DOUBLE };
     let (n, octaves) = nearest_integer(x * T::constant(core::f64::consts::LOG2_E));
     let g = (n * T::constant(ln_2_high) - x) + n * T::constant(ln_2_low);
@@ -55,7 +55,7 @@ fn reduced<T: Scalar>(x: T) -> (T, T) {
 /// The largest x for which anything is left: what is added to a power of two may be subnormal from there on.
 #[inline(always)]
 fn longest<T: Scalar>() -> f64 {
-    if is::<T, f32>() { SINGLE.longest } else { DOUBLE.longest }
+    if is_same::<T, f32>() { SINGLE.longest } else { DOUBLE.longest }
 }
 
 /// The largest x, and ln 2 in two parts.

@@ -1,22 +1,29 @@
 //! δ₀′ and drops of the load integral where exponents are multiples of 1/4: from the roots of radii.
 //!
-//! J(a) = W(a) + α Q(a) + α² H(a) + α³ R(a) with polynomials of a and α = a^(1/4). At a radius s = σ⁴ that is less by a
-//! depth, J has dropped by depth times
+//! With α = a^(1/4), J(a) = W(a) + α Q(a) + α² H(a) + α³ R(a). The polynomial W has the terms with whole exponents; Q,
+//! H and R are what those with a quarter, a half and three quarters more than a whole number have beside a power of α.
+//! At a radius s = σ⁴ that is less by a depth, J has dropped by depth times
 //!
 //! ```text
 //! W[a, s] + σ Q[a, s] + σ² H[a, s] + σ³ R[a, s] + (H(a) + (Q(a) + (α² + α σ + σ²) R(a))/(α + σ))/(√a + √s)
 //! ```
 //!
-//! with W[a, s] = (W(a) − W(s))/(a − s), without cancellation for coefficients of one sign.
+//! with W[a, s] = (W(a) − W(s))/(a − s), without cancellation for coefficients of one sign: a difference of products is
+//!
+//! ```text
+//! α Q(a) − σ Q(s) = σ (Q(a) − Q(s)) + (α − σ) Q(a),    a − s = (α − σ) (α + σ) (√a + √s)
+//! ```
+//!
+//! so that α − σ cancels; for H the factor is α² − σ², and for R α³ − σ³ = (α − σ) (α² + α σ + σ²).
 
 use super::slopes_and_drops::{Places, SlopesAndDrops, fill_one_by_one};
-use crate::evaluate::exponent::Exponent;
 use crate::evaluate::horner::{divided_difference, value_and_quotient};
 use crate::evaluate::power::power_sum_drop;
-use crate::scalar::is_plain;
+use crate::numbers::exponent::Exponent;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
-/// The coefficients of W, Q, H and R.
+/// The coefficients of W, Q, H and R: of the whole powers, the quarters, the halves and the three quarters.
 type Parts<T, const W: usize, const Q: usize, const H: usize, const R: usize> =
     ([T; W], [T; Q], [T; H], [T; R]);
 
@@ -29,7 +36,7 @@ pub fn drop_by_roots<T: Scalar, const W: usize, const Q: usize, const H: usize, 
     parts: Parts<T, W, Q, H, R>,
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,
 ) -> T {
-    if !is_plain::<T>() || a.is_zero() {
+    if !has_no_derivatives::<T>() || a.is_zero() {
         return power_sum_drop(a, depth, terms);
     }
     depth * quotient(a, a - depth, parts)
@@ -54,7 +61,7 @@ pub fn fill_by_roots<
     slope: impl Fn(T) -> T,
     parts: Parts<T, W, Q, H, R>,
 ) {
-    if !is_plain::<T>() {
+    if !has_no_derivatives::<T>() {
         return fill_one_by_one(profile, a, (radii, depths), (slopes, drops));
     }
     let values = slopes.iter_mut().zip(drops);
@@ -76,11 +83,11 @@ fn quotient<T: Scalar, const W: usize, const Q: usize, const H: usize, const R: 
     quotient *= root;
     if Q + R > 0 {
         let (alpha, sigma) = (root_of_a.sqrt(), root.sqrt());
-        let [of_quarters, of_rest] =
+        let [of_quarters, of_three_quarters] =
             [value_and_quotient(a, s, &quarters), value_and_quotient(a, s, &three_quarters)];
         let squares = root_of_a + alpha * sigma + root;
-        beside += (of_quarters.0 + squares * of_rest.0) / (alpha + sigma);
-        quotient += sigma * (of_quarters.1 + root * of_rest.1);
+        beside += (of_quarters.0 + squares * of_three_quarters.0) / (alpha + sigma);
+        quotient += sigma * (of_quarters.1 + root * of_three_quarters.1);
     }
     divided_difference(a, s, whole) + (quotient + beside / (root_of_a + root))
 }

@@ -9,12 +9,12 @@
 //! Where F₁ is F₀/(1 + χ Δt) as rounded to the format, it is the bound and not a fall, however often: in equal steps it
 //! is rounded the same way each time.
 
-use super::Piece;
 use crate::Scalar;
+use crate::load::Piece;
 use crate::scalar::from_single;
 
 /// A walk along straight pieces that hardly fall too fast, if at all.
-pub(super) struct Descent<T> {
+pub(in crate::load) struct Descent<T> {
     chi: T,
     /// The time at which Y was highest, and the force then.
     crest: (T, T),
@@ -28,18 +28,18 @@ fn tolerance<T: Scalar>() -> T {
 }
 
 /// Whether the falls of so many pieces, each within its allowance, can add up to too much.
-pub(super) fn may_add_up<T: Scalar>(count: usize) -> bool {
+pub(in crate::load) fn may_add_up<T: Scalar>(count: usize) -> bool {
     from_single::<T>(count as f32 * 8.0) * T::default_epsilon() > tolerance()
 }
 
 impl<T: Scalar> Descent<T> {
-    pub(super) fn new(chi: T) -> Self {
+    pub(in crate::load) fn new(chi: T) -> Self {
         Self { chi, crest: (T::zero(), T::zero()), fallen: T::zero() }
     }
 
     /// Continues along a piece that begins at the end of the one before it, and returns since when the edge has receded
     /// at `t`, if it has.
-    pub(super) fn pass(&mut self, piece: &Piece<T>, t: T) -> Option<T> {
+    pub(in crate::load) fn pass(&mut self, piece: &Piece<T>, t: T) -> Option<T> {
         if let Some(turn) = piece.recession(self.chi) {
             // At the very time at which a slope becomes too steep the edge has not moved yet.
             return (turn < t || piece.duration().is_zero()).then_some(turn);

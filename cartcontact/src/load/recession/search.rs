@@ -1,7 +1,7 @@
 //! When a load of any kind first falls so fast that the edge of the contact recedes.
 //!
 //! The edge recedes while the hereditary load Y = F + χ ∫F falls. Between knots the load is followed in panels, in
-//! which its force is a [polynomial](super::ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too,
+//! which its force is a [polynomial](ForceSeries) F = Σ cₖ Tₖ(ξ) through N + 1 nodes. Then dY/dξ is one too,
 //! Σ gₖ Tₖ, and what it leaves out is about N² ρ, where ρ is the size of the last coefficients cₖ. On a panel
 //!
 //! - Y rises if g₀ − Σ|gₖ| − N² ρ ≥ 0, since |Tₖ| ≤ 1;
@@ -18,15 +18,13 @@
 //! panels is, so the search ends. What a panel still leaves out when it is halved no more is a jump, a kink, or noise
 //! such as the rounding of 1 − e^(−t) early on; because of these the bound [grows](Shortest).
 //!
-//! A load that is [straight] between its knots is not searched.
+//! A load that is [straight](super::straight) between its knots is not searched.
 
-use super::ForceSeries;
 use super::contradiction::Contradiction;
-use super::fault::{Fault, tolerances};
-use super::straight;
-use super::{Load, Piece, Shortest, knot_between};
+use super::fault::{Fault, rounding_within_load, tolerances};
 use crate::Scalar;
-use crate::scalar::smallest_normal;
+use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between};
+use crate::scalar::{smallest_normal, spacing_of_times};
 
 /// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
 /// are short already.
@@ -34,9 +32,6 @@ const MOST_DOUBTS: u32 = 128;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
-    if load.is_linear_between_knots() {
-        return straight::first_fault(load, chi, t);
-    }
     let zero = T::zero();
     let (negligible, tolerance) = tolerances(load, chi, t);
     let mut search = Search {
@@ -144,7 +139,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let mut step = end - self.time;
         let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
-        let least = (end * T::default_epsilon() * T::constant(4.0)).max(smallest_normal());
+        let least = spacing_of_times(end).max(smallest_normal());
         let whole = step;
         while self.time < end {
             let short = (whole * self.shortest.length()).max(least);
@@ -249,9 +244,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if force.is_unresolved() {
             return halving == Halving::Free;
         }
-        let epsilon = T::default_epsilon();
         let gain = impulse - self.impulse;
-        let rounding = gain * epsilon.sqrt() + impulse * epsilon * T::constant(64.0);
+        let rounding = gain * T::default_epsilon().sqrt() + rounding_within_load(impulse);
         if !force.misses(gain, rounding) {
             return false;
         }

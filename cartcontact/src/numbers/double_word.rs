@@ -11,7 +11,7 @@
 
 use crate::Scalar;
 use crate::dispatch::{FUSES, out_of_line};
-use crate::scalar::{is_plain, is_single};
+use crate::scalar::{has_no_derivatives, is_single};
 
 /// high + low with |low| ≤ ulp(high)/2.
 ///
@@ -40,7 +40,7 @@ impl<T: Scalar, const FUSED: bool> DoubleWord<T, FUSED> {
     #[inline(always)]
     pub(crate) fn product(x: T, y: T) -> Self {
         let high = x * y;
-        if FUSED && is_plain::<T>() {
+        if FUSED && has_no_derivatives::<T>() {
             return Self { high, low: x.mul_add(y, -high) };
         }
         let ((x_head, x_tail), (y_head, y_tail)) = (halves(x), halves(y));

@@ -5,7 +5,7 @@ use core::f64::consts::{LN_2, SQRT_2};
 use super::bits::{exponent, fraction};
 use super::series::{four_terms, odd_reciprocals};
 use crate::Scalar;
-use crate::scalar::{is, smallest_normal};
+use crate::scalar::{is_same, smallest_normal};
 
 /// ln(1 − depth) from the depth and the `ratio` 1 − depth, both in (0, 1] and one of them exact. Within 2.5 ε, the
 /// error where ln f takes half of ln 2 away again.
@@ -26,7 +26,7 @@ pub(crate) fn log_of_ratio<T: Scalar>(ratio: T, depth: T) -> T {
     let square = t * t;
     let fourth = square * square;
     let row = |k: usize| four_terms(&ARTANH[k], square, fourth);
-    let rest = if is::<T, f32>() {
+    let rest = if is_same::<T, f32>() {
         row(0)
     } else {
         let eighth = fourth * fourth;

@@ -6,10 +6,10 @@
 use core::any::Any;
 
 use crate::Scalar;
-use crate::scalar::is;
+use crate::scalar::is_same;
 
 /// Fractional digits of a logarithm.
-pub(crate) const DIGITS: u32 = 8;
+pub(crate) const LOGARITHM_DIGITS: u32 = 8;
 
 /// The bits of 2⁵² and 2²³. Between this and its double, the fraction bits of a number are its excess over this, as an
 /// integer.
@@ -33,7 +33,7 @@ fn with_bits<T: Scalar>(x: T, single: impl Fn(u32) -> u32, double: impl Fn(u64) 
 /// The bias of exponents.
 #[inline(always)]
 pub(crate) fn bias<T: Scalar>() -> i32 {
-    if is::<T, f32>() { 127 } else { 1023 }
+    if is_same::<T, f32>() { 127 } else { 1023 }
 }
 
 /// Whether 2^`exponent` is a normal number.
@@ -44,17 +44,21 @@ pub(crate) fn is_normal<T: Scalar>(exponent: i32) -> bool {
 
 /// 2⁸ log₂ x plus a constant, too low by 23 at most, for positive x.
 ///
-/// Exponent and first digits, read as an integer. It is converted without a conversion instruction, which would wait
-/// for the earlier content of its register.
+/// Exponent and first digits, read as an integer. It is converted without the conversion instruction `cvtsi2sd`,
+/// because of its false dependency: it would wait for the earlier content of its register.
 #[inline(always)]
-pub(crate) fn logarithm<T: Scalar>(x: T) -> T {
-    with_bits(x, |bits| bits >> (23 - DIGITS) | UNIT_OF_SINGLE, |bits| bits >> (52 - DIGITS) | UNIT_OF_DOUBLE)
+pub(crate) fn log2_digits<T: Scalar>(x: T) -> T {
+    with_bits(
+        x,
+        |bits| bits >> (23 - LOGARITHM_DIGITS) | UNIT_OF_SINGLE,
+        |bits| bits >> (52 - LOGARITHM_DIGITS) | UNIT_OF_DOUBLE,
+    )
 }
 
 /// The nearest integer, of 21 digits and a sign, as a `T` and as an `i32`.
 #[inline(always)]
 pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
-    let unit = T::constant(if is::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
+    let unit = T::constant(if is_same::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
     // A sum of this size has no fractional digits, and the integer in its last bits.
     let sum = x + unit;
     let any: &dyn Any = &sum;
@@ -69,18 +73,18 @@ pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
 /// 1 plus the last eight bits of an integer as a fraction.
 #[inline(always)]
 pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
-    let digits = integer as u32 & ((1 << DIGITS) - 1);
-    if is::<T, f32>() {
-        T::from_subset(&f32::from_bits(digits << (23 - DIGITS) | 0x3f80_0000))
+    let digits = integer as u32 & ((1 << LOGARITHM_DIGITS) - 1);
+    if is_same::<T, f32>() {
+        T::from_subset(&f32::from_bits(digits << (23 - LOGARITHM_DIGITS) | 0x3f80_0000))
     } else {
-        T::constant(f64::from_bits(u64::from(digits) << (52 - DIGITS) | 0x3ff0_0000_0000_0000))
+        T::constant(f64::from_bits(u64::from(digits) << (52 - LOGARITHM_DIGITS) | 0x3ff0_0000_0000_0000))
     }
 }
 
 /// 2^e if that is a normal number; otherwise something else.
 #[inline(always)]
 pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
-    if is::<T, f32>() {
+    if is_same::<T, f32>() {
         T::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
     } else {
         T::constant(f64::from_bits(((e + 1023) as u64) << 52))
@@ -130,7 +134,7 @@ pub(crate) fn quarter<T: Scalar>(x: T) -> i32 {
 #[inline(always)]
 pub(crate) fn least_of_quarter<T: Scalar>(k: i32) -> T {
     let biased = (k + 4 * bias::<T>()) as u32;
-    if is::<T, f32>() {
+    if is_same::<T, f32>() {
         T::from_subset(&f32::from_bits(biased << 21))
     } else {
         T::constant(f64::from_bits(u64::from(biased) << 50))
@@ -160,10 +164,10 @@ mod tests {
     fn logarithms_are_those_of_the_exponent_and_eight_digits() {
         for k in 1..2000 {
             let x = 1.07f64.powi(k - 1000);
-            let double = (logarithm(x) - logarithm(1.0)) / 256.0;
+            let double = (log2_digits(x) - log2_digits(1.0)) / 256.0;
             assert!((-0.0901..0.001).contains(&(double - x.log2())), "{x:e}: {double}");
             if (1e-30..1e30).contains(&x) {
-                assert_eq!(f64::from(logarithm(x as f32) - logarithm(1.0_f32)) / 256.0, double, "{x:e}");
+                assert_eq!(f64::from(log2_digits(x as f32) - log2_digits(1.0_f32)) / 256.0, double, "{x:e}");
             }
         }
     }

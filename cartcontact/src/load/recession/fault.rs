@@ -1,11 +1,11 @@
 //! Faults of a history, which the solution then does not cover.
 
 use super::contradiction::{Contradiction, impulse_tolerance};
-use super::{Load, LoadError};
 use crate::Scalar;
+use crate::load::{Load, LoadError};
 
 /// Why the solution does not cover a history.
-pub(super) enum Fault<T> {
+pub(in crate::load) enum Fault<T> {
     /// The hereditary load falls by more than rounding, from a time on.
     Falls(T),
     /// Its impulse is not that of its force.
@@ -28,7 +28,7 @@ impl<T: Scalar> Fault<T> {
     }
 
     /// Since when the history is not covered.
-    pub(super) fn time(&self) -> T {
+    pub(in crate::load) fn time(&self) -> T {
         match self {
             Self::Falls(since) => *since,
             Self::Contradicts(contradiction) => contradiction.from(),
@@ -37,7 +37,7 @@ impl<T: Scalar> Fault<T> {
     }
 
     /// The error of the load, unless it falls.
-    pub(super) fn contradiction(&self) -> Option<LoadError> {
+    pub(in crate::load) fn contradiction(&self) -> Option<LoadError> {
         match *self {
             Self::Falls(_) => None,
             Self::Contradicts(contradiction) => Some(contradiction.error()),
@@ -50,11 +50,16 @@ impl<T: Scalar> Fault<T> {
 #[inline]
 pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> (T, T) {
     let hereditary = load.force(t) + chi * load.impulse(t);
-    let negligible_force = hereditary * T::default_epsilon() * T::constant(64.0);
-    (negligible_force, impulse_tolerance(hereditary, chi))
+    (rounding_within_load(hereditary), impulse_tolerance(hereditary, chi))
+}
+
+/// By how much a force or an impulse may be off because a load computes it from numbers of the given size, 64 ε of
+/// them.
+pub(super) fn rounding_within_load<T: Scalar>(size: T) -> T {
+    size * T::default_epsilon() * T::constant(64.0)
 }
 
 /// Whether a number is a valid force, which may be negative by up to `negligible`.
-pub(super) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
+pub(in crate::load) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
     number >= -negligible && number.is_finite()
 }

@@ -1,0 +1,34 @@
+//! Up to when the solution covers a history: a hereditary load Y = F + χ ∫F that falls lets the edge of the contact
+//! recede, and forces and impulses that contradict each other are not those of one load.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | `search` | follows a load of any kind between its knots, in panels |
+//! | `straight` | follows the pieces of a load that is straight between its knots |
+//! | `descent` | sums the falls of pieces that each fall by no more than rounding |
+//! | `contradiction` | bounds the impulses that the force can have |
+//! | `fault` | what is found, and what counts as rounding |
+
+mod contradiction;
+mod descent;
+mod fault;
+mod search;
+mod straight;
+
+use super::Load;
+use crate::Scalar;
+use fault::Fault;
+
+pub(crate) use contradiction::impulse_tolerance;
+pub(super) use descent::{Descent, may_add_up};
+pub(super) use fault::is_force;
+pub(crate) use search::rounding_of;
+
+/// The first fault of a history up to `t`.
+pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+    if load.is_linear_between_knots() {
+        straight::first_fault(load, chi, t)
+    } else {
+        search::first_fault(load, chi, t)
+    }
+}

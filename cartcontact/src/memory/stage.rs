@@ -1,0 +1,42 @@
+//! A time with its contact radius, and what the radius lacks of the load then.
+
+use crate::Scalar;
+use crate::numbers::compensated_sum::CompensatedSum;
+use crate::scalar::is_plain_zero;
+
+/// A stage of the contact: a time with its contact radius.
+///
+/// The radius is rounded, which moves pressures by up to (n+2) ε/2. `surplus` is the amount by which the hereditary
+/// load exceeds that of the rounded radius; to first order the two together are the radius to twice the precision.
+/// Stages along one history share the error of the first surplus, which amounts to a slightly different time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stage<T> {
+    pub(crate) time: T,
+    pub(crate) radius: T,
+    pub(crate) surplus: T,
+    /// ∫F from the beginning.
+    pub(crate) impulse: CompensatedSum<T>,
+}
+
+impl<T: Scalar> Stage<T> {
+    /// ∫ δ₀′ ds from the rounded radius to the exact one, 2 surplus/((π m/4) a⁴) because dJ = a⁴ δ₀′ da/2.
+    #[inline(always)]
+    pub(crate) fn strip(&self, integral_per_load: T) -> T {
+        if is_plain_zero(self.surplus) || self.radius.is_zero() {
+            return T::zero();
+        }
+        // One division, and a⁴ need not be in range.
+        let per_square = (self.radius * self.radius).recip();
+        T::constant(2.0) * self.surplus * integral_per_load * per_square * per_square
+    }
+}
+
+/// The surplus of a stage, unless it is too large for its radius to be taken as exact to first order.
+///
+/// A surplus of x times the force adds a pressure of first order in x, and shifts all ages by x e-foldings, which takes
+/// as much away, since a held load has little more to drain. When the hereditary load is at least 1/√ε times
+/// the force, its rounding makes x² larger than rounding. Leaving the surplus out moves the radius by no more than a
+/// rounding error.
+pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
+    if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
+}

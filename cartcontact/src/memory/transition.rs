@@ -1,0 +1,79 @@
+//! How pressures change from one stage to another.
+
+use super::Increment;
+use super::fading::Fading;
+use crate::Scalar;
+use crate::numbers::compensated_sum::CompensatedSum;
+
+/// How pressures at radii r up to `reach` change from one stage to another:
+/// P ← decay · P + offset + slope (reach² − r²).
+///
+/// Along a record of a hundred thousand pieces each sum changes a little that many times, and is rounded as often.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Transition<T> {
+    pub(crate) decay: CompensatedSum<T>,
+    pub(crate) offset: CompensatedSum<T>,
+    pub(crate) slope: CompensatedSum<T>,
+    pub(crate) reach: T,
+}
+
+impl<T: Scalar> Transition<T> {
+    pub(crate) fn none(reach: T) -> Self {
+        let zero = CompensatedSum::from(T::zero());
+        Self { decay: T::one().into(), offset: zero, slope: zero, reach }
+    }
+
+    /// The pressure after the transition, at a radius up to `reach`, from that before it.
+    ///
+    /// Where the rounded radius exceeds the exact one, the strip between them leaves a small negative remainder.
+    #[inline(always)]
+    pub(crate) fn apply(&self, pressure: T, radius: T) -> T {
+        let gain = self.offset.value + self.slope.value * ((self.reach - radius) * (self.reach + radius));
+        not_negative(self.decay.value * pressure + gain)
+    }
+
+    /// The pressure after the transition at the radius `reach`, if there was none before it.
+    pub(crate) fn first_pressure(&self) -> T {
+        self.offset.value
+    }
+
+    /// Whether two computations of the same transition, at whose end the contact has a `radius`, differ by little more
+    /// than rounding. Rounding counts the more, the narrower the ring beyond the reach is. The radius is off by
+    /// `condition` roundings.
+    pub(super) fn agrees_with(&self, other: &Self, radius: T, condition: T) -> bool {
+        if radius <= self.reach {
+            // Nothing was covered.
+            return true;
+        }
+        let edge = radius * condition / (radius - self.reach).max(radius * T::default_epsilon());
+        let tolerance = T::default_epsilon() * T::constant(64.0) * (T::constant(8.0) + edge);
+        let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());
+        agree(self.offset.value, other.offset.value) && agree(self.slope.value, other.slope.value)
+    }
+
+    /// Continues with a stretch that fades what there was and adds `increment` beyond the radius `low`.
+    pub(super) fn advance(&mut self, fading: Fading<T>, quarter_m: T, increment: Increment<T>, low: T) {
+        let (offset, slope) = self.gain(quarter_m, increment, low);
+        fading.pass(&mut self.decay, T::zero());
+        fading.pass(&mut self.offset, offset);
+        fading.pass(&mut self.slope, slope);
+    }
+
+    /// Adds an increment that takes no time.
+    pub(super) fn add(&mut self, quarter_m: T, increment: Increment<T>, low: T) {
+        let (offset, slope) = self.gain(quarter_m, increment, low);
+        self.offset.add(offset);
+        self.slope.add(slope);
+    }
+
+    fn gain(&self, quarter_m: T, increment: Increment<T>, low: T) -> (T, T) {
+        let margin = (low - self.reach) * (low + self.reach);
+        (quarter_m * (increment.offset + increment.slope * margin), quarter_m * increment.slope)
+    }
+}
+
+/// A pressure without the negative remainder that rounding may leave at the edge; NaN stays NaN.
+#[inline(always)]
+pub(crate) fn not_negative<T: Scalar>(pressure: T) -> T {
+    if pressure < T::zero() { T::zero() } else { pressure }
+}
