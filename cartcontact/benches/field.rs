@@ -38,8 +38,9 @@ fn field(criterion: &mut Criterion) {
     let (printed, times, radii) = (as_printed(NODES), steps(100, END.0), steps(100, END.1));
     let mut values = vec![0.0; times.len() * radii.len()];
     fill_as_printed(&printed, &times, &radii, &mut values);
-    let are_all_there = values.iter().all(|value| *value >= 0.0) && values.iter().any(|value| *value > 0.0);
-    assert!(are_all_there, "{NO_RESULT}");
+    // A sixth lies outside the contact.
+    let inside = values.iter().filter(|value| **value > 0.0).count();
+    assert!(values.iter().all(|value| *value >= 0.0) && 5 * inside > 4 * values.len(), "{NO_RESULT}");
     group.throughput(Throughput::Elements(values.len() as u64));
     group.bench_function("as printed (26)-(27) at every point/100 x 100", |b| {
         b.iter(|| fill_as_printed(&printed, &times, &radii, &mut values));

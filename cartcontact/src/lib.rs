@@ -72,8 +72,8 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 
 // From a geometry (`profile`, `polynomial`, generated code by way of `generated`; `admissibility`: how far it holds), a
 // `medium` of `layer`s and a `load` to a `contact`; from there by `radius` and `memory` to a `snapshot`, a `field` of
-// pressures. All of them `evaluate` sums of powers. `numbers`, `quadrature`, `scalar`, `pairs` and `dispatch` (to
-// instructions) know nothing of contacts.
+// pressures. All of them take sums of powers from `evaluate`. `numbers`, `quadrature`, `scalar`, `pairs` and `dispatch`
+// (to instructions) know nothing of contacts.
 mod admissibility;
 mod contact;
 mod dispatch;

@@ -11,8 +11,8 @@ pub(crate) struct Shown(pub(crate) f64);
 impl fmt::Display for Shown {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (size, single) = (self.0.abs(), self.0 as f32);
-        let has_no_derivatives = size == 0.0 || !size.is_finite() || (1e-4..1e7).contains(&size);
-        match (has_no_derivatives, f64::from(single) == self.0) {
+        let is_plain = size == 0.0 || !size.is_finite() || (1e-4..1e7).contains(&size);
+        match (is_plain, f64::from(single) == self.0) {
             (true, true) => write!(f, "{single}"),
             (true, false) => write!(f, "{}", self.0),
             (false, true) => write!(f, "{single:e}"),

@@ -1,7 +1,6 @@
 //! The command lines of the programs: `--name N` or `--name=N`, with whole numbers such as 7, 1_000 or 1e6.
 
-/// The numbers of these options, as far as they are given, in the order of their names; nothing if the arguments ask for
-/// help.
+/// The numbers of these options, as far as they are given, in the order of their names; nothing if help is asked for.
 ///
 /// # Errors
 ///

@@ -40,8 +40,8 @@ const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
 /// In ε: how much differences over steps of a thousandth of x are off if results are off by a few ε; the worst here is
 /// 3e-12.
 const DIFFERENCES: f64 = 1e-10 / f64::EPSILON;
-/// The share of P/F by which such differences may miss the derivative of a pressure under a load from nothing; the worst
-/// here is 4e-13.
+/// The share of P/F by which such differences may miss the derivative of a pressure under a load from nothing; the
+/// worst here is 4e-13.
 const DIFFERENCES_FROM_NOTHING: f64 = 1e-12;
 /// In ε: the sixth root of a quotient by `powf`, and a product with it.
 const CLOSED_FORM: f64 = 4.0;

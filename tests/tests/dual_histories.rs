@@ -18,11 +18,11 @@ const CHI: f64 = 0.0015;
 /// How far a derivative with respect to a force near 100 N may be from a difference over 0.1 N, as a share of P(0)/100:
 /// the difference magnifies the rounding of pressures by some thousand; the worst is 1.4e-11.
 const DIFFERENCES: f64 = 3e-11;
-/// The same for second derivatives and differences over 0.02 N, as a share of P(0)/100²: here the factor is some hundred
-/// million; the worst is 1.5e-7.
+/// The same for second derivatives and differences over 0.02 N, as a share of P(0)/100²: here the factor is some
+/// hundred million; the worst is 1.5e-7.
 const SECOND_DIFFERENCES: f64 = 3e-7;
-/// How far a derivative in single precision may be from that in double, as a share of P/100 + 1e-3: where nearly all the
-/// pressure has faded, its derivative is a difference; the worst is 1.6e-6, which is 13 ε.
+/// How far a derivative in single precision may be from that in double, as a share of P/100 + 1e-3: where nearly all
+/// the pressure has faded, its derivative is a difference; the worst is 1.6e-6, which is 13 ε.
 const SINGLE: f64 = 3e-6;
 
 /// Knots, the indices of those with the derivative 1, and times.

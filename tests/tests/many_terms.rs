@@ -9,7 +9,7 @@ use tests::condition::edge;
 #[gap_profile(sphere(10) + sphere(20), order = 24, max_radius = 5)]
 struct Spheres;
 
-/// Even powers up to the 64th, whose coefficients fall to 1e-84.
+/// Even powers up to the 64th, whose coefficients fall to 2e-85.
 #[gap_profile(sphere(20), order = 64, max_radius = 10)]
 struct HighOrder;
 

@@ -26,8 +26,8 @@ use polynomial::{Monomial, Polynomial};
 
 /// At 0.999 of the radius where it is 1, r^1024 is 0.36: beyond that, a contact cannot tell it from a step.
 pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
-/// Far more than a gap needs, and few enough to be decided and compiled in a second.
-pub(super) const MAXIMUM_TERMS: usize = 256;
+/// Far more than a gap needs.
+const MAXIMUM_TERMS: usize = 256;
 
 /// The gap between the undeformed surfaces, a sum of terms `coefficient * r^exponent`.
 pub(crate) struct Gap {

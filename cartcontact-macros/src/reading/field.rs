@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 use crate::diagnostics::Extent;
 use crate::reading::generics::Generics;
 use crate::reading::name::last_of_path;
-use crate::reading::{is_punct, length_before};
+use crate::reading::{between_commas, is_punct, length_before};
 
 /// A field that can be a symbol.
 pub(crate) struct Field {
@@ -27,14 +27,25 @@ pub(crate) enum FieldKind {
     TypeParameter(Ident),
 }
 
-/// The `#[cfg(...)]` among the attributes before a field.
+/// The `#[cfg(...)]` among the attributes before a field, which may be inside a `#[cfg_attr(...)]`.
 pub(super) fn condition(field: &[TokenTree]) -> Option<Extent> {
     let attribute = field.windows(2).find(|pair| {
         let [hash, TokenTree::Group(attribute)] = pair else { return false };
-        let name = attribute.stream().into_iter().next();
-        is_punct(hash, '#') && matches!(name, Some(TokenTree::Ident(name)) if name == "cfg")
+        is_punct(hash, '#') && is_condition(&attribute.stream().into_iter().collect::<Vec<_>>())
     });
     attribute.map(|attribute| Extent::of(attribute, Span::call_site()))
+}
+
+/// Whether an attribute with this content, or one that it stands for, is a `cfg`.
+fn is_condition(content: &[TokenTree]) -> bool {
+    match content {
+        [TokenTree::Ident(name), ..] if name == "cfg" => true,
+        [TokenTree::Ident(name), TokenTree::Group(group)] if name == "cfg_attr" => {
+            let parts: Vec<TokenTree> = group.stream().into_iter().collect();
+            between_commas(&parts).into_iter().skip(1).any(is_condition)
+        }
+        _ => false,
+    }
 }
 
 /// The name and the type of a field without its default, and the place between them; nothing if it is none, which the

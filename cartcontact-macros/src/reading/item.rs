@@ -171,8 +171,8 @@ impl Item {
             if let Some(place) = field.condition {
                 diagnostics.report(
                     place,
-                    "whether there is such a field must not depend on a `#[cfg]`, as the gap names it; put it on the \
-                     whole struct, and write one for each case, or use a type parameter",
+                    "whether there is such a field must not depend on a `#[cfg]`, as the gap names it; write one \
+                     struct for each case, with the `#[cfg]` on the struct, or use a type parameter",
                 );
             }
             let FieldKind::TypeParameter(own) = &field.kind else { continue };
@@ -316,12 +316,14 @@ mod tests {
                 #[cfg(not(feature = "double"))]
                 a: f32,
                 #[doc = "Always there."]
-                #[allow(dead_code)]
+                #[cfg_attr(feature = "double", allow(dead_code))]
                 b: f64,
+                #[cfg_attr(feature = "double", doc = "Sometimes there.", cfg(feature = "single"))]
+                c: f64,
             }
         ));
         let mut item = item.unwrap();
-        for (named, faults) in [("b", 0), ("a", 2)] {
+        for (named, faults) in [("b", 0), ("a", 2), ("c", 1)] {
             let mut diagnostics = Diagnostics::default();
             item.mark_used(|name| name == named, &mut diagnostics);
             assert_eq!(diagnostics.messages().len(), faults, "{named}");

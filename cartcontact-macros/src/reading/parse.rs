@@ -14,7 +14,7 @@ use crate::reading::slips::is_case;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 
 pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here";
-/// Every level takes a few hundred bytes of the compiler's stack, of which a build script or an editor may have little.
+/// Every level takes a few hundred bytes of the compiler's stack, of which a thread of an editor may have little.
 const MAXIMUM_DEPTH: usize = 64;
 
 /// Reads all of `tokens`; `place` stands for them in messages if there are none.

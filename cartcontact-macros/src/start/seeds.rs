@@ -122,8 +122,8 @@ struct LoadIntegral {
     /// log₂ of the unit of J′.
     unit: f64,
     lowest: f64,
-    /// The highest power that a step forms: with whole powers it is the lowest of J, or the ratio of two neighbours in
-    /// Horner's rule.
+    /// The highest power that a step forms. With whole powers it is the lowest of J, or the ratio of one to the next
+    /// or, as terms are added in pairs, to the next but one.
     highest_formed: f64,
 }
 
@@ -145,7 +145,8 @@ impl LoadIntegral {
         let powers = || terms.iter().map(|&(_, p)| p);
         let lowest = powers().next().unwrap_or(0.0);
         let highest_formed = if powers().all(|p| p.fract() == 0.0) {
-            powers().zip(powers().skip(1)).map(|(p, next)| next - p).fold(lowest, f64::max)
+            let ratios = |apart| powers().zip(powers().skip(apart)).map(|(p, next)| next - p);
+            ratios(1).chain(ratios(2)).fold(lowest, f64::max)
         } else {
             powers().fold(lowest, f64::max)
         };

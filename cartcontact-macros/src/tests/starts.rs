@@ -20,7 +20,7 @@ fn constants_without_a_table_begin_at_their_leading_term() {
     assert!(of_fields.is_ok_and(|geometry| has_leading_term(&geometry)));
 }
 
-/// In units of its last coefficient, J would leave the format.
+/// In units of the last coefficient J would leave the format, or, in the first, if its highest power were formed.
 #[test]
 fn expansions_of_high_order_have_whole_tables() {
     for text in ["sphere(10), order = 40", "sphere(20), order = 64", "sphere(0.02), order = 48"] {

@@ -1,5 +1,7 @@
 //! The ratios: dividends, divisors and targets.
 
+use std::collections::BTreeSet;
+
 use crate::measurements::Measurements;
 
 /// A line of the table.
@@ -117,8 +119,8 @@ pub(crate) fn missing(measurements: &Measurements) -> Vec<&'static str> {
         let group = name.split_inclusive('/').next().unwrap_or_default();
         measurements.time(name).is_none() && measurements.below(group).next().is_some()
     };
-    let names = LINES.iter().flat_map(|&(_, _, measured, unit)| [measured, unit]);
-    names.filter(|&name| name != NANOSECOND && is_missing(name)).collect()
+    let names: BTreeSet<_> = LINES.iter().flat_map(|&(_, _, measured, unit)| [measured, unit]).collect();
+    names.into_iter().filter(|&name| name != NANOSECOND && is_missing(name)).collect()
 }
 
 /// Within this, two variants cost the same.

@@ -33,6 +33,7 @@ use crate::scalar::{Tabled, smallest_normal, tabled};
 
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
 const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
+/// The nodes, their squares and their reciprocals, in both formats.
 const TABLED_NODES: [Tabled; 4] = tabled(NODES);
 const SQUARES: [Tabled; 4] = {
     let [n0, n1, n2, n3] = NODES;

@@ -13,8 +13,8 @@ use crate::Scalar;
 use crate::dispatch::wide;
 use crate::memory::{Transition, not_negative};
 
-/// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache. Processors without
-/// the standard library may have no cache, and little room on the stack: there they take 1 KiB in f32.
+/// Columns of a tile. Its pressures and squares take 16 KiB in f64, half of the smallest first cache. Programs without
+/// `std` may run where there is no cache and little stack: there they take 1 KiB in f32.
 pub(super) const TILE: usize = if cfg!(feature = "std") { 1024 } else { 128 };
 
 /// In bytes, as long as the widest vectors.

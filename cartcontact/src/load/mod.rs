@@ -67,8 +67,9 @@ pub(crate) use shortest::Shortest;
 /// ```
 ///
 /// In a control loop forces come one by one. A load that clamps each of them, so that none falls too fast, need not be
-/// searched, and one that thins out its samples when there is no more room does not allocate. A radius takes the same
-/// time however many samples there are; a pressure takes a time for each, so that their number bounds its rate:
+/// searched, and one that thins out its samples when there is no more room does not allocate. The time
+/// for a pressure grows with the number of samples, which bounds how often a loop can ask for one; that for a radius
+/// does not:
 ///
 /// ```
 /// use cartcontact::{Contact, Medium, Polynomial, load::Load};

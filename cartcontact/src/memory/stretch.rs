@@ -98,7 +98,10 @@ impl<'a, T: Scalar> Course<'a, T> {
         match *self {
             Self::Step { age, .. } => age,
             Self::Linear { line, .. } => line.age(deficit),
-            Self::Smooth(_) => T::zero(),
+            Self::Smooth(_) => {
+                debug_assert!(false, "a straight load has a smooth course");
+                T::zero()
+            }
         }
     }
 }
@@ -146,8 +149,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         (over_time, true)
     }
 
-    /// Whether the load has courses other than straight ones. Where the type of the load tells, the code for them is left
-    /// out, a tenth of what a microcontroller holds.
+    /// Whether the load has courses other than straight ones. Where its type tells that it has none, compilers leave
+    /// out the code for them, a tenth of the code of a pressure.
     #[inline(always)]
     fn may_be_smooth(&self) -> bool {
         !self.contact.load().is_linear_between_knots()

@@ -67,6 +67,23 @@ extern "C" fn of_a_record(record: &[(f32, f32); 8], time: f32, r: f32, written: 
     write(load.and_then(|load| results(Constants, load, time, r)), written);
 }
 
+/// A load that rises steadily, in N/s.
+struct Rise(f32);
+
+impl Load<f32> for Rise {
+    fn force(&self, t: f32) -> f32 {
+        self.0 * t
+    }
+    fn impulse(&self, t: f32) -> f32 {
+        0.5 * self.0 * t * t
+    }
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_a_load(rate: f32, time: f32, r: f32, written: &mut [f32; 4]) {
+    write(results(Constants, Rise(rate), time, r), written);
+}
+
 #[unsafe(no_mangle)]
 extern "C" fn radii(times: &[f32; 8], written: &mut [f32; 8]) {
     let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(100.0)).ok());

@@ -10,9 +10,9 @@ use super::scene::{Form, Scene};
 
 /// The share of the load by which a balance may be off, in ε: 1e-10 in f64.
 ///
-/// Where the rounding of a time is tens of e-foldings, χ t > 1e17, what is remembered lies nearer to the edge than numbers
-/// are spaced, and how much of it a quadrature misses is left to chance: of sixty thousand scenes eight were off by more
-/// than 200, all of them so late, and the worst by 6.7e3. Fuzzing draws many more. The worst in the seeded test is 2.8;
+/// Where the rounding of a time is tens of e-foldings, χ t > 1e17, what is remembered lies nearer to the edge than
+/// numbers are spaced, and how much of it a quadrature misses is left to chance: of sixty thousand scenes eight were off
+/// by more than 200, all of them so late, and the worst by 6.7e3. Fuzzing draws many more. The worst in the seeded test is 2.8;
 /// the campaign, which draws no such times, compares with the table.
 const BALANCE: f64 = 4.5e5;
 
