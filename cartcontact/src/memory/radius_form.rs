@@ -5,7 +5,7 @@
 //! as long as the finest rule integrates to full accuracy, usually one. What lies below a panel adds at most
 //! e^(−χ age) (δ₀(s) − δ₀(low)), because ages only grow inwards; the integral ends when that no longer counts.
 //!
-//! Under a profile with fractional exponents the innermost quarter, [`increment_of_core`], is integrated over s^(1/4)
+//! Under a profile with fractional exponents the innermost quarter, `increment_of_core`, is integrated over s^(1/4)
 //! instead. That makes multiples of 1/4 whole and leaves other powers s^n a singularity of order 4 (n+2) − 1, at least
 //! 7; outside the core the singularity at r = 0 is far enough away for any rule.
 
@@ -173,7 +173,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// Whether the shortest rule suffices for a whole stretch of a held load under positive terms, whatever its panels
     /// are.
     ///
-    /// The [`folds_per_length`] are greatest at the edge, where ages grow by J′/Y′ per length. For a term of power p,
+    /// The [`folds_per_length`](Self::folds_per_length) are greatest at the edge, where ages grow by J′/Y′ per length. For a term of power p,
     /// over the share u of the radius, that adds up to p u/(1 − (1−u)^p) < 1 + p u times the growth of the ages, which
     /// is at most χ times the duration.
     fn changes_little(&self) -> bool {
