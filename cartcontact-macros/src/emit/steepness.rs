@@ -28,10 +28,9 @@ pub(super) fn function(
 }
 
 /// The value at `a` for whole powers, from J and its derivatives as sums in the [`variable`](Whole::variable), divided
-/// by its lowest power; a J′ was divided by `unit`, and a² J″/2 by its square. For a square root the power comes with
-/// its rounding error: it is twice as high as that of a radius, and would round twice as often.
+/// by its lowest power; a J′ was divided by `unit`, and a² J″/2 by its square. The power may come with its excess.
 pub(super) fn value(
-    (whole, is_of_square_root): (&Whole, bool),
+    (whole, has_excess): (&Whole, bool),
     a: &Ident,
     [value, first, half_second]: &[TokenStream; 3],
     unit: &Rational,
@@ -41,7 +40,7 @@ pub(super) fn value(
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let (constant, per_unit) = (names.constant(), literal(&unit.recip()));
     let [power, sum, lost] = ["power", "value", "lost"].map(local);
-    let (binding, power, excess) = if is_of_square_root {
+    let (binding, power, excess) = if has_excess {
         let (function, exponent) = (names.generated("power_of_half_digits"), Literal::u32_unsuffixed(lowest));
         let binding = quote!(let (#power, #lost) = #function(#a, #exponent););
         (binding, quote!(#power), quote!(#lost * #sum))
