@@ -136,9 +136,12 @@ fn body(
         nested((&whole, is_monic(&first)), &variable, of_first, names),
         paired(&whole, &variable, of_half_second, names),
     ];
-    // The lowest power of a square root is twice as high as that of a radius, and would round twice as often; the degree
-    // of a gap that begins with r divides errors by five only.
-    let has_excess = *root == 2 || whole.lowest() == 5;
-    let steepness = steepness::value((&whole, has_excess), a, &sums, unit, names);
-    quote!(#values #firsts #half_seconds #steepness)
+    // The degree of J divides its roundings. Where a gap begins with r or less, that is by five at most; and powers of a
+    // square root are twice as high as those of a radius, and round twice as often. Either is made up for by what the
+    // lowest power loses, both by what its product with the sum loses.
+    let (is_low, is_of_root) = (whole.lowest() <= 5 * root, *root == 2);
+    let steepness = steepness::value((&whole, is_low != is_of_root), a, &sums, unit, names);
+    let body = quote!(#values #firsts #half_seconds #steepness);
+    let lowest = Literal::u32_unsuffixed(whole.lowest());
+    if is_low && is_of_root { quote!({ #body }.with_exact_power::<#lowest>(#a)) } else { body }
 }
