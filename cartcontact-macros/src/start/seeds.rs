@@ -71,7 +71,7 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
         terms.push((factor, summand.exponent.to_f64()?));
     }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
-    let unit = unit(load_integral).unwrap_or_else(Rational::one);
+    let unit = unit(load_integral);
     let sum = LoadIntegral::new(terms, stepped.root, logarithm(unit.to_f64()?), largest_single);
     let top = if is_constant {
         top(geometry, |a| sum.at(a.powf(sum.root.recip())).value)
@@ -89,11 +89,14 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
 ///
 /// 1 if that would leave coefficients near the end of the format, as in expansions of a sphere beyond r⁴⁰, and if one
 /// is a symbol: the ratio of two has no bound.
-fn unit(load_integral: &PowerSum) -> Option<Rational> {
+fn unit(load_integral: &PowerSum) -> Rational {
     let constants: Option<Vec<_>> = load_integral.summands.iter().map(Summand::constant).collect();
-    let highest = *constants?.last()? * &load_integral.summands.last()?.exponent;
-    let is_near_one = 2.0 * logarithm(highest.to_f64()?).abs() < LARGEST_DOUBLE;
-    is_near_one.then_some(highest)
+    let last = constants.and_then(|constants| constants.last().copied()).zip(load_integral.summands.last());
+    let highest = last.map(|(constant, summand)| constant * &summand.exponent);
+    let is_near_one = |highest: &Rational| {
+        highest.to_f64().is_some_and(|highest| 2.0 * logarithm(highest).abs() < LARGEST_DOUBLE)
+    };
+    highest.filter(is_near_one).unwrap_or_else(Rational::one)
 }
 
 fn logarithm(number: f64) -> f64 {

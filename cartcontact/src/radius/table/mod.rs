@@ -6,7 +6,7 @@
 //! so that its square is exact in both formats. The macro has checked the error after the step for every row: it is
 //! less than ε/8. The weights of symbols have few digits, see [`Target`](super::halley::Target), so that they are
 //! rounded no more than constants. Where the gap begins with r, p is least, and what its power loses is known. With
-//! whole powers up to 8 radii in a million are off by more than 1 ulp, by 1.07 at the most;
+//! whole powers up to 11 radii in a million are off by more than 1 ulp, by 1.07 at the most;
 //! `cargo run --release -p tests --bin radii` counts them.
 //!
 //! Where powers are multiples of 1/2, the same is done with x, the square root of the radius, whose powers are whole.
