@@ -45,6 +45,19 @@ fn a_history_is_searched_once_for_all_times() {
     }
 }
 
+/// Also where the numbers are beyond the usual sizes, each of which is then looked at.
+#[test]
+fn a_history_is_searched_once_for_all_rows_of_a_field() {
+    for force in [100.0, 1e-200] {
+        let load = Counted::new(Constant(force));
+        let contact = joint(Patellofemoral, CHI, &load);
+        let times: Vec<f64> = (0..640).map(|k| f64::from(k) * 3.0).collect();
+        assert_eq!(contact.pressure_field(&times, &[0.0], &mut vec![0.0; times.len()]), Ok(()), "{force}");
+        // Once more for the first time, which is asked for alone.
+        assert!(load.searches() <= 2, "{force}: {}", load.searches());
+    }
+}
+
 /// This holds even where the numbers of a block are beyond the usual sizes.
 #[test]
 fn radii_under_loads_of_every_size() {

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{ContactError, Scalar};
 use tests::joint::joint;
-use tests::loads::{Rise, Swing};
+use tests::loads::{Rise, Swing, through};
 use tests::profiles::Paraboloid;
 
 const CHI: f64 = 0.02;
@@ -267,6 +267,37 @@ fn many_times_name_the_first_that_is_too_late() {
         let Err(ContactError::Receding { time, since }) = result else { unreachable!("{result:?}") };
         assert_eq!(Some(time), first);
         assert_near(Some(since), turn, 1e-6 * turn);
+    }
+}
+
+/// The edge recedes at the very time of the step, of which nothing shows earlier.
+#[test]
+fn a_step_down_at_the_last_of_many_times_is_refused() {
+    struct Step;
+    impl Load<f64> for Step {
+        fn force(&self, t: f64) -> f64 {
+            if t < 5.0 { 100.0 } else { 50.0 }
+        }
+        fn impulse(&self, t: f64) -> f64 {
+            100.0 * t - 50.0 * (t - 5.0).max(0.0)
+        }
+        fn next_knot(&self, t: f64) -> Option<f64> {
+            (t < 5.0).then_some(5.0)
+        }
+        fn force_before(&self, t: f64) -> f64 {
+            if t <= 5.0 { 100.0 } else { 50.0 }
+        }
+    }
+    let knots = through(&[(0.0, 100.0), (5.0, 100.0), (5.0, 50.0)]);
+    let loads: [&dyn Load<f64>; 2] = [&knots, &Step];
+    for load in loads {
+        let contact = joint(Paraboloid, CHI, load);
+        let expected = ContactError::Receding { time: 5.0, since: 5.0 };
+        assert_eq!(contact.at(5.0).err(), Some(expected.clone()));
+        let (times, mut values) = ([4.0, 5.0], [0.0; 2]);
+        assert_eq!(contact.radii(&times, &mut values), Err(expected.clone()));
+        assert_eq!(contact.pressure_field(&times, &[0.0], &mut values), Err(expected));
+        assert_eq!(contact.radii(&[4.0, 4.999_999], &mut values), Ok(()));
     }
 }
 

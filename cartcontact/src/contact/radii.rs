@@ -15,7 +15,8 @@ use crate::profile::GapProfile;
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
 const BLOCK: usize = 256;
 
-/// The radii at as many times; the edge is known not to recede before a time, or not at all.
+/// The radii at as many times; the edge is known not to recede before a time, at which the load may step down, or not at
+/// all.
 pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
@@ -24,7 +25,7 @@ pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
 ) -> Result<(), ContactError> {
     let mut load_integrals = [T::zero(); BLOCK];
     for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
-        let is_advancing = since.is_none_or(|since| latest(times) <= since);
+        let is_advancing = since.is_none_or(|since| latest(times) < since);
         let load_integrals = &mut load_integrals[..times.len()];
         if !(is_advancing && Block { contact, times, load_integrals, radii }.fill()) {
             for (radius, &time) in radii.iter_mut().zip(times) {

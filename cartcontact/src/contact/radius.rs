@@ -17,13 +17,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not [recede](Self::recedes_until) up to
     /// `t`.
     pub(crate) fn advancing_radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.common_radius_at(t, || true).map_or_else(|| self.checked_radius_at(t), Ok)
+        let checked_radius = || self.checked_radius_under(self.valid_loading(t)?, t);
+        self.common_radius_at(t, || true).map_or_else(checked_radius, Ok)
     }
 
-    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not recede before a time, or not at all.
+    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not recede before a time, at which the
+    /// load may step down, or not at all.
     pub(crate) fn radius_if_advancing(&self, t: T, since: Option<T>) -> Result<T, ContactError> {
         match since {
-            Some(since) if t > since => self.radius_at(t),
+            Some(since) if t >= since => self.radius_at(t),
             _ => self.advancing_radius_at(t),
         }
     }
@@ -52,7 +54,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius, or the first of its faults.
     #[inline(never)]
     fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
-        let loading = self.loading_at(t)?;
+        self.checked_radius_under(self.loading_at(t)?, t)
+    }
+
+    /// The contact radius under the loading at a time, or why there is none.
+    #[inline(never)]
+    fn checked_radius_under(&self, loading: Loading<T>, t: T) -> Result<T, ContactError> {
+        let unrepresentable =
+            ContactError::Unrepresentable { time: t.value(), force: loading.force.value() };
+        if !self.has_digits(loading) {
+            return Err(unrepresentable);
+        }
         let load_integral = self.scales.load_integral(loading);
         let radius = self.radius_of(load_integral).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
@@ -62,11 +74,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
-        if self.keeps_digits(loading.force, radius, load_integral) {
-            Ok(radius)
-        } else {
-            Err(ContactError::Unrepresentable { time: t.value(), force: loading.force.value() })
-        }
+        if self.keeps_digits(loading.force, radius, load_integral) { Ok(radius) } else { Err(unrepresentable) }
     }
 
     /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
@@ -92,11 +100,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             let receding = ContactError::Receding { time: t.value(), since: since.value() };
             return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
         }
-        if self.has_digits(loading) {
-            Ok(loading)
-        } else {
-            Err(ContactError::Unrepresentable { time: t.value(), force: loading.force.value() })
-        }
+        Ok(loading)
     }
 
     /// The loading at a time, from a load that a user may have got wrong.
