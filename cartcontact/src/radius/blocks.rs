@@ -16,7 +16,7 @@ const SMALL_BLOCK: usize = 16;
 
 impl Table {
     /// [`fill`] with blocks solved by a step from the rows. Where the first block is not in the table, `others` solves as
-    /// many as it can, in vector code.
+    /// much of it as it can, in vector code: the blocks after it may be in the table.
     #[inline(always)]
     pub(super) fn find_all<T: Scalar>(
         &self,
@@ -33,7 +33,10 @@ impl Table {
             (least, BLOCK),
             #[inline(always)]
             |load_integrals, radii| match blocks.solve(load_integrals, radii) {
-                0 => others(load_integrals, radii),
+                0 => {
+                    let block = radii.len().min(BLOCK);
+                    others(&load_integrals[..block], &mut radii[..block])
+                }
                 found => found,
             },
             general,
@@ -144,6 +147,9 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
             (*all_digits, *all_periods) = (digits(y), periods);
             found &= (from <= y) & (y < to);
         }
+        if !found {
+            return false;
+        }
         let places = all_digits.iter().copied().zip(all_periods);
         if let Some(row) = table.row_of_all(&all_digits) {
             take_steps(step, iter::repeat(&row), places, starts, (load_integrals, radii));
@@ -154,7 +160,7 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
             take_steps(step, rows.iter(), places, starts, (load_integrals, radii));
         }
         // Usually there is no limit; no radius is within a limit of NaN.
-        found && (*limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit)))
+        *limit == T::infinity() || radii.iter().fold(true, |all, radius| all & (radius <= limit))
     }
 }
 
