@@ -17,7 +17,7 @@ const _: () = {
             "`x` is unknown; write `r` or a field of `Knee`"
         }
     };
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    #[allow(unreachable_pub, reason = "a program need not ask for them")]
     impl<T> Knee<T> {
         #[doc(hidden)]
         pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); __FAULTS] = [(

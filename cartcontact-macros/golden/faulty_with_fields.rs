@@ -17,7 +17,7 @@ const _: () = {
             "`raduis` is unknown; did you mean `radius`?"
         }
     };
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    #[allow(unreachable_pub, reason = "a program need not ask for them")]
     impl<S> Ball<S>
     where
         S: __cartcontact::Scalar,

@@ -715,7 +715,7 @@ const _: () = {
             __c0 >= <S as __cartcontact::Scalar>::constant(0.0f64)
         }
     }
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    #[allow(unreachable_pub, reason = "a program need not ask for them")]
     impl<'a, S: Copy, T> Any<'a, S, T>
     where
         T: Clone,

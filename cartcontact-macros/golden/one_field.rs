@@ -419,7 +419,7 @@ const _: () = {
             __c0 >= <T as __cartcontact::Scalar>::constant(0.0f64)
         }
     }
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    #[allow(unreachable_pub, reason = "a program need not ask for them")]
     impl Ball {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms<T: __cartcontact::Scalar>(&self) -> [(T, T); 1usize] {

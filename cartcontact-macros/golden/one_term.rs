@@ -231,7 +231,7 @@ const _: () = {
             true
         }
     }
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    #[allow(unreachable_pub, reason = "a program need not ask for them")]
     impl Paraboloid {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub const TERMS: [(::core::primitive::f64, ::core::primitive::f64); 1usize] = [

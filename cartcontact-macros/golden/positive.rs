@@ -563,7 +563,7 @@ const _: () = {
             true
         }
     }
-    #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+    #[allow(unreachable_pub, reason = "a program need not ask for them")]
     impl Worn {
         /// The terms of the gap Σ C rⁿ as pairs (C, n), in ascending order of their exponents.
         pub fn terms<T: __cartcontact::Scalar>(&self) -> [(T, T); 2usize] {

@@ -57,7 +57,7 @@ fn implementation(item: &Item, generics: &Generics, content: &TokenStream) -> To
     let (parameters, bounds) = (generics.declared(), generics.bounds());
     let (ident, arguments) = (&item.ident, item.generics.arguments());
     quote! {
-        #[allow(dead_code, unreachable_pub, reason = "a program need not ask for them")]
+        #[allow(unreachable_pub, reason = "a program need not ask for them")]
         impl #parameters #ident #arguments #bounds { #content }
     }
 }

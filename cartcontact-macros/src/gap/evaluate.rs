@@ -84,8 +84,8 @@ impl<'a> Evaluator<'a> {
             Kind::Sum(summands) => {
                 Some(self.summed(summands)).filter(|(_, complete)| *complete).map(|(sum, _)| sum)
             }
-            Kind::Product(factors) => self.product(factors),
-            Kind::Power(base, exponent) => self.power(base, exponent),
+            Kind::Product(factors) => self.product(factors, extent),
+            Kind::Power(base, exponent) => self.power(base, exponent).map(|power| power.spread(extent)),
             Kind::Surface(surface) => self.surface(surface, extent),
         };
         value.map(|value| value.located(extent))
@@ -139,9 +139,9 @@ impl<'a> Evaluator<'a> {
         (sum, complete)
     }
 
-    fn product(&mut self, factors: &[Factor]) -> Option<Shape> {
+    fn product(&mut self, factors: &[Factor], extent: Extent) -> Option<Shape> {
         let mut product: Option<Shape> = None;
-        let mut faulty = false;
+        let (mut faulty, mut sums) = (false, 0);
         for Factor { divides, expression } in factors {
             let value = self.shape(expression);
             let value =
@@ -152,11 +152,14 @@ impl<'a> Evaluator<'a> {
                 faulty = true;
                 continue;
             };
+            sums += u32::from(value.powers.terms().len() > 1);
             let next = product.as_ref().map_or(Ok(value.clone()), |product| product.multiply(&value));
             product = self.checked(next, expression.extent);
             faulty |= product.is_none();
         }
-        product.filter(|_| !faulty)
+        let product = product.filter(|_| !faulty);
+        // Each term of a product of sums comes from several places.
+        if sums > 1 { product.map(|product| product.spread(extent)) } else { product }
     }
 
     fn inverse(&mut self, divisor: &Shape, extent: Extent) -> Option<Shape> {

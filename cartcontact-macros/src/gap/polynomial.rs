@@ -77,10 +77,13 @@ impl Polynomial {
     }
 
     /// Gives a single term the place of the whole expression that makes it.
-    pub(crate) fn located(mut self, extent: Extent) -> Self {
-        if self.terms.len() == 1 {
-            self.terms.map(|monomial| monomial.extent = extent);
-        }
+    pub(crate) fn located(self, extent: Extent) -> Self {
+        if self.terms.len() == 1 { self.spread(extent) } else { self }
+    }
+
+    /// Gives all terms the place of the expression that they were multiplied out from.
+    pub(crate) fn spread(mut self, extent: Extent) -> Self {
+        self.terms.map(|monomial| monomial.extent = extent);
         self
     }
 
@@ -110,17 +113,10 @@ impl Polynomial {
             );
         }
         let mut product = Polynomial::default();
-        // A product of two sums spans both of them.
-        let is_single = other.terms.len() == 1;
         for (exponent, monomial) in self.terms() {
             for (other_exponent, other_monomial) in other.terms() {
                 let coefficient = monomial.coefficient.multiply(&other_monomial.coefficient);
-                let extent = if is_single {
-                    monomial.extent
-                } else {
-                    Extent::between(monomial.extent, other_monomial.extent)
-                };
-                let monomial = Monomial { coefficient, extent };
+                let monomial = Monomial { coefficient, extent: monomial.extent };
                 product.accumulate(exponent + other_exponent, monomial);
             }
         }

@@ -45,6 +45,11 @@ impl Shape {
         Shape { powers: powers.located(extent), surfaces }
     }
 
+    /// Gives all powers the place of the expression that they were multiplied out from.
+    pub(crate) fn spread(self, extent: Extent) -> Self {
+        Shape { powers: self.powers.spread(extent), ..self }
+    }
+
     pub(crate) fn add(&mut self, other: Shape) {
         self.powers.add(other.powers);
         for surface in other.surfaces {

@@ -3,6 +3,8 @@
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
+use crate::diagnostics::Extent;
+use crate::reading::field::condition;
 use crate::reading::{between_commas, is_punct, length_before, ungrouped};
 
 /// What stands between `<` and `>`, and after `where`.
@@ -19,6 +21,8 @@ struct Parameter {
     name: TokenStream,
     /// With attributes and bounds, but without its default.
     declaration: TokenStream,
+    /// The `#[cfg(...)]` before it.
+    condition: Option<Extent>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -46,7 +50,8 @@ impl Parameter {
             [TokenTree::Ident(name), ..] => (Kind::Type, name.to_token_stream()),
             _ => return None,
         };
-        Some(Parameter { kind, name, declaration: quote!(#(#declaration)*) })
+        let condition = condition(tokens);
+        Some(Parameter { kind, name, declaration: quote!(#(#declaration)*), condition })
     }
 
     /// The parameter as an argument. Constants stand in braces, as a name alone would mean the type of that name if
@@ -86,6 +91,11 @@ impl Generics {
         self
     }
 
+    /// The first `#[cfg(...)]` before a parameter.
+    pub(super) fn condition(&self) -> Option<Extent> {
+        self.parameters.iter().find_map(|parameter| parameter.condition)
+    }
+
     /// Whether this is the name of a type parameter.
     pub(crate) fn has_type(&self, name: &Ident) -> bool {
         let mut types = self.parameters.iter().filter(|parameter| parameter.kind == Kind::Type);
@@ -96,7 +106,7 @@ impl Generics {
     pub(crate) fn with_constant(&self, name: &Ident, kind: &TokenStream) -> Self {
         let mut generics = self.clone();
         let (name, declaration) = (name.to_token_stream(), quote!(const #name: #kind));
-        generics.parameters.push(Parameter { kind: Kind::Constant, name, declaration });
+        generics.parameters.push(Parameter { kind: Kind::Constant, name, declaration, condition: None });
         generics
     }
 
@@ -105,7 +115,7 @@ impl Generics {
         let mut generics = self.clone();
         if !self.has_type(name) {
             let name = name.to_token_stream();
-            let parameter = Parameter { kind: Kind::Type, declaration: name.clone(), name };
+            let parameter = Parameter { kind: Kind::Type, declaration: name.clone(), name, condition: None };
             generics.parameters.push(parameter);
         }
         generics.predicates.push(quote!(#name: #bound));
@@ -162,12 +172,13 @@ mod tests {
     #[test]
     fn parameters_are_repeated_without_their_defaults() {
         let tokens = quote! {
-            <'a, 'b: 'a, #[cfg(all())] T: Fn(f64) -> Vec<Vec<T>> + 'b = Vec<f64>, const N: usize = 3,> rest
+            <'a, 'b: 'a, #[doc = "A number."] T: Fn(f64) -> Vec<Vec<T>> + 'b = Vec<f64>, const N: usize = 3,> rest
         };
         let tokens: Vec<TokenTree> = tokens.into_iter().collect();
         let (mut generics, rest) = Generics::parameters(&tokens);
         assert_eq!(quote!(#(#rest)*).to_string(), "rest");
-        let declared = quote!(<'a, 'b: 'a, #[cfg(all())] T: Fn(f64) -> Vec<Vec<T>> + 'b, const N: usize>);
+        let declared =
+            quote!(<'a, 'b: 'a, #[doc = "A number."] T: Fn(f64) -> Vec<Vec<T>> + 'b, const N: usize>);
         assert_eq!(generics.declared().to_string(), declared.to_string());
         assert_eq!(generics.arguments().to_string(), quote!(<'a, 'b, T, { N }>).to_string());
         assert!(generics.bounds().is_empty());

@@ -62,16 +62,24 @@ fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
     while let [hash, TokenTree::Group(attribute), rest @ ..] = tokens
         && is_punct(hash, '#')
     {
-        let mut content = attribute.stream().into_iter();
-        if let Some(TokenTree::Ident(name)) = content.next()
+        let content: Vec<TokenTree> = attribute.stream().into_iter().collect();
+        if let [TokenTree::Ident(name), TokenTree::Group(lints)] = content.as_slice()
             && (name == "allow" || name == "expect")
         {
-            let lints: TokenStream = content.collect();
-            allowed.extend(quote!(#[allow #lints]));
+            let lints: Vec<TokenTree> = lints.stream().into_iter().collect();
+            let lints = between_commas(&lints).into_iter().filter(|lint| !is_of_use(lint));
+            let lints = lints.map(|lint| quote!(#(#lint)*));
+            allowed.extend(quote!(#[allow(#(#lints),*)]));
         }
         tokens = rest;
     }
     allowed
+}
+
+/// Whether a lint asks if a program uses something. Generated code that allows it counts as use: the struct would never
+/// be found unused.
+fn is_of_use(lint: &[TokenTree]) -> bool {
+    matches!(lint, [TokenTree::Ident(name)] if name == "dead_code" || name == "unused")
 }
 
 /// Reads the annotated item. If a profile cannot be attached, the fault is reported; an item that still has a name and
@@ -84,6 +92,14 @@ pub(crate) fn parse(input: TokenStream, diagnostics: &mut Diagnostics) -> Option
             .report(place, "a gap profile belongs on a struct; write `#[gap_profile(...)] struct Name;`");
         return None;
     };
+    if let Some(place) = generics.condition() {
+        diagnostics.report(
+            place,
+            "whether a struct has a parameter must not depend on a `#[cfg]`, as an implementation repeats it; write one \
+             struct for each case, with the `#[cfg]` on the struct",
+        );
+        return None;
+    }
     if generics.has_type(&ident) {
         let message = format!(
             "the type parameter `{ident}` has the name of the struct, which an implementation could not name beside \
@@ -245,11 +261,11 @@ mod tests {
         let (item, _) = item(quote! {
             #[doc = "A ball."]
             #[allow(non_snake_case, reason = "as printed")]
-            #[expect(dead_code)]
+            #[expect(dead_code, deprecated)]
             #[must_use]
             struct Ball { R: f64 }
         });
-        let expected = quote!(#[allow(non_snake_case, reason = "as printed")] #[allow(dead_code)]);
+        let expected = quote!(#[allow(non_snake_case, reason = "as printed")] #[allow(deprecated)]);
         assert_eq!(item.unwrap().allowed.to_string(), expected.to_string());
     }
 

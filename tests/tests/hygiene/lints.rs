@@ -51,6 +51,13 @@ struct Ball<real> {
     R: real,
 }
 
+/// The attribute is no use of a struct: the compiler still finds it unused.
+#[cartcontact::gap_profile(curvature * r^2)]
+#[expect(dead_code, reason = "nothing makes one")]
+struct Unused {
+    curvature: f64,
+}
+
 #[test]
 fn lints_about_the_struct_concern_the_struct_alone() {
     let borrowed = Borrowed { curvature: 0.025, name: "", other: "" };
