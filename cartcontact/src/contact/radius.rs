@@ -60,8 +60,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius under the loading at a time, or why there is none.
     #[inline(never)]
     fn checked_radius_under(&self, loading: Loading<T>, t: T) -> Result<T, ContactError> {
-        let unrepresentable =
-            ContactError::Unrepresentable { time: t.value(), force: loading.force.value() };
+        let unrepresentable = ContactError::Unrepresentable { time: t.value(), force: loading.force.value() };
         if !self.has_digits(loading) {
             return Err(unrepresentable);
         }
@@ -74,7 +73,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             },
             other => ContactError::Radius { time: t.value(), error: other },
         })?;
-        if self.keeps_digits(loading.force, radius, load_integral) { Ok(radius) } else { Err(unrepresentable) }
+        if self.keeps_digits(loading.force, radius, load_integral) {
+            Ok(radius)
+        } else {
+            Err(unrepresentable)
+        }
     }
 
     /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.

@@ -25,7 +25,7 @@ pub(crate) fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coeffici
 /// r² = s + e exactly, s^m P(s) lacks e s^(m−1) (s P′(s) + m P(s)).
 ///
 /// Error for coefficients of one sign: at most (N + m + 2) ε, typically below 2 ε up to N = 12.
-#[inline]
+#[inline(always)]
 pub fn even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
     let (exact, degree) = (<DoubleWord<T>>::product(r, r), lowest / 2);
     let square = exact.rounded();
@@ -99,7 +99,7 @@ pub fn value_and_slope<T: Scalar, const N: usize>(x: T, coefficients: [T; N]) ->
 }
 
 /// (P(x) − P(y)) / (x − y) without a difference, hence without cancellation for coefficients of one sign.
-#[inline]
+#[inline(always)]
 pub fn divided_difference<T: Scalar, const N: usize>(x: T, y: T, coefficients: [T; N]) -> T {
     value_and_quotient(x, y, &coefficients).1
 }

@@ -14,7 +14,8 @@ use crate::numbers::logarithm::log_of_ratio;
 use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
-/// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
+/// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64; generated code
+/// has the same limit.
 const HIGH_POWER: f64 = 24.0;
 
 /// How many radii are taken at a time.
@@ -31,19 +32,15 @@ pub(crate) type SlopesAndDrops<'a, T> = (&'a mut [T], &'a mut [T]);
 pub(crate) fn fill_one_by_one<T: Scalar, P: GapProfile<T> + ?Sized>(
     profile: &P,
     a: T,
-    (radii, depths): Places<'_, T>,
-    (slopes, drops): SlopesAndDrops<'_, T>,
+    places: Places<'_, T>,
+    values: SlopesAndDrops<'_, T>,
 ) {
     let slope = |s: T| profile.quick_approach_slope(s);
-    fill_by_functions((radii, depths), (&mut *slopes, drops), slope, |depth| {
-        profile.load_integral_drop(a, depth)
-    });
+    let drop = |depth: T| profile.load_integral_drop(a, depth);
     if profile.highest_exponent() > T::constant(HIGH_POWER) {
-        for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
-            // The difference over a short step inwards stands for the derivative.
-            let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
-            *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
-        }
+        fill_by_high_functions(a, places, values, slope, drop);
+    } else {
+        fill_by_functions(places, values, slope, drop);
     }
 }
 
@@ -59,6 +56,24 @@ pub fn fill_by_functions<T: Scalar>(
     for ((slope_there, drop_there), (&radius, &depth)) in values.zip(radii.iter().zip(depths)) {
         *slope_there = slope(radius);
         *drop_there = drop(depth);
+    }
+}
+
+/// The same for a gap with powers above the 24th: slopes are corrected for the rounding of their radii.
+#[inline(always)]
+pub fn fill_by_high_functions<T: Scalar>(
+    a: T,
+    (radii, depths): Places<'_, T>,
+    (slopes, drops): SlopesAndDrops<'_, T>,
+    slope: impl Fn(T) -> T,
+    drop: impl Fn(T) -> T,
+) {
+    fill_by_functions((radii, depths), (&mut *slopes, drops), &slope, drop);
+    for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
+        // The difference over a short step inwards stands for the derivative: the share of the correction by which it is
+        // off, up to 64/4096, is far from counting.
+        let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
+        *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
     }
 }
 
