@@ -8,8 +8,7 @@
 //!
 //! (Abramowitz & Stegun 25.4.30 with the largest derivative). Memory integrands are positive sums of powers times an
 //! exponential of one. The number of e-foldings by which they change over the interval, 2 c, bounds their logarithmic
-//! slope and takes the place of 2 c here. `folds` below is where the error reaches a quarter of the unit roundoff of
-//! f64 or f32.
+//! slope and takes the place of 2 c here. `folds` below is where the error reaches ε/4 of f64 or f32, to four digits.
 
 use crate::Scalar;
 use crate::scalar::{from_single, is_single};

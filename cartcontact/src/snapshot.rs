@@ -182,13 +182,13 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         // loop.
         let (profile, m) = (self.contact.profile(), self.contact.medium().m());
         let initial_stiffness = if start.time.is_zero() { m } else { T::zero() };
-        let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()) * T::constant(0.25));
+        let (a, strip) = (start.radius, start.strip(self.contact.integral_per_load()));
         let initial = &mut *pressures;
         wide(
             #[inline(always)]
             move || {
                 for (pressure, &r) in initial.iter_mut().zip(radii) {
-                    let kernel = profile.quick_pressure_kernel(a, r) + strip * ((a - r) * (a + r));
+                    let kernel = kernel_with_strip(profile, (a, strip), r);
                     *pressure = from_start.apply(initial_stiffness * kernel, r);
                 }
             },
@@ -212,9 +212,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// m G(a, r), the pressure before anything has drained.
     fn undrained_pressure(&self, stage: Stage<T>, r: T) -> T {
-        let (profile, medium, a) = (self.contact.profile(), self.contact.medium(), stage.radius);
-        let strip = stage.strip(self.contact.integral_per_load()) * T::constant(0.25) * ((a - r) * (a + r));
-        not_negative(medium.m() * (profile.quick_pressure_kernel(a, r) + strip))
+        let strip = stage.strip(self.contact.integral_per_load());
+        let kernel = kernel_with_strip(self.contact.profile(), (stage.radius, strip), r);
+        not_negative(self.contact.medium().m() * kernel)
     }
 
     /// The stage before which the history no longer counts: 0, or where it has faded below rounding.
@@ -266,4 +266,10 @@ impl<T: fmt::Debug, P, L> fmt::Debug for Snapshot<'_, T, P, L> {
             .field("radius", &self.radius)
             .finish_non_exhaustive()
     }
+}
+
+/// G of the exact contact radius at r: that of the rounded one, and what the [strip](Stage::strip) between them adds.
+#[inline(always)]
+fn kernel_with_strip<T: Scalar>(profile: &impl GapProfile<T>, (a, strip): (T, T), r: T) -> T {
+    profile.quick_pressure_kernel(a, r) + strip * T::constant(0.25) * ((a - r) * (a + r))
 }

@@ -236,8 +236,9 @@ impl<T: Scalar> Interpolant<T> {
     /// Whether what is cut off is below the rounding of values of some size.
     ///
     /// The terms of degree 6 and 7 are T₆/32 and T₇/64. Coefficients that fall geometrically from `size` on reach
-    /// 1024 ε at degree 6 if each is 1/130 of the one before; then the first one left out, of degree 8, is ε/16. If
-    /// they fall more slowly from a smaller value, the bound at degree 7 keeps the rest below a few ε.
+    /// 1024 ε at degree 6 if, in f64, each is 1/130 of the one before; then the first one left out, of degree 8, is
+    /// ε/16. In single precision, where they may fall more slowly, the bound at degree 7 leaves 2 ε; and so it does
+    /// wherever they fall more slowly from a smaller value.
     fn is_resolved(&self, size: T) -> bool {
         let (sixth, seventh) =
             (self.even[3] * T::constant(1.0 / 32.0), self.odd[3] * T::constant(1.0 / 64.0));

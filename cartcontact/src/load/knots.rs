@@ -6,10 +6,7 @@ use crate::scalar::is_finite_and_not_negative;
 
 /// The pieces between neighbouring knots, including steps.
 pub(super) fn pieces<T: Scalar>(knots: &[(T, T)]) -> impl Iterator<Item = Piece<T>> {
-    knots.windows(2).filter_map(|pair| match *pair {
-        [start, end] => Some(Piece { start, end }),
-        _ => None,
-    })
+    knots.iter().zip(knots.iter().skip(1)).map(|(&start, &end)| Piece { start, end })
 }
 
 /// Checks that knots are in the order of time from 0 on, at most two of them at one time, and forces not negative.
@@ -28,10 +25,9 @@ pub(super) fn check<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
     if !first.is_zero() {
         return Err(LoadError::LateStart { time: first.value() });
     }
-    for (knot, pair) in knots.windows(2).enumerate() {
-        if let [(previous, _), (time, _)] = *pair
-            && time < previous
-        {
+    for (knot, piece) in pieces(knots).enumerate() {
+        let (previous, time) = (piece.start.0, piece.end.0);
+        if time < previous {
             let (time, previous) = (time.value(), previous.value());
             return Err(LoadError::Unsorted { knot: knot + 1, time, previous });
         }

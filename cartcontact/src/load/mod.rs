@@ -157,7 +157,7 @@ pub trait Load<T: Scalar> {
     }
 
     /// Fills the impulses at many times, in any order, in N s, and returns true; or false, with nothing filled, if they
-    /// are as quick one by one. Both give the same impulses. The times may be anything, also no numbers.
+    /// are as quick one by one. Both give the same impulses. The times may be anything, NaN included.
     #[inline]
     fn fill_impulses(&self, _times: &[T], _impulses: &mut [T]) -> bool {
         false
@@ -180,7 +180,8 @@ pub trait Load<T: Scalar> {
     /// Fills `pieces` with the straight pieces between two times, in order and as many as there is room for, and
     /// returns how many there are; for loads that are [linear between knots](Self::is_linear_between_knots).
     ///
-    /// The first begins at `from`, with the force after a step there; the last ends at `until` at the latest. The
+    /// The first begins at `from`, with the force after a step there; the last ends at `until` at the latest. Steps may
+    /// be left out: a piece then begins with another force than that with which the one before it ended. The
     /// provided method looks for one knot after the other; a load that holds its knots in order need not.
     #[inline]
     fn straight_pieces(&self, (from, until): (T, T), pieces: &mut [Piece<T>]) -> usize {
@@ -206,7 +207,7 @@ pub trait Load<T: Scalar> {
     /// each panel of a few radians of an oscillation, or a few e-foldings of a decay, and up to 1e5 where forces are
     /// the rounding of something larger, as 1 − cos t is at first. A load that knows the answer should give it.
     ///
-    /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with three
+    /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two
     /// forces for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them together
     /// by √ε.
     fn recession(&self, chi: T, t: T) -> Option<T> {

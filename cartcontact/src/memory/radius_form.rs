@@ -47,8 +47,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// What the stretch adds, in as many panels as it takes.
     fn increment_of_panels(&self, is_steepest_at_edge: bool) -> Increment<T> {
         let (profile, deepest) = (self.contact.profile(), self.high - self.low);
-        let quarter_left = self.high * T::constant(0.75);
-        let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(quarter_left) };
+        let three_quarters = self.high * T::constant(0.75);
+        // The depth at which the core begins.
+        let core = if profile.is_smooth_at_centre() { deepest } else { deepest.min(three_quarters) };
         let mut sum = Increment::zero();
         let (mut depth, mut age) = (T::zero(), T::zero());
         while depth < core {
@@ -138,10 +139,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let most = Rule::FINEST.folds::<T>();
         let mut length = end - depth;
         loop {
-            let end = self.age_at(depth + length);
+            let age_at_end = self.age_at(depth + length);
             // The rate at the end, from the last 64th of the panel.
-            let shortly_before = self.age_at(depth + length * T::constant(63.0 / 64.0));
-            let fading = rate * (end - age).max((end - shortly_before) * T::constant(64.0));
+            let age_before_end = self.age_at(depth + length * T::constant(63.0 / 64.0));
+            let fading = rate * (age_at_end - age).max((age_at_end - age_before_end) * T::constant(64.0));
             // NaN, which derivatives may be, gets no better.
             let is_halved = fading > most && length > shortest;
             if !is_halved {

@@ -68,6 +68,9 @@ impl<'a, T: Scalar> Course<'a, T> {
     }
 
     /// What is left after the course.
+    ///
+    /// A straight fall by x e-foldings keeps 1/(1 + x) of its force or more, beside which the product that χ times the
+    /// duration loses, x ε/2 of e^(−x), is nothing; a smooth one may keep e^(−x).
     pub(super) fn fading(&self, chi: T) -> Fading<T> {
         match self {
             Self::Smooth(force) => Fading::over_duration(chi, force.duration()),

@@ -34,10 +34,11 @@ use crate::{GapProfile, Scalar};
 /// The most halvings of panels. A user-defined geometry may have radii that no panel resolves.
 const MOST_HALVINGS: u32 = 256;
 
-/// How many e-foldings count as one, and how many are added, because D′ may vanish at the end: what
-/// [`FOLDS_AT_DISTANCE`] was computed with.
+/// As how many e-foldings one counts; what [`FOLDS_AT_DISTANCE`] was computed with.
 const MARGIN: f64 = 1.2;
-const FOLDS_AT_ZERO: f64 = 0.5;
+
+/// How many e-foldings are added to a panel, because D′ may vanish at the end; computed likewise.
+const ADDED_FOLDS: f64 = 0.5;
 
 /// The singularity counts as this many e-foldings in a length equal to its distance.
 ///
@@ -85,7 +86,7 @@ where
         length = length.min(most / density);
         let end = if start + length < longest { start + length } else { longest };
         let rule = if is_simple {
-            Rule::for_folds(density * (end - start) + T::constant(FOLDS_AT_ZERO))
+            Rule::for_folds(density * (end - start) + T::constant(ADDED_FOLDS))
         } else {
             Rule::FINEST
         };

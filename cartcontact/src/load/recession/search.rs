@@ -168,9 +168,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                 self.shortest.give_up();
             }
             (self.time, self.impulse) = (stop, impulse);
-            if stop >= end && (Piece { start, end: (end, self.load.force_before(end)) }).keeps_bound(self.chi)
-            {
-                self.crest.fallen = self.crest.fallen.min(fallen);
+            if stop >= end {
+                self.forgive_along_bound(start, fallen, end);
             }
             // Also where no knot reports a jump.
             if let Some(since) = self.jump() {
@@ -182,6 +181,15 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step += step;
         }
         None
+    }
+
+    /// Takes a fall from knot to knot that keeps the bound F/(1 + χ Δt), as it is rounded, for none, as along
+    /// [straight pieces](super::descent): the panels in between have only added up their roundings.
+    fn forgive_along_bound(&mut self, start: (T, T), fallen: T, end: T) {
+        let piece = Piece { start, end: (end, self.load.force_before(end)) };
+        if piece.keeps_bound(self.chi) {
+            self.crest.fallen = self.crest.fallen.min(fallen);
+        }
     }
 
     /// What a panel tells; none if it is to be halved.

@@ -1,7 +1,7 @@
 //! When a user-defined load that is straight between its knots first falls too fast, or is not valid.
 //!
 //! Its pieces are all there is to know: the walk follows them as for [`PiecewiseLinear`](crate::load::PiecewiseLinear),
-//! with three forces for each.
+//! with two forces for each.
 
 use super::contradiction::Contradiction;
 use super::descent::Descent;

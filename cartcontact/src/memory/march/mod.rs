@@ -71,7 +71,7 @@ where
 
 /// Whether a difference has kept its digits, all but the last four; `sizes` is the sum of the magnitudes that it is the
 /// difference of.
-fn has_digits<T: Scalar>(difference: T, sizes: T) -> bool {
+fn is_well_conditioned<T: Scalar>(difference: T, sizes: T) -> bool {
     sizes <= T::constant(16.0) * difference
 }
 
@@ -172,7 +172,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         if let Some(mut increment) = run.increment(contact, self.transition.reach, share) {
             let fading = Fading::over(chi * (end - self.now.time));
             let (kept, sizes) = fading.kept_of((first.start.1, force));
-            if has_digits(kept, sizes) {
+            if is_well_conditioned(kept, sizes) {
                 let load = kept * contact.integral_per_load();
                 increment = increment.scaled_to_load(load, self.transition.reach);
             }
@@ -247,7 +247,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let fading = course.fading(chi);
         let (depth, is_covered) = (high - self.now.radius, self.is_covered());
-        // The share by which the radius grows, which bounds the error of the pressure.
+        // The share by which the radius grows, of which the mean place of what is laid leaves only the second order.
         if depth <= high * T::default_epsilon() * T::constant(16.0) && is_covered {
             self.cover_at_once(high, fading, forces, gain);
             return;
@@ -273,13 +273,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 increment = increment
                     .scaled_if_resolved(load, low)
                     .unwrap_or_else(|| self.laid_at_once(high, laid, gain));
-            } else if has_digits(kept, sizes) || is_left_out && !is_over_time {
+            } else if is_well_conditioned(kept, sizes) || is_left_out && !is_over_time {
                 increment = increment.scaled_to_load(load, low);
             }
         }
         self.transition.advance(fading, self.quarter_m(), increment, low);
         self.now = Stage { radius: high, surplus, ..self.now };
-        // A surplus that is left out has no strip.
+        // An integral over time ends at the exact radius, one over the radius at the rounded one, without the strip.
         self.has_strip = is_over_time;
     }
 
