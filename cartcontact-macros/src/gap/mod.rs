@@ -118,10 +118,14 @@ fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)
     let Monomial { coefficient, extent } = monomial;
     let fault = |message: &str| Err((extent, message.to_owned()));
     if exponent.is_negative() {
-        return fault("exponent must be greater than 0; a gap that vanishes at r = 0 needs positive powers");
+        return fault(
+            "exponent must be greater than 0, as the gap vanishes at r = 0; write a positive power",
+        );
     }
     if exponent > number::integer(MAXIMUM_EXPONENT) {
-        return fault(&format!("exponent must be at most {MAXIMUM_EXPONENT}; the gap beyond is a step"));
+        return fault(&format!(
+            "exponent must be at most {MAXIMUM_EXPONENT}, as the gap beyond is a step; write a lower one"
+        ));
     }
     if number::nearest(&exponent).is_none() {
         return fault("exponent is too small for an `f64`; write a larger one");

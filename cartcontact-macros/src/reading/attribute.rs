@@ -243,6 +243,20 @@ impl Attribute {
                 return Some(format!("`{name}` is not an option; did you mean `{option}`?"));
             }
         }
+        if let [TokenTree::Ident(name), sign, end @ ..] = entry.tokens.as_slice()
+            && name == "r"
+            && is_punct(sign, '<')
+        {
+            self.mark_option_faulty(entry);
+            let end = if let [equals, end @ ..] = end
+                && is_punct(equals, '=')
+            {
+                end
+            } else {
+                end
+            };
+            return Some(format!("a range is an option; write `max_radius = {}`", quote!(#(#end)*)));
+        }
         if let [TokenTree::Ident(name), sign, ..] = entry.tokens.as_slice()
             && is_punct(sign, '>')
         {

@@ -68,6 +68,9 @@ pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
 }
 
 fn not_a_surface(name: &str) -> String {
+    if let Some(meant) = other_shape(name) {
+        return format!("`{name}` is not among the surfaces; {meant}");
+    }
     match closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
         Some(surface) if surface != name => format!("`{name}` is not a surface; did you mean `{surface}`?"),
         _ => format!(
@@ -75,6 +78,23 @@ fn not_a_surface(name: &str) -> String {
              root write `r^0.5`, for a product `*`"
         ),
     }
+}
+
+/// What to say about another shape that a bone may have.
+fn other_shape(name: &str) -> Option<&'static str> {
+    Some(match name.to_lowercase().as_str() {
+        "paraboloid" | "parabola" => "write `conic(R, -1)`, or the power that it is, `r^2 / (2 * R)`",
+        "ellipsoid" | "ellipse" => {
+            "write `conic(R, k)` with `k` above -1, and the radius of curvature `R` on the axis"
+        }
+        "hyperboloid" | "hyperbola" => {
+            "write `conic(R, k)` with `k` below -1, and the radius of curvature `R` on the axis"
+        }
+        "cone" => "write the power that it is, as in `0.1 * r`",
+        "plane" | "flat" => "a flat body is `0`",
+        "cylinder" | "torus" => "the contact is axisymmetric, between surfaces of revolution",
+        _ => return None,
+    })
 }
 
 fn operand(tokens: &[TokenTree]) -> String {

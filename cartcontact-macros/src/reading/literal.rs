@@ -21,7 +21,7 @@ pub(crate) fn number(text: &str) -> Result<Rational, String> {
         return Err(format!("{text} is not a number; a gap is written with numbers, `r` and fields"));
     }
     if has_other_base(text) {
-        return Err(format!("numbers are written in decimal; `{text}` is not"));
+        return Err(format!("`{text}` is not a decimal number; write it in decimal"));
     }
     let Parts { whole, fraction, exponent, suffix } = Parts::of(text);
     if !suffix.is_empty() {

@@ -27,6 +27,8 @@ pub(crate) use structure::is_divisor;
 /// The largest power of a field: beyond it an `f64` is zero or infinite for nearly every value.
 const MAXIMUM_POWER: u32 = 1024;
 
+pub(crate) const ZERO_DIVISOR: &str = "a divisor must not be zero; write another, or remove the division";
+
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Coefficient {
@@ -123,7 +125,7 @@ impl Coefficient {
             return Ok(Coefficient::constant(Rational::one()));
         }
         let Some(product) = self.clone().into_product() else {
-            return if exponent.is_positive() { Ok(self.clone()) } else { Err("a divisor must not be zero") };
+            return if exponent.is_positive() { Ok(self.clone()) } else { Err(ZERO_DIVISOR) };
         };
         if exponent.is_integer() {
             return product.integer_power(exponent.numer()).map(Into::into);
