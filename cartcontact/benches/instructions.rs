@@ -9,12 +9,19 @@ mod scenes;
 use std::hint::black_box;
 
 use cartcontact::load::Load;
-use cartcontact::{Contact, GapProfile, Scalar};
+use cartcontact::{Contact, GapProfile, Scalar, gap_profile};
 use gungraun::prelude::*;
 use scenes::{
     Ball, Blunt, BluntBall, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE, RoundBall,
     Settling, ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
 };
+
+/// Powers with many missing between them.
+#[gap_profile(0.025 * r^2 + 1e-12 * r^12)]
+struct Steep;
+
+#[gap_profile(sphere(20), order = 24, max_radius = 15)]
+struct Sphere;
 
 /// A profile with load integrals and places for their radii.
 fn targets<T: Scalar, P>(profile: P) -> (P, Vec<T>, Vec<T>) {
@@ -140,6 +147,8 @@ fn assert_positive(pressure: f64) {
 #[library_benchmark(teardown = assert_positive)]
 #[bench::constant_load(contact(Patellofemoral))]
 #[bench::fractional_powers(contact(Blunt))]
+#[bench::sparse_powers(contact(Steep))]
+#[bench::long_expansion(contact(Sphere))]
 #[bench::a_field(contact(Ball { radius: 20.0 }))]
 #[bench::polynomial(contact(run_time()))]
 #[bench::hundred_knots(scenes::hundred_knots(RATE))]

@@ -293,9 +293,9 @@ fn a_step_down_at_the_last_of_many_times_is_refused() {
     for load in loads {
         let contact = joint(Paraboloid, CHI, load);
         let expected = ContactError::Receding { time: 5.0, since: 5.0 };
-        assert_eq!(contact.at(5.0).err(), Some(expected.clone()));
+        assert_eq!(contact.at(5.0).err(), Some(expected));
         let (times, mut values) = ([4.0, 5.0], [0.0; 2]);
-        assert_eq!(contact.radii(&times, &mut values), Err(expected.clone()));
+        assert_eq!(contact.radii(&times, &mut values), Err(expected));
         assert_eq!(contact.pressure_field(&times, &[0.0], &mut values), Err(expected));
         assert_eq!(contact.radii(&[4.0, 4.999_999], &mut values), Ok(()));
     }
