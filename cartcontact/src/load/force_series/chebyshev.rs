@@ -11,7 +11,7 @@ pub(super) const DEGREE: usize = 16;
 /// The coefficients of Chebyshev polynomials.
 pub(super) type Coefficients<T> = [T; DEGREE + 1];
 
-/// cos(π k/16), rounded from 40 digits.
+/// cos(π k/16) for k from 0 to 8, rounded from 40 digits.
 const QUARTER_TURN: [f64; DEGREE / 2 + 1] = [
     1.0,
     0.980_785_280_403_230_4,
