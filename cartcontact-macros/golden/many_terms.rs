@@ -585,6 +585,8 @@ const _: () = {
             __values: (&mut [T], &mut [T]),
         ) {
             __cartcontact::generated::fill_by_functions(
+                self,
+                __a,
                 __places,
                 __values,
                 |__r| {

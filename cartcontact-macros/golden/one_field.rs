@@ -338,6 +338,8 @@ const _: () = {
         ) {
             let [__c0]: [T; 1usize] = __coefficients(self);
             __cartcontact::generated::fill_by_functions(
+                self,
+                __a,
                 __places,
                 __values,
                 |__r| { (__c0) * __r },

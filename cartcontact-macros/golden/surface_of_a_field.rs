@@ -468,6 +468,8 @@ const _: () = {
         ) {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             __cartcontact::generated::fill_by_functions(
+                self,
+                __a,
                 __places,
                 __values,
                 |__r| {

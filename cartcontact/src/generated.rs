@@ -26,9 +26,7 @@ pub use crate::evaluate::steepness::{
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};
 pub use crate::profile::drops_by_roots::{drop_by_roots, fill_by_roots};
-pub use crate::profile::slopes_and_drops::{
-    fill_by_functions, fill_by_high_functions, fill_slopes_and_drops,
-};
+pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;

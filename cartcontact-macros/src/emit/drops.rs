@@ -18,9 +18,6 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 /// below 4 ε up to the 68th power, among 3000 drops in exact arithmetic.
 const HIGHEST_POWER: u32 = 24;
 
-/// The highest power of a gap whose slopes are not corrected for the rounding of a radius, as in the run-time crate.
-const HIGHEST_UNCORRECTED: u32 = 24;
-
 /// The method for one drop, and the one for slices of slopes and drops.
 pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
@@ -80,14 +77,8 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
     // Beyond the highest power compilers would leave the functions out of line, and all radii out of vectors.
     let fill = (!coefficients.preamble().is_empty() || whole.highest() > HIGHEST_POWER).then(|| {
         let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
-        let functions = quote!(#places, #values, |#r| { #slope }, |#depth| { #drop });
-        if whole.highest() > HIGHEST_UNCORRECTED + 4 {
-            let function = names.generated("fill_by_high_functions");
-            quote!(#function(#a, #functions))
-        } else {
-            let function = names.generated("fill_by_functions");
-            quote!(#function(#functions))
-        }
+        let function = names.generated("fill_by_functions");
+        quote!(#function(self, #a, #places, #values, |#r| { #slope }, |#depth| { #drop }))
     });
     Some(Ways { drop, fill, inline: quote!(#[inline]) })
 }

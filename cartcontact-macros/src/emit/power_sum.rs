@@ -12,8 +12,8 @@
 //!
 //! Horner's rule in x rounds twice per step, at random. In r² it also repeats the rounding of r² in every step, with
 //! the same sign, which still costs at most 2 ε at r⁸, and is corrected for beyond: expansions of spheres and sums of two
-//! powers were off by up to 2.7, 3.7 and 4.8 ε at r⁸, r²⁴ and r⁴⁴, among 6000 radii each in exact arithmetic. A gap in the exponents is bridged by a power by repeated
-//! multiplication, with the same effect.
+//! powers were off by up to 2.7, 3.7 and 4.8 ε at r⁸, r²⁴ and r⁴⁴, among 6000 radii each in exact arithmetic. A gap in
+//! the exponents is bridged by a power by repeated multiplication, with the same effect.
 
 use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -28,8 +28,10 @@ use crate::number::{Rational, code, nearest_and_rest, rounded};
 /// The highest whole power beside a root, whose product stays below 5 ε.
 const HIGHEST_BESIDE_ROOT: u32 = 8;
 
-/// The highest power of a sum in r² that is quick by Horner's rule, and the one up to which any may be missing.
+/// The highest power of a sum in r² that is quick by Horner's rule: beyond it, the error may exceed 5 ε.
 pub(super) const HIGHEST_IN_SQUARE: u32 = 44;
+
+/// The highest one if most powers are missing, and of sums in double words: beyond it, powers one by one take less time.
 const HIGHEST_OF_FEW: u32 = 24;
 
 /// The highest power that is written out as a product.

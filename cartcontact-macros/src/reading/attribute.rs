@@ -248,12 +248,9 @@ impl Attribute {
             && is_punct(sign, '<')
         {
             self.mark_option_faulty(entry);
-            let end = if let [equals, end @ ..] = end
-                && is_punct(equals, '=')
-            {
-                end
-            } else {
-                end
+            let end = match end {
+                [equals, end @ ..] if is_punct(equals, '=') => end,
+                _ => end,
             };
             return Some(format!("a range is an option; write `max_radius = {}`", quote!(#(#end)*)));
         }

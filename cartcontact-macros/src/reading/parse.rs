@@ -225,7 +225,10 @@ impl<'a> Parser<'a> {
             let place = self.rest.first().map_or(self.previous, |next| next.span().into());
             let nested = self.fault(
                 place,
-                format!("the expression is nested too deeply; remove parentheses, as at most {MAXIMUM_DEPTH} levels are read"),
+                format!(
+                    "the expression is nested too deeply; remove parentheses, as at most {MAXIMUM_DEPTH} levels are \
+                     read"
+                ),
             );
             self.skip_term();
             return nested;

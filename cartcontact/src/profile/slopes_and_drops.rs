@@ -14,8 +14,7 @@ use crate::numbers::logarithm::log_of_ratio;
 use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
-/// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64; generated code
-/// has the same limit.
+/// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
 const HIGH_POWER: f64 = 24.0;
 
 /// How many radii are taken at a time.
@@ -36,44 +35,31 @@ pub(crate) fn fill_one_by_one<T: Scalar, P: GapProfile<T> + ?Sized>(
     values: SlopesAndDrops<'_, T>,
 ) {
     let slope = |s: T| profile.quick_approach_slope(s);
-    let drop = |depth: T| profile.load_integral_drop(a, depth);
-    if profile.highest_exponent() > T::constant(HIGH_POWER) {
-        fill_by_high_functions(a, places, values, slope, drop);
-    } else {
-        fill_by_functions(places, values, slope, drop);
-    }
+    fill_by_functions(profile, a, places, values, slope, |depth| profile.load_integral_drop(a, depth));
 }
 
-/// The slopes by a function of the radius, and the drops by one of the depth.
+/// The slopes and drops of a profile, the slopes by a function of the radius and the drops by one of the depth.
 #[inline(always)]
-pub fn fill_by_functions<T: Scalar>(
-    (radii, depths): Places<'_, T>,
-    (slopes, drops): SlopesAndDrops<'_, T>,
-    slope: impl Fn(T) -> T,
-    drop: impl Fn(T) -> T,
-) {
-    let values = slopes.iter_mut().zip(drops);
-    for ((slope_there, drop_there), (&radius, &depth)) in values.zip(radii.iter().zip(depths)) {
-        *slope_there = slope(radius);
-        *drop_there = drop(depth);
-    }
-}
-
-/// The same for a gap with powers above the 24th: slopes are corrected for the rounding of their radii.
-#[inline(always)]
-pub fn fill_by_high_functions<T: Scalar>(
+pub fn fill_by_functions<T: Scalar, P: GapProfile<T> + ?Sized>(
+    profile: &P,
     a: T,
     (radii, depths): Places<'_, T>,
     (slopes, drops): SlopesAndDrops<'_, T>,
     slope: impl Fn(T) -> T,
     drop: impl Fn(T) -> T,
 ) {
-    fill_by_functions((radii, depths), (&mut *slopes, drops), &slope, drop);
-    for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
-        // The difference over a short step inwards stands for the derivative: the share of the correction by which it is
-        // off, up to 64/4096, is far from counting.
-        let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
-        *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
+    let values = slopes.iter_mut().zip(&mut *drops);
+    for ((slope_there, drop_there), (&radius, &depth)) in values.zip(radii.iter().zip(depths)) {
+        *slope_there = slope(radius);
+        *drop_there = drop(depth);
+    }
+    if profile.highest_exponent() > T::constant(HIGH_POWER) {
+        for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
+            // The difference over a short step inwards stands for the derivative: the share of the correction by which
+            // it is off, up to 64/4096, is far from counting.
+            let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
+            *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
+        }
     }
 }
 
