@@ -551,6 +551,10 @@ const _: () = {
             )
         }
         #[inline]
+        fn has_quick_radii(&self) -> ::core::primitive::bool {
+            __cartcontact::GapProfile::<S>::has_only_positive_terms(self)
+        }
+        #[inline]
         fn load_integral_drop(&self, __a: S, __depth: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             __cartcontact::generated::drop_by_roots(

@@ -310,6 +310,10 @@ const _: () = {
             )
         }
         #[inline]
+        fn has_quick_radii(&self) -> ::core::primitive::bool {
+            true
+        }
+        #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let [__c0]: [T; 1usize] = __coefficients(self);
             let __s = __a - __depth;

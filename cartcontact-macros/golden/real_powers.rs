@@ -355,6 +355,10 @@ const _: () = {
             )
         }
         #[inline]
+        fn has_quick_radii(&self) -> ::core::primitive::bool {
+            true
+        }
+        #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             __cartcontact::generated::drop_by_roots(
                 __a,

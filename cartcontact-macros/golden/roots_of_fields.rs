@@ -439,6 +439,10 @@ const _: () = {
             )
         }
         #[inline]
+        fn has_quick_radii(&self) -> ::core::primitive::bool {
+            __cartcontact::GapProfile::<T>::has_only_positive_terms(self)
+        }
+        #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
             __cartcontact::generated::drop_by_roots(

@@ -436,6 +436,10 @@ const _: () = {
             )
         }
         #[inline]
+        fn has_quick_radii(&self) -> ::core::primitive::bool {
+            __cartcontact::GapProfile::<T>::has_only_positive_terms(self)
+        }
+        #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __s = __a - __depth;

@@ -38,6 +38,7 @@ pub(super) fn methods(
         None => general,
     };
     let radii_within = radii.flatten().map(|radii| radii_within(&radii, coefficients, names));
+    let quick_radii = quick_radii(gap, forms, start, names);
     let inline = inlining(gap, forms, start);
     quote! {
         #inline
@@ -53,7 +54,29 @@ pub(super) fn methods(
         #unlimited
 
         #radii_within
+
+        #quick_radii
     }
+}
+
+/// The method that tells whether the radii of a slice are found in vector code, if they may be.
+fn quick_radii(gap: &Gap, forms: &ClosedForms, start: Option<&Start>, names: &Names) -> Option<TokenStream> {
+    let Names { krate, scalar, .. } = names;
+    let of_positive_terms = quote!(#krate::GapProfile::<#scalar>::has_only_positive_terms(self));
+    let truth = match start? {
+        Start::Roots(_) => quote!(true),
+        Start::Seeds(_) if Whole::of(&forms.stepped.scaled.load_integral).is_none() => return None,
+        // Values of other signs than those of the table are rare.
+        Start::Seeds(seeds) if gap.is_constant() || seeds.factors.iter().any(|&factor| factor < 0.0) => {
+            quote!(true)
+        }
+        Start::LeadingTerm if !leading_term::has_whole_powers(forms) => return None,
+        Start::Seeds(_) | Start::LeadingTerm => of_positive_terms,
+    };
+    Some(quote! {
+        #[inline]
+        fn has_quick_radii(&self) -> ::core::primitive::bool { #truth }
+    })
 }
 
 /// The radius from its start, and the radii of a slice if they are found in a way of their own.

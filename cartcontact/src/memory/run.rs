@@ -21,6 +21,7 @@
 //! show that the rule is too short. Such pieces are left to the other forms.
 
 use super::Increment;
+use super::radii_below::replace_drops_by_radii;
 use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::{Load, Piece};
@@ -160,13 +161,13 @@ impl<T: Scalar> Run<T> {
     }
 
     /// What the run adds to pressures at radii up to `low`, which are covered before it begins; none if the rule turns
-    /// out to be too short.
+    /// out to be too short. The contact radius at the end of the run is `edge`.
     ///
     /// Of what the run has laid by its end, the share `remaining` is left at the time that counts.
     pub(super) fn increment<P, L>(
         &self,
         contact: &Contact<T, P, L>,
-        low: T,
+        (low, edge): (T, T),
         remaining: T,
     ) -> Option<Increment<T>>
     where
@@ -186,7 +187,9 @@ impl<T: Scalar> Run<T> {
                 load_integrals.iter_mut().for_each(|hereditary| *hereditary *= contact.integral_per_load());
             },
         );
-        contact.radii_of(load_integrals, radii).ok()?;
+        if !self.find_radii(contact, edge, load_integrals, radii) {
+            return None;
+        }
         wide(
             #[inline(always)]
             || {
@@ -196,6 +199,29 @@ impl<T: Scalar> Run<T> {
                 self.is_resolved(radii, remaining).then_some(increment)
             },
         )
+    }
+
+    /// The radii of load integrals of the run; false if they are not found.
+    fn find_radii<P, L>(
+        &self,
+        contact: &Contact<T, P, L>,
+        edge: T,
+        load_integrals: &[T],
+        radii: &mut [T],
+    ) -> bool
+    where
+        P: GapProfile<T>,
+        L: Load<T>,
+    {
+        if contact.profile().has_quick_radii() {
+            return contact.radii_of(load_integrals, radii).is_ok();
+        }
+        let [.., last] = self.hereditary[..self.count] else { return false };
+        let at_edge = last * contact.integral_per_load();
+        for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
+            *radius = at_edge - load_integral;
+        }
+        replace_drops_by_radii(contact.profile(), edge, radii)
     }
 
     /// The hereditary loads at the nodes, one row of all pieces for each node of the rule, and the weights, which are

@@ -351,6 +351,13 @@ pub trait GapProfile<T: Scalar> {
         false
     }
 
+    /// Whether [`radii`](Self::radii) has vector code. Where it has none, memory integrals over many short pieces of a
+    /// load find their radii by [`fill_slopes_and_drops`](Self::fill_slopes_and_drops).
+    #[doc(hidden)]
+    fn has_quick_radii(&self) -> bool {
+        false
+    }
+
     /// Checks the values of a geometry whose coefficients are known only at run time.
     ///
     /// # Errors

@@ -69,6 +69,9 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
     fn has_only_positive_terms(&self) -> bool {
         (**self).has_only_positive_terms()
     }
+    fn has_quick_radii(&self) -> bool {
+        (**self).has_quick_radii()
+    }
     fn check(&self) -> Result<(), ProfileError> {
         (**self).check()
     }
@@ -158,6 +161,9 @@ mod tests {
         fn has_only_positive_terms(&self) -> bool {
             true
         }
+        fn has_quick_radii(&self) -> bool {
+            true
+        }
         fn check(&self) -> Result<(), ProfileError> {
             Err(ProfileError::Empty)
         }
@@ -200,6 +206,7 @@ mod tests {
         let reference = &Numbered;
         assert!(GapProfile::is_smooth_at_centre(&reference));
         assert!(GapProfile::has_only_positive_terms(&reference));
+        assert!(GapProfile::has_quick_radii(&reference));
         assert_eq!(GapProfile::check(&reference), Err(ProfileError::Empty));
     }
 }

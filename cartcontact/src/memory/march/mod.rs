@@ -29,6 +29,7 @@ use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, Piece, knot_between};
+use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::{has_no_derivatives, spacing_of_times};
 use crate::{GapProfile, Scalar};
 
@@ -164,12 +165,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             return 0;
         }
         let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
-        let (Some(first), Some(last)) = (pieces.first(), pieces[..run.len()].last()) else {
-            return 0;
-        };
+        let [first, .., last] = pieces[..run.len()] else { return 0 };
         let (end, force) = last.end;
-        let share = (-self.faded_since(last)).exp();
-        if let Some(mut increment) = run.increment(contact, self.transition.reach, share) {
+        let share = (-self.faded_since(&last)).exp();
+        let radius = self.radius_after(run.impulse, last.end);
+        if let Some(mut increment) = run.increment(contact, (self.transition.reach, radius), share) {
             let fading = Fading::over(chi * (end - self.now.time));
             let (kept, sizes) = fading.kept_of((first.start.1, force));
             if is_well_conditioned(kept, sizes) {
@@ -180,7 +180,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             self.add_strip();
             self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);
             self.now.impulse = run.impulse;
-            let radius = self.radius_under(end, force);
             let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
             self.now = Stage { time: end, radius, surplus, ..self.now };
         }
@@ -359,11 +358,16 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// The contact radius at a time under a force and the impulse so far: not less than now, nor more than at the end.
     fn radius_under(&self, time: T, force: T) -> T {
+        self.radius_after(self.now.impulse, (time, force))
+    }
+
+    /// The same after another impulse.
+    fn radius_after(&self, impulse: CompensatedSum<T>, (time, force): (T, T)) -> T {
         if time >= self.time && force >= self.force {
             return self.radius;
         }
         // Early on, rounding can make an impulse negative.
-        let hereditary = (force + self.contact.medium().chi() * self.now.impulse.value).max(T::zero());
+        let hereditary = (force + self.contact.medium().chi() * impulse.value).max(T::zero());
         self.contact.radius_under(hereditary).unwrap_or(self.radius).max(self.now.radius).min(self.radius)
     }
 
