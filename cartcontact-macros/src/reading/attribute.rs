@@ -169,8 +169,12 @@ impl Attribute {
     /// What to say about the digits after a comma that is meant as a decimal point. The number that they belong to
     /// cannot be read.
     fn decimals(&mut self, entry: &Entry, before: Option<Whole<'_>>) -> Option<String> {
-        let Whole { digits: whole, option } = before?;
+        let Whole { digits: whole, is_exponent, option } = before?;
         let decimals = entry.first_digits()?;
+        // Behind an exponent, a number with a factor is rather the next term.
+        if is_exponent && !entry.goes_on_with_sign() {
+            return None;
+        }
         let number = match option {
             None => self.gap.as_mut(),
             Some(name) if name == "upper" || name == "lower" => {

@@ -25,6 +25,7 @@ pub(super) fn all_options() -> String {
 /// Digits before a comma that may be meant as a decimal point.
 pub(super) struct Whole<'a> {
     pub(super) digits: String,
+    pub(super) is_exponent: bool,
     /// The option whose value they are; nothing for the gap.
     pub(super) option: Option<&'a Ident>,
 }
@@ -152,16 +153,19 @@ impl Entry {
         self.is_body() || self.assignment().is_none_or(|option| likely_option(option.name).is_none())
     }
 
-    /// The digits before the comma that follows this entry, unless they are an exponent.
+    /// The digits before the comma that follows this entry.
     pub(super) fn last_digits(&self) -> Option<Whole<'_>> {
         let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
-        if before.last().is_some_and(|token| is_punct(token, '^')) {
-            return None;
-        }
+        let is_exponent = before.last().is_some_and(|token| is_punct(token, '^'));
         let written = digits.to_string();
         let digits = literal::without_points(&written).unwrap_or(written);
         let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
-        is_whole.then(|| Whole { digits, option: self.assignment().map(|option| option.name) })
+        is_whole.then(|| Whole { digits, is_exponent, option: self.assignment().map(|option| option.name) })
+    }
+
+    /// Whether it goes on, if at all, with a sign behind its first token: the end of an expression does.
+    pub(super) fn goes_on_with_sign(&self) -> bool {
+        self.tokens.get(1).is_none_or(|token| is_punct(token, '+') || is_punct(token, '-'))
     }
 
     /// The number without a point, but with its suffix, that this entry begins with.

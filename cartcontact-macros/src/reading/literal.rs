@@ -11,6 +11,9 @@ const NUMERIC_SUFFIXES: [&str; 16] = [
     "u128", "usize",
 ];
 
+/// The suffix of a number in single precision in other languages.
+const SINGLE_SUFFIX: &str = "f";
+
 /// The number that a literal stands for, or the rule that it breaks.
 pub(crate) fn number(text: &str) -> Result<Rational, String> {
     let (negative, text) = text.strip_prefix('-').map_or((false, text), |text| (true, text));
@@ -47,6 +50,9 @@ fn wrong_suffix(text: &str, suffix: &str) -> String {
         let product = match power_of_r(suffix) {
             Some(power) => {
                 format!("`{written} * {power}`, or `{written} * {suffix}` if `{suffix}` is a field")
+            }
+            None if suffix == SINGLE_SUFFIX => {
+                format!("`{written}`, or `{written} * {suffix}` if `{suffix}` is a field")
             }
             None => format!("`{written} * {}`", factor(suffix)),
         };
@@ -181,6 +187,8 @@ mod tests {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
         assert_eq!(number("1.5x10").unwrap_err(), "`1.5x10` reads as one literal; write `1.5 * 10`");
         assert_eq!(number("2x2").unwrap_err(), "`2x2` reads as one literal; write `2 * x2`");
+        let float = "`0.1f` reads as one literal; write `0.1`, or `0.1 * f` if `f` is a field";
+        assert_eq!(number("0.1f").unwrap_err(), float);
         for text in ["1e", "1.5E", "1.5e+", "1e-"] {
             assert_eq!(number(text).unwrap_err(), "an exponent stands right behind `e`, as in `1e-4`");
         }

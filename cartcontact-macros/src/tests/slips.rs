@@ -7,6 +7,8 @@ fn likely_slips_are_understood() {
     for (text, rule) in [
         ("r^2 max_radius = 6", "a comma is missing before `max_radius`"),
         ("0,025*r^2", "write `0.025`"),
+        ("r^2,5", "write `2.5`"),
+        ("r^2,5 + r^4", "write `2.5`"),
         ("gap = r^2", "remove `gap =`"),
         ("0.025mm*r^2", "numbers have no units"),
         ("pi*r^2", "`3.141592653589793`"),
