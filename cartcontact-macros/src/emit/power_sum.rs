@@ -1,9 +1,9 @@
 //! Sums of powers as code: precise, rounded once, for results; and quick for values that are only integrated.
 //!
-//! | exponents | precise | quick, below 5 ε |
+//! | exponents | precise | quick |
 //! |---|---|---|
 //! | low: whole, up to 8, or of both parities, up to 16 | Horner's rule in double words | Horner's rule, written out |
-//! | low in r²: all even or all odd, up to 44 | the same in r², up to 24 | Horner's rule in r², corrected for its rounding |
+//! | low in r²: all even or all odd, up to 68 | the same in r², up to 24 | Horner's rule in r², corrected for its rounding |
 //! | low multiples of 1/4 | as all others | Horner's rule for the whole powers beside each fraction, by square roots |
 //! | all others | every power in double words | the same, rounded before they are added |
 //!
@@ -12,8 +12,9 @@
 //!
 //! Horner's rule in x rounds twice per step, at random. In r² it also repeats the rounding of r² in every step, with
 //! the same sign, which still costs at most 2 ε at r⁸, and is corrected for beyond: expansions of spheres and sums of two
-//! powers were off by up to 2.7, 3.7 and 4.8 ε at r⁸, r²⁴ and r⁴⁴, among 6000 radii each in exact arithmetic. A gap in
-//! the exponents is bridged by a power by repeated multiplication, with the same effect.
+//! powers were off by up to 2.7, 3.7 and 4.8 ε at r⁸, r²⁴ and r⁴⁴, among 6000 radii each in exact arithmetic, and up to
+//! r⁶⁸ by 4 ε; 6.7 ε if r⁶⁸ outweighs thirty lower powers. A gap in the exponents is bridged by a power by repeated
+//! multiplication, with the same effect. All other quick values are within 5 ε.
 
 use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -28,8 +29,8 @@ use crate::number::{Rational, code, nearest_and_rest, rounded};
 /// The highest whole power beside a root, whose product stays below 5 ε.
 const HIGHEST_BESIDE_ROOT: u32 = 8;
 
-/// The highest power of a sum in r² that is quick by Horner's rule: beyond it, the error may exceed 5 ε.
-pub(super) const HIGHEST_IN_SQUARE: u32 = 44;
+/// The highest power of a sum in r² that is quick by Horner's rule: of the load integral of a surface up to r⁶⁴.
+pub(super) const HIGHEST_IN_SQUARE: u32 = 68;
 
 /// The highest one if most powers are missing, and of sums in double words: beyond it, powers one by one take less time.
 const HIGHEST_OF_FEW: u32 = 24;
@@ -133,7 +134,7 @@ pub(super) fn is_quick_in_vectors(sum: &PowerSum) -> bool {
     Whole::of(sum).is_some_and(|whole| whole.is_low() || whole.is_low_in_square())
 }
 
-/// The value of the sum at `x` in the cheapest form with an error below 5 ε.
+/// The value of the sum at `x` in the cheapest form with an error below 7 ε.
 pub(super) fn quick_value(
     sum: &PowerSum,
     x: &Ident,

@@ -191,19 +191,19 @@ pub trait GapProfile<T: Scalar> {
         (self.approach(a), self.load_integral(a))
     }
 
-    /// The approach as pressures need it: within 5 ε, which is quicker.
+    /// The approach as pressures need it: within 7 ε, which is quicker.
     #[doc(hidden)]
     fn quick_approach(&self, a: T) -> T {
         self.approach(a)
     }
 
-    /// The slope of the approach as pressures need it: within 5 ε, which is quicker.
+    /// The slope of the approach as pressures need it: within 7 ε, which is quicker.
     #[doc(hidden)]
     fn quick_approach_slope(&self, a: T) -> T {
         self.approach_slope(a)
     }
 
-    /// The load integral as pressures need it: within 5 ε, which is quicker.
+    /// The load integral as pressures need it: within 7 ε, which is quicker.
     #[doc(hidden)]
     fn quick_load_integral(&self, a: T) -> T {
         self.load_integral(a)
