@@ -476,6 +476,7 @@ const _: () = {
                 __a,
                 __places,
                 __values,
+                #[inline(always)]
                 |__r| {
                     let __s = __r * __r;
                     (__c0
@@ -484,6 +485,7 @@ const _: () = {
                                 1.3333333333333333f64,
                             )) * __s) * __r
                 },
+                #[inline(always)]
                 |__depth| {
                     let __s = __a - __depth;
                     __depth

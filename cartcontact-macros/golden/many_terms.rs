@@ -593,6 +593,7 @@ const _: () = {
                 __a,
                 __places,
                 __values,
+                #[inline(always)]
                 |__r| {
                     __cartcontact::generated::even_sum(
                         __r,
@@ -616,6 +617,7 @@ const _: () = {
                         ]),
                     )
                 },
+                #[inline(always)]
                 |__depth| {
                     let __s = __a - __depth;
                     __depth

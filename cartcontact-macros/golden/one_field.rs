@@ -346,7 +346,9 @@ const _: () = {
                 __a,
                 __places,
                 __values,
+                #[inline(always)]
                 |__r| { (__c0) * __r },
+                #[inline(always)]
                 |__depth| {
                     let __s = __a - __depth;
                     __depth

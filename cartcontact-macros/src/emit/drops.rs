@@ -18,6 +18,9 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 /// below 4 ε up to the 68th power, among 3000 drops in exact arithmetic, and 15 ε if all its terms are equal.
 const HIGHEST_POWER: u32 = 24;
 
+/// With more terms vectors would take longer than one radius after the other: too many coefficients are in memory.
+const MOST_TERMS_IN_VECTORS: usize = 24;
+
 /// The method for one drop, and the one for slices of slopes and drops.
 pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
     let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
@@ -78,7 +81,20 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
     let fill = (!coefficients.preamble().is_empty() || whole.highest() > HIGHEST_POWER).then(|| {
         let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
         let function = names.generated("fill_by_functions");
-        quote!(#function(self, #a, #places, #values, |#r| { #slope }, |#depth| { #drop }))
+        // Otherwise long sums would be left out of line, and all radii out of vectors.
+        let in_vectors = (whole.exponents.len() <= MOST_TERMS_IN_VECTORS).then(|| quote!(#[inline(always)]));
+        quote! {
+            #function(
+                self,
+                #a,
+                #places,
+                #values,
+                #in_vectors
+                |#r| { #slope },
+                #in_vectors
+                |#depth| { #drop },
+            )
+        }
     });
     Some(Ways { drop, fill, inline: quote!(#[inline]) })
 }

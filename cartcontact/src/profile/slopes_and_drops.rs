@@ -17,10 +17,6 @@ use crate::{GapProfile, Scalar};
 /// Above this power of the gap δ₀′ is corrected for the rounding of a radius, which r⁶⁴ multiplies by 64.
 const HIGH_POWER: f64 = 24.0;
 
-/// The share of a radius by which one lies further in, so that the difference of their slopes stands for a derivative.
-/// It is off by up to 64/4096 of itself, which is far from counting.
-const STEP: f64 = 1.0 / 4096.0;
-
 /// How many radii are taken at a time.
 const BLOCK: usize = 32;
 
@@ -52,34 +48,17 @@ pub fn fill_by_functions<T: Scalar, P: GapProfile<T> + ?Sized>(
     slope: impl Fn(T) -> T,
     drop: impl Fn(T) -> T,
 ) {
-    let is_high = profile.highest_exponent() > T::constant(HIGH_POWER);
-    let places = radii.chunks(BLOCK).zip(depths.chunks(BLOCK));
-    let values = slopes.chunks_mut(BLOCK).zip(drops.chunks_mut(BLOCK));
-    for ((radii, depths), (slopes, drops)) in places.zip(values) {
-        let [mut inner, mut inner_slopes] = [[T::zero(); BLOCK]; 2];
-        for (inner, &radius) in inner.iter_mut().zip(radii) {
-            *inner = radius - radius * T::constant(STEP);
-        }
-        // One place calls `slope`, or compilers would leave a long one out of line, and all radii out of vectors.
-        for is_inner in [false, true] {
-            if is_inner & !is_high {
-                break;
-            }
-            let (radii, slopes) =
-                if is_inner { (&inner[..radii.len()], &mut inner_slopes[..]) } else { (radii, &mut *slopes) };
-            for (slope_there, &radius) in slopes.iter_mut().zip(radii) {
-                *slope_there = slope(radius);
-            }
-        }
-        for (drop_there, &depth) in drops.iter_mut().zip(depths) {
-            *drop_there = drop(depth);
-        }
-        if is_high {
-            let places = radii.iter().zip(depths).zip(&inner_slopes);
-            for (slope, ((&radius, &depth), &inner_slope)) in slopes.iter_mut().zip(places) {
-                let (rounding, step) = ((a - radius) - depth, radius * T::constant(STEP));
-                *slope += (*slope - inner_slope) * (rounding / step);
-            }
+    let values = slopes.iter_mut().zip(&mut *drops);
+    for ((slope_there, drop_there), (&radius, &depth)) in values.zip(radii.iter().zip(depths)) {
+        *slope_there = slope(radius);
+        *drop_there = drop(depth);
+    }
+    if profile.highest_exponent() > T::constant(HIGH_POWER) {
+        for ((slope_there, &radius), &depth) in slopes.iter_mut().zip(radii).zip(depths) {
+            // The difference over a short step inwards stands for the derivative: the share of the correction by which
+            // it is off, up to 64/4096, is far from counting.
+            let (rounding, step) = ((a - radius) - depth, radius * T::constant(1.0 / 4096.0));
+            *slope_there += (*slope_there - slope(radius - step)) * (rounding / step);
         }
     }
 }
