@@ -2,8 +2,8 @@
 //!
 //! | exponents of J | drop |
 //! |---|---|
-//! | whole, up to 24, or even, up to 68, if slopes go through vectors | a divided difference of J, times the depth |
-//! | multiples of 1/4, up to 24¾ | the same, with the roots of both radii |
+//! | whole, up to 24, or even, up to 68, unless most are missing | a divided difference of J, times the depth |
+//! | multiples of 1/4, up to 13¾ | the same, with the roots of both radii |
 //! | all others | a logarithm, and an exponential for each term |
 
 use proc_macro2::TokenStream;
@@ -17,6 +17,9 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 /// The highest power of a dense polynomial; the error of a drop is at most half the power times ε. Of spheres it was
 /// below 4 ε up to the 68th power, among 3000 drops in exact arithmetic, and 15 ε if all its terms are equal.
 const HIGHEST_POWER: u32 = 24;
+
+/// The highest whole power beside a root: with higher ones compilers would leave all radii out of vectors.
+const HIGHEST_BESIDE_ROOT: u32 = 13;
 
 /// With more terms vectors would take longer than one radius after the other: too many coefficients are in memory.
 const MOST_TERMS_IN_VECTORS: usize = 24;
@@ -64,8 +67,10 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
     let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
     let whole = Whole::of(sum)?;
     let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
-    let highest = if is_even { HIGHEST_IN_SQUARE } else { HIGHEST_POWER };
-    if whole.highest() > highest || !power_sum::is_quick_in_vectors(&forms.approach_slope) {
+    let slope = Whole::of(&forms.approach_slope)?;
+    let has_quick_slope = power_sum::is_quick_in_vectors(&forms.approach_slope);
+    let highest = if is_even && has_quick_slope { HIGHEST_IN_SQUARE } else { HIGHEST_POWER };
+    if whole.highest() > highest {
         return None;
     }
     let step = if is_even { 2 } else { 1 };
@@ -77,11 +82,15 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
         quote!(#function(#a, #s, #dense))
     };
     let drop = quote!(let #s = #a - #depth; #depth * (#quotient));
-    // Beyond the highest power compilers would leave the functions out of line, and all radii out of vectors.
-    let fill = (!coefficients.preamble().is_empty() || whole.highest() > HIGHEST_POWER).then(|| {
-        let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
+    // Beyond the highest power compilers would leave the methods out of line, and all radii out of vectors.
+    let fills = !coefficients.preamble().is_empty() || whole.highest() > HIGHEST_POWER || !has_quick_slope;
+    let fill = fills.then(|| {
+        let slope = if has_quick_slope {
+            power_sum::quick_value(&forms.approach_slope, &r, coefficients, names)
+        } else {
+            power_sum::value_in_vectors(&forms.approach_slope, &slope, &r, coefficients, names)
+        };
         let function = names.generated("fill_by_functions");
-        // Otherwise long sums would be left out of line, and all radii out of vectors.
         let in_vectors = (whole.exponents.len() <= MOST_TERMS_IN_VECTORS).then(|| quote!(#[inline(always)]));
         quote! {
             #function(
@@ -107,7 +116,7 @@ fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Nam
         if part.summands.is_empty() {
             return Some(quote!([]));
         }
-        let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_POWER)?;
+        let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_BESIDE_ROOT)?;
         Some(whole.dense((0, 1), part, coefficients))
     };
     let parts = sum.in_quarters()?.iter().map(dense).collect::<Option<Vec<_>>>()?;

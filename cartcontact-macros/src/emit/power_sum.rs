@@ -155,6 +155,20 @@ pub(super) fn quick_value(
     }
 }
 
+/// The value of a sum with whole exponents at `x` for loops over many, by Horner's rule with zeros for the powers that
+/// are missing. Every step rounds, at random.
+pub(super) fn value_in_vectors(
+    sum: &PowerSum,
+    whole: &Whole,
+    x: &Ident,
+    coefficients: &Coefficients<'_>,
+    names: &Names,
+) -> TokenStream {
+    let (plain_sum, lowest) = (names.generated("plain_sum"), whole.lowest());
+    let dense = whole.dense((lowest, 1), sum, coefficients);
+    quote!(#plain_sum(#x, #lowest, #dense))
+}
+
 /// Σ x^(k/4) P(x) over the parts of multiples of 1/4, where all have low powers. A root and the product with it are two
 /// more roundings.
 fn in_quarters(

@@ -53,7 +53,7 @@ pub fn precise_sum<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N: usi
     coefficients: [C; N],
 ) -> T {
     let sum = precise_horner(<DoubleWord<T, FUSED>>::of(x), lowest, &coefficients);
-    sum.rounded_or(|| plain_horner(x, lowest, rounded(coefficients)))
+    sum.rounded_or(|| plain_sum(x, lowest, rounded(coefficients)))
 }
 
 /// r^lowest Σ c\[k\] r^(2k), rounded once, see [`precise_sum`].
@@ -70,12 +70,13 @@ pub fn precise_even_sum<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N
 
 /// r^lowest Σ c\[k\] r^(2k) with every operation rounded.
 fn plain_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
-    let even = plain_horner(r * r, lowest / 2, coefficients);
+    let even = plain_sum(r * r, lowest / 2, coefficients);
     if lowest % 2 == 1 { even * r } else { even }
 }
 
-/// x^lowest Σ c\[k\] x^k with every operation rounded.
-fn plain_horner<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
+/// x^lowest Σ c\[k\] x^k with every operation rounded. No power alone is larger than the result.
+#[inline(always)]
+pub fn plain_sum<T: Scalar, const N: usize>(x: T, lowest: u32, coefficients: [T; N]) -> T {
     (0..lowest).fold(value_and_slope(x, coefficients).0, |sum, _| sum * x)
 }
 
