@@ -11,7 +11,7 @@
 //! slope and takes the place of 2 c here. `folds` below is where the error reaches ε/4 of f64 or f32, to four digits.
 
 use crate::Scalar;
-use crate::scalar::{from_single, is_single};
+use crate::scalar::{Tabled, from_single, is_single};
 
 /// The most nodes of a rule.
 pub(crate) const MOST_NODES: usize = 24;
@@ -35,6 +35,8 @@ struct Tables<F> {
     first: [F; MOST_NODES / 2],
     /// (2n−1)/2 w P₍ₙ₋₁₎ there.
     highest: [F; MOST_NODES / 2],
+    /// (2n−3)/2 w P₍ₙ₋₂₎ there.
+    next: [F; MOST_NODES / 2],
     /// The most e-foldings it integrates to full accuracy in that format.
     folds: F,
 }
@@ -42,7 +44,7 @@ struct Tables<F> {
 impl<F: Copy> Tables<F> {
     const fn empty(zero: F, folds: F) -> Self {
         let (nodes, pairs) = ([zero; MOST_NODES], [zero; MOST_NODES / 2]);
-        Self { nodes, weights: nodes, first: pairs, highest: pairs, folds }
+        Self { nodes, weights: nodes, first: pairs, highest: pairs, next: pairs, folds }
     }
 }
 
@@ -69,9 +71,11 @@ impl Rule {
             let (negative, positive) = (2 * pair, 2 * pair + 1);
             let (x, weight) = half[pair];
             let highest = (count as f64 - 0.5) * weight * legendre(count - 1, x);
+            let next = (count as f64 - 1.5) * weight * legendre(count - 2, x);
             (double.nodes[negative], double.nodes[positive]) = (-x, x);
             (double.weights[negative], double.weights[positive]) = (weight, weight);
             (double.first[pair], double.highest[pair]) = (1.5 * x * weight, highest);
+            (double.next[pair], single.next[pair]) = (next, next as f32);
             let (x, weight) = (x as f32, weight as f32);
             (single.nodes[negative], single.nodes[positive]) = (-x, x);
             (single.weights[negative], single.weights[positive]) = (weight, weight);
@@ -129,18 +133,34 @@ impl Rule {
         (height <= T::constant(4.0) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
     }
 
-    /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes.
+    /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes, also if the
+    /// coefficient of degree n − 2 is the one that tells: a pair of complex singularities lets coefficients oscillate, so
+    /// that one of them may be next to nothing.
+    ///
+    /// The coefficient of degree 2n is then next · (next/first)^((n+2)/(n−3)), with (n+2)/(n−3) ≥ 2 for n ≤ 8.
     #[inline(always)]
     pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], remaining: T) -> bool {
-        let (mut first, mut highest) = (T::zero(), T::zero());
+        let (mut first, mut highest, mut next) = (T::zero(), T::zero(), T::zero());
         let (pairs, _) = values.as_chunks::<2>();
-        for (pair, factors) in pairs.iter().zip(self.coefficients::<T>()) {
-            let difference = pair[1] - pair[0];
+        for (place, (pair, factors)) in pairs.iter().zip(self.coefficients::<T>()).enumerate() {
+            let (difference, sum) = (pair[1] - pair[0], pair[1] + pair[0]);
             first += factors.0 * difference;
             highest += factors.1 * difference;
+            let of_next = if is_single::<T>() {
+                from_single(self.single.next[place])
+            } else {
+                T::constant(self.double.next[place])
+            };
+            next += of_next * sum;
         }
         let size = values.last().map_or(T::zero(), |&value| value);
-        self.resolves(first / size, highest / size, remaining)
+        let (height, ratio) = (remaining * (next / size).abs(), (next / first).abs());
+        let fall = if self.len() <= 8 { ratio * ratio } else { ratio };
+        let epsilon = T::default_epsilon();
+        // A sum of values has more rounding than differences have.
+        let rounding = T::constant(self.len() as f64) * epsilon;
+        let is_negligible = (height <= rounding) | (height * fall <= epsilon * T::constant(0.125));
+        is_negligible & self.resolves(first / size, highest / size, remaining)
     }
 
     /// The nodes on [low, high], pair by pair from the middle outwards, with their weights.
@@ -157,6 +177,50 @@ impl Rule {
             (middle + radius * node, radius * weight)
         })
     }
+}
+
+/// The degrees of the Legendre coefficients by which the finest rule judges itself: two in the middle of those that it
+/// sees, and the last two.
+const DEGREES: [usize; 4] = [MOST_NODES / 2 - 1, MOST_NODES / 2, MOST_NODES - 2, MOST_NODES - 1];
+
+/// (2k+1) Pₖ of these degrees k at the positive nodes of the finest rule.
+const POLYNOMIALS: [[Tabled; MOST_NODES / 2]; 4] = {
+    let mut rows = [[Tabled::of(0.0); MOST_NODES / 2]; 4];
+    let mut row = 0;
+    while row < rows.len() {
+        let (degree, mut pair) = (DEGREES[row], 0);
+        while pair < MOST_NODES / 2 {
+            rows[row][pair] = Tabled::of((2 * degree + 1) as f64 * legendre(degree, NODES_24[pair].0));
+            pair += 1;
+        }
+        row += 1;
+    }
+    rows
+};
+
+/// The relative error of an integral by the finest rule, estimated from its summands: the values of the integrand at
+/// the nodes, multiplied by the weights.
+///
+/// It is the first Legendre coefficient that the rule does not see, of degree 2n, over the mean. From the middle
+/// coefficients to the last ones, over n/2 degrees, the coefficients fall by a factor that is squared here for the n
+/// degrees beyond: those of e^(c x) fall faster and faster, those of a function with a singularity as before. Of two
+/// neighbours the larger one counts, because a pair of complex singularities lets coefficients oscillate.
+#[inline(always)]
+pub(crate) fn error_of_finest<T: Scalar>(summands: &[T]) -> T {
+    let mut sums = [T::zero(); 4];
+    let mut mean = T::zero();
+    let (pairs, _) = summands.as_chunks::<2>();
+    for (place, pair) in pairs.iter().enumerate().take(MOST_NODES / 2) {
+        let (difference, sum) = (pair[1] - pair[0], pair[1] + pair[0]);
+        mean += sum;
+        for ((coefficient, row), degree) in sums.iter_mut().zip(&POLYNOMIALS).zip(DEGREES) {
+            *coefficient += row[place].get::<T>() * if degree % 2 == 1 { difference } else { sum };
+        }
+    }
+    let [first, second, third, last] = sums.map(|sum| (sum / mean).abs());
+    let (middle, end) = (first.max(second), third.max(last));
+    let fall = end / middle;
+    end * (fall * fall)
 }
 
 /// The Legendre polynomial of a degree, by (k+1) P₍ₖ₊₁₎ = (2k+1) x Pₖ − k P₍ₖ₋₁₎.

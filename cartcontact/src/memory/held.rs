@@ -59,7 +59,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             #[inline(always)]
             || {
                 let (most, per_length) = (T::one() + bend, bend / length);
-                let (increment, is_steady) = self.integrate(
+                let panel = self.integrate(
                     rule,
                     (T::zero(), length),
                     #[inline(always)]
@@ -69,7 +69,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                         Node { s: self.high - depth, depth, weight: dx * (most * (share * share)) }
                     },
                 );
-                is_steady.then_some(increment)
+                panel.is_steady.then_some(panel.increment)
             },
         )
     }

@@ -3,7 +3,7 @@
 use super::Increment;
 use super::stretch::Stretch;
 use crate::load::Load;
-use crate::quadrature::{MOST_NODES, Rule};
+use crate::quadrature::{MOST_NODES, Rule, error_of_finest};
 use crate::{GapProfile, Scalar};
 
 /// A node of an integral over the radius. Either its radius or its depth is rounded: near the edge the radius, near the
@@ -28,20 +28,29 @@ impl<T: Scalar> Row<T> {
     }
 }
 
+/// An integral by a rule.
+pub(super) struct Panel<T> {
+    pub(super) increment: Increment<T>,
+    /// Whether s δ₀′ rises with the radius from node to node, as it does for positive terms.
+    pub(super) is_steady: bool,
+    /// An estimate of the relative error, if the rule is the finest one and s δ₀′ does not rise; otherwise 0.
+    pub(super) error: T,
+}
+
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
-    /// The increment by a rule for a variable between `ends`, and whether s δ₀′ rises with the radius from node to node,
-    /// as it does for positive terms; `place` makes a node of a value of the variable and its weight.
+    /// The integral by a rule for a variable between `ends`; `place` makes a node of a value of the variable and its
+    /// weight.
     #[inline(always)]
-    pub(super) fn integrate(
-        &self,
-        rule: &Rule,
-        ends: (T, T),
-        place: impl Fn(T, T) -> Node<T>,
-    ) -> (Increment<T>, bool) {
+    pub(super) fn integrate(&self, rule: &Rule, ends: (T, T), place: impl Fn(T, T) -> Node<T>) -> Panel<T> {
         let mut nodes = Nodes::none();
         nodes.take(self, rule, ends, place);
         let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
-        (nodes.increment(self.low), is_steady)
+        let error = if !is_steady && rule.len() == Rule::FINEST.len() {
+            error_of_finest(&nodes.weights.0)
+        } else {
+            T::zero()
+        };
+        Panel { increment: nodes.increment(self.low), is_steady, error }
     }
 }
 

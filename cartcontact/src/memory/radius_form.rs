@@ -10,7 +10,7 @@
 //! 7; outside the core the singularity at r = 0 is far enough away for any rule.
 
 use super::Increment;
-use super::nodes::{Node, Nodes};
+use super::nodes::{Node, Nodes, Panel};
 use super::stretch::Stretch;
 use crate::dispatch::half_wide;
 use crate::load::Load;
@@ -36,7 +36,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         // J′ of positive terms rises with the radius.
         let is_steepest_at_edge = profile.has_only_positive_terms() && self.course.is_held();
         if is_steepest_at_edge && self.changes_little() {
-            return self.increment_of_panel(Rule::EIGHT, (T::zero(), deepest)).0;
+            return self.panel(Rule::EIGHT, (T::zero(), deepest)).increment;
         }
         if let Some(increment) = self.increment_of_held_load() {
             return increment;
@@ -54,12 +54,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let (mut depth, mut age) = (T::zero(), T::zero());
         while depth < core {
             let (end, rule) = self.next_panel((depth, age), core, is_steepest_at_edge);
-            let (increment, is_steady) = self.increment_of_panel(rule, (depth, end));
-            sum = sum.plus(if is_steady {
-                increment
-            } else {
-                self.increment_of_panel(Rule::FINEST, (depth, end)).0
-            });
+            let (increment, end) = self.increment_from(depth, end, rule);
+            sum = sum.plus(increment);
             depth = end;
             if depth < deepest {
                 age = self.age_at(depth);
@@ -77,8 +73,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// The end, at most `core`, of the panel that begins at a depth with an age, and the rule for it.
     fn next_panel(&self, (depth, age): (T, T), core: T, is_steepest_at_edge: bool) -> (T, &'static Rule) {
         let most = Rule::FINEST.folds::<T>();
-        // Whatever the rate, there are at most some thousand panels.
-        let shortest = (self.high - self.low) * T::constant(1.0 / 4096.0);
+        let shortest = self.shortest_panel();
         let (of_powers, of_fading) = self.folds_per_length(depth, age);
         let rate = of_powers + of_fading;
         let end = if rate * (core - depth) <= most {
@@ -89,9 +84,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         if is_steepest_at_edge {
             return (end, Rule::for_folds(rate * (end - depth)));
         }
-        let (end, fading) = self.end_of_panel((depth, age), end, shortest);
-        let length = end - depth;
-        (end, Rule::for_folds((rate * length).max(of_powers * length + fading)))
+        let (end, folds) = self.end_of_panel((depth, age), end, of_powers, shortest);
+        (end, Rule::for_folds((rate * (end - depth)).max(folds)))
     }
 
     /// Whether what lies below a depth with an age adds nothing to the sum of what lies above.
@@ -107,14 +101,33 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         rest <= sum.slope * negligible && rest_offset <= sum.offset * negligible
     }
 
-    /// The increment by a rule between two depths, and whether s δ₀′ rises with the radius from node to node, as it
-    /// does for positive terms.
+    /// The increment from a depth to another, and where it ends: before, if the finest rule does not resolve the
+    /// integrand up to there.
+    fn increment_from(&self, depth: T, mut end: T, rule: &'static Rule) -> (Increment<T>, T) {
+        let mut panel = self.panel(rule, (depth, end));
+        if !panel.is_steady && rule.len() < Rule::FINEST.len() {
+            panel = self.panel(Rule::FINEST, (depth, end));
+        }
+        let shortest = self.shortest_panel();
+        while panel.error > T::default_epsilon() && end - depth > shortest {
+            let middle = depth + (end - depth) * T::constant(0.5);
+            let half = self.panel(Rule::FINEST, (depth, middle));
+            // Over half the panel, what is smooth is resolved far better; what is not is rounding.
+            if half.error > panel.error * T::constant(0.25) {
+                break;
+            }
+            (panel, end) = (half, middle);
+        }
+        (panel.increment, end)
+    }
+
+    /// The integral by a rule between two depths.
     ///
     /// Where δ₀′ nearly vanishes, at u = 0, and rises again further in, the integrand is like u² e^(−c u³). In the
     /// plane of complex radii this grows faster than any exponential that is as steep in the panel: for c = 1/2 on one
     /// side of it, 12 nodes are needed instead of 8. The finest rule leaves 1e-16 for all c that its panels allow, on
-    /// either side or on both.
-    fn increment_of_panel(&self, rule: &Rule, (start, end): (T, T)) -> (Increment<T>, bool) {
+    /// either side or on both; what else the integrand may be like, its estimate of the error tells.
+    fn panel(&self, rule: &Rule, (start, end): (T, T)) -> Panel<T> {
         half_wide(
             #[inline(always)]
             || {
@@ -129,12 +142,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         )
     }
 
-    /// The end of a panel, moved closer until the history that it covers fades by no more than the finest rule
-    /// integrates, and the number of e-foldings by which it fades, with a margin of 1.3.
+    /// Whatever the integrand, there are at most some thousand panels.
+    fn shortest_panel(&self) -> T {
+        (self.high - self.low) * T::constant(1.0 / 4096.0)
+    }
+
+    /// The end of a panel, moved closer until the integrand changes by no more than the finest rule integrates, and the
+    /// number of e-foldings by which it does: those of its powers, per length, and those by which the history fades,
+    /// with a margin of 1.3.
     ///
-    /// The rate at its beginning does not bound the rate at its end where δ₀′ nearly vanishes there and rises further
-    /// in.
-    fn end_of_panel(&self, (depth, age): (T, T), end: T, shortest: T) -> (T, T) {
+    /// The rate at its beginning does not bound the rate further in where δ₀′ nearly vanishes there and rises again.
+    fn end_of_panel(&self, (depth, age): (T, T), end: T, of_powers: T, shortest: T) -> (T, T) {
         let rate = self.contact.medium().chi() * T::constant(1.3);
         let most = Rule::FINEST.folds::<T>();
         let mut length = end - depth;
@@ -143,10 +161,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             // The rate at the end, from the last 64th of the panel.
             let age_before_end = self.age_at(depth + length * T::constant(63.0 / 64.0));
             let fading = rate * (age_at_end - age).max((age_at_end - age_before_end) * T::constant(64.0));
+            let folds = of_powers * length + fading;
             // NaN, which derivatives may be, gets no better.
-            let is_halved = fading > most && length > shortest;
+            let is_halved = folds > most && length > shortest;
             if !is_halved {
-                return (depth + length, fading);
+                return (depth + length, folds);
             }
             length *= T::constant(0.5);
         }

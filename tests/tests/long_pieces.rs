@@ -1,0 +1,73 @@
+//! A knot on a straight piece of a load changes no pressure, also under terms of both signs, where the edge may spread
+//! faster in the middle of a piece than at both ends.
+
+use core::error::Error;
+use core::f64::consts::PI;
+
+use cartcontact::{Contact, GapProfile, Medium, Polynomial};
+use tests::condition::edge;
+use tests::loads::through;
+
+/// One straight piece of a load.
+struct Piece {
+    /// The gap, on its whole admissible range.
+    terms: &'static [(f64, f64)],
+    /// The contact radius before it.
+    start: f64,
+    /// χ times its duration.
+    folds: f64,
+    /// The force at its end over that at its beginning.
+    growth: f64,
+}
+
+const PIECES: [Piece; 7] = [
+    // Held: the edge spreads fastest where s⁴ δ₀′ is greatest.
+    Piece { terms: &[(3.42, 2.0), (-84.2, 63.0)], start: 0.588, folds: 14.05, growth: 1.0 },
+    Piece { terms: &[(2.12, 2.0), (-0.75, 3.0)], start: 1.108, folds: 21.05, growth: 1.0 },
+    Piece { terms: &[(0.842, 2.0), (-1.65e7, 24.0)], start: 0.262, folds: 19.9, growth: 1.0 },
+    // δ₀′ nearly vanishes on the way.
+    Piece { terms: &[(1.0, 2.0), (-0.01195, 7.0), (5.14e-5, 12.0)], start: 1.265, folds: 19.5, growth: 1.0 },
+    // Rising.
+    Piece { terms: &[(0.842, 2.0), (-1.65e7, 24.0)], start: 0.264, folds: 18.95, growth: 1.008 },
+    Piece { terms: &[(4.1e6, 4.0), (-3.75e10, 12.0)], start: 0.192, folds: 20.95, growth: 1.112 },
+    // Falling, with a pair of complex singularities.
+    Piece { terms: &[(1.0, 2.0), (-0.01195, 7.0), (5.14e-5, 12.0)], start: 2.545, folds: 3.0, growth: 0.609 },
+];
+
+const SHARES: [f64; 5] = [0.0, 0.3, 0.6, 0.9, 0.99];
+
+impl Piece {
+    /// The contact radius at its end, and the pressures at some shares of that, if the piece has knots that divide it
+    /// into so many parts. Nothing but shares counts, so that χ and m are 1.
+    fn pressures(&self, parts: u32) -> Result<(f64, [f64; 5]), Box<dyn Error>> {
+        let gap = Polynomial::new(self.terms)?;
+        let force = PI / 4.0 * gap.load_integral(self.start);
+        let along = |part: u32| {
+            let share = f64::from(part) / f64::from(parts);
+            (self.folds * share, force * (1.0 + (self.growth - 1.0) * share))
+        };
+        let load = through(&(0..=parts).map(along).collect::<Vec<_>>());
+        let medium = Medium::from_constants(1.0, 1.0)?;
+        let contact = Contact::new(gap, medium, load)?;
+        let now = contact.at(self.folds)?;
+        Ok((now.radius(), SHARES.map(|share| now.pressure(share * now.radius()))))
+    }
+}
+
+/// Both results may be off by as much as documented, without the condition number that the bound has under terms of
+/// both signs.
+#[test]
+fn a_piece_is_the_sum_of_its_parts() -> Result<(), Box<dyn Error>> {
+    for piece in &PIECES {
+        let (a, whole) = piece.pressures(1)?;
+        for parts in [2, 8, 64] {
+            let (_, in_parts) = piece.pressures(parts)?;
+            for ((share, whole), in_parts) in SHARES.into_iter().zip(whole).zip(in_parts) {
+                let error = (whole / in_parts - 1.0).abs() / f64::EPSILON;
+                let allowed = 16.0 * edge(a, share * a);
+                assert!(error < allowed, "{:?}, {parts} parts, {share}: {error} ε", piece.terms);
+            }
+        }
+    }
+    Ok(())
+}
