@@ -133,11 +133,40 @@ impl Rule {
         (height <= T::constant(4.0) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
     }
 
-    /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes, also if the
-    /// coefficient of degree n − 2 is the one that tells: a pair of complex singularities lets coefficients oscillate, so
-    /// that one of them may be next to nothing.
+    /// The same from `next`, the coefficient of degree n − 2: a pair of complex singularities lets coefficients oscillate,
+    /// so that the last one may be next to nothing.
     ///
-    /// The coefficient of degree 2n is then next · (next/first)^((n+2)/(n−3)), with (n+2)/(n−3) ≥ 2 for n ≤ 8.
+    /// The coefficient of degree 2n is then next · (next/first)^((n+2)/(n−3)). The exponent is 6 for n = 4, and at least
+    /// 5/2, 2 and 1 for n ≤ 6, n ≤ 8 and all n.
+    #[inline(always)]
+    pub(crate) fn resolves_by_next<T: Scalar>(&self, first: T, next: T, remaining: T) -> bool {
+        let (height, ratio) = (remaining * next.abs(), (next / first).abs());
+        let square = ratio * ratio;
+        let fall = match self.len() {
+            ..=4 => square * square * square,
+            5..=6 => square * ratio.sqrt(),
+            7..=8 => square,
+            _ => ratio,
+        };
+        let epsilon = T::default_epsilon();
+        // Sums of values have more rounding than their differences.
+        let rounding = T::constant(self.len() as f64) * epsilon;
+        (height <= rounding) | (height * fall <= epsilon * T::constant(0.125))
+    }
+
+    /// The factor with which the sum of a function's values at the nodes ±x of a pair adds to its Legendre coefficient of
+    /// degree n − 2.
+    #[inline(always)]
+    pub(crate) fn factor_of_next<T: Scalar>(&self, pair: usize) -> T {
+        if is_single::<T>() {
+            from_single(self.single.next[pair])
+        } else {
+            T::constant(self.double.next[pair])
+        }
+    }
+
+    /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes, by either of its
+    /// last two coefficients.
     #[inline(always)]
     pub(crate) fn resolves_values<T: Scalar>(&self, values: &[T], remaining: T) -> bool {
         let (mut first, mut highest, mut next) = (T::zero(), T::zero(), T::zero());
@@ -146,21 +175,11 @@ impl Rule {
             let (difference, sum) = (pair[1] - pair[0], pair[1] + pair[0]);
             first += factors.0 * difference;
             highest += factors.1 * difference;
-            let of_next = if is_single::<T>() {
-                from_single(self.single.next[place])
-            } else {
-                T::constant(self.double.next[place])
-            };
-            next += of_next * sum;
+            next += self.factor_of_next::<T>(place) * sum;
         }
         let size = values.last().map_or(T::zero(), |&value| value);
-        let (height, ratio) = (remaining * (next / size).abs(), (next / first).abs());
-        let fall = if self.len() <= 8 { ratio * ratio } else { ratio };
-        let epsilon = T::default_epsilon();
-        // A sum of values has more rounding than differences have.
-        let rounding = T::constant(self.len() as f64) * epsilon;
-        let is_negligible = (height <= rounding) | (height * fall <= epsilon * T::constant(0.125));
-        is_negligible & self.resolves(first / size, highest / size, remaining)
+        let (first, highest, next) = (first / size, highest / size, next / size);
+        self.resolves(first, highest, remaining) & self.resolves_by_next(first, next, remaining)
     }
 
     /// The nodes on [low, high], pair by pair from the middle outwards, with their weights.

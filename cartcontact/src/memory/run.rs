@@ -190,13 +190,14 @@ impl<T: Scalar> Run<T> {
         if !self.find_radii(contact, edge, load_integrals, radii) {
             return None;
         }
+        let are_positive = contact.profile().has_only_positive_terms();
         wide(
             #[inline(always)]
             || {
                 // The weights are forces.
                 let factor = T::constant(2.0) * contact.integral_per_load();
                 let increment = Increment::over_time(radii, weights, low).times(factor);
-                self.is_resolved(radii, remaining).then_some(increment)
+                self.is_resolved(radii, remaining, are_positive).then_some(increment)
             },
         )
     }
@@ -253,14 +254,13 @@ impl<T: Scalar> Run<T> {
     }
 
     /// Whether the rule resolves the radii at the nodes of every piece; of what is left at the end, the share
-    /// `remaining` is left at the time that counts.
+    /// `remaining` is left at the time that counts. With terms of both signs the last coefficient alone does not tell.
     #[inline(always)]
-    fn is_resolved(&self, radii: &[T], remaining: T) -> bool {
+    fn is_resolved(&self, radii: &[T], remaining: T, are_positive: bool) -> bool {
         let none = [T::zero(); MOST_PIECES];
-        let (mut first, mut highest) = (none, none);
-        let pairs = radii.chunks_exact(2 * self.count.max(1)).zip(self.rule.coefficients::<T>());
-        for (pair, (to_first, to_highest)) in pairs {
-            let (later, earlier) = pair.split_at(self.count);
+        let (mut first, mut highest, mut next) = (none, none, none);
+        let pairs = || radii.chunks_exact(2 * self.count.max(1)).map(|pair| pair.split_at(self.count));
+        for ((later, earlier), (to_first, to_highest)) in pairs().zip(self.rule.coefficients::<T>()) {
             let sums = first.iter_mut().zip(&mut highest);
             for ((first, highest), (&later, &earlier)) in sums.zip(later.iter().zip(earlier)) {
                 let odd = earlier - later;
@@ -269,8 +269,21 @@ impl<T: Scalar> Run<T> {
             }
         }
         let sums = first.iter().zip(&highest).zip(&self.since_end);
-        sums.zip(radii).fold(true, |all, (((&first, &highest), &since_end), &size)| {
+        let are_resolved = sums.zip(radii).fold(true, |all, (((&first, &highest), &since_end), &size)| {
             all & self.rule.resolves(first / size, highest / size, remaining * decay(since_end))
+        });
+        if are_positive || !are_resolved {
+            return are_resolved;
+        }
+        for (place, (later, earlier)) in pairs().enumerate() {
+            let to_next = self.rule.factor_of_next::<T>(place);
+            for (next, (&later, &earlier)) in next.iter_mut().zip(later.iter().zip(earlier)) {
+                *next += to_next * (earlier + later);
+            }
+        }
+        let sums = first.iter().zip(&next).zip(&self.since_end);
+        sums.zip(radii).fold(true, |all, (((&first, &next), &since_end), &size)| {
+            all & self.rule.resolves_by_next(first / size, next / size, remaining * decay(since_end))
         })
     }
 }
