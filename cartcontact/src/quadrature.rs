@@ -128,9 +128,7 @@ impl Rule {
     pub(crate) fn resolves<T: Scalar>(&self, first: T, highest: T, remaining: T) -> bool {
         let (height, ratio) = (remaining * highest.abs(), (highest / first).abs());
         let fall = if self.len() <= 8 { ratio * ratio.sqrt() } else { ratio };
-        let epsilon = T::default_epsilon();
-        // A coefficient no larger than rounding says nothing.
-        (height <= T::constant(4.0) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
+        is_negligible(height, fall, 4)
     }
 
     /// The same from `next`, the coefficient of degree n − 2: a pair of complex singularities lets coefficients oscillate,
@@ -148,10 +146,8 @@ impl Rule {
             7..=8 => square,
             _ => ratio,
         };
-        let epsilon = T::default_epsilon();
         // Sums of values have more rounding than their differences.
-        let rounding = T::constant(self.len() as f64) * epsilon;
-        (height <= rounding) | (height * fall <= epsilon * T::constant(0.125))
+        is_negligible(height, fall, self.len())
     }
 
     /// The factor with which the sum of a function's values at the nodes ±x of a pair adds to its Legendre coefficient of
@@ -196,6 +192,14 @@ impl Rule {
             (middle + radius * node, radius * weight)
         })
     }
+}
+
+/// Whether a Legendre coefficient becomes negligible by a fall. One no larger than the `rounding`, in units of ε, says
+/// nothing.
+#[inline(always)]
+fn is_negligible<T: Scalar>(height: T, fall: T, rounding: usize) -> bool {
+    let epsilon = T::default_epsilon();
+    (height <= T::constant(rounding as f64) * epsilon) | (height * fall <= epsilon * T::constant(0.125))
 }
 
 /// The degrees of the Legendre coefficients by which the finest rule judges itself: two in the middle of those that it

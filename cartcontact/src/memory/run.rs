@@ -268,10 +268,13 @@ impl<T: Scalar> Run<T> {
                 *highest += to_highest * odd;
             }
         }
-        let sums = first.iter().zip(&highest).zip(&self.since_end);
-        let are_resolved = sums.zip(radii).fold(true, |all, (((&first, &highest), &since_end), &size)| {
-            all & self.rule.resolves(first / size, highest / size, remaining * decay(since_end))
-        });
+        let all = |coefficients: &Pieces<T>, is_resolved: fn(&Rule, T, T, T) -> bool| {
+            let sums = first.iter().zip(coefficients).zip(&self.since_end);
+            sums.zip(radii).fold(true, |all, (((&first, &coefficient), &since_end), &size)| {
+                all & is_resolved(self.rule, first / size, coefficient / size, remaining * decay(since_end))
+            })
+        };
+        let are_resolved = all(&highest, Rule::resolves);
         if are_positive || !are_resolved {
             return are_resolved;
         }
@@ -281,10 +284,7 @@ impl<T: Scalar> Run<T> {
                 *next += to_next * (earlier + later);
             }
         }
-        let sums = first.iter().zip(&next).zip(&self.since_end);
-        sums.zip(radii).fold(true, |all, (((&first, &next), &since_end), &size)| {
-            all & self.rule.resolves_by_next(first / size, next / size, remaining * decay(since_end))
-        })
+        all(&next, Rule::resolves_by_next)
     }
 }
 
