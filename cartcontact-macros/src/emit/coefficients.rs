@@ -34,7 +34,7 @@ enum Digits {
 pub(super) struct Coefficients<'a> {
     item: &'a Item,
     geometry: &'a Geometry,
-    names: &'a Names,
+    pub(super) names: &'a Names,
     digits: Digits,
 }
 

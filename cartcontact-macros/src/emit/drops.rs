@@ -25,12 +25,12 @@ const HIGHEST_BESIDE_ROOT: u32 = 13;
 const MOST_TERMS_IN_VECTORS: usize = 24;
 
 /// The method for one drop, and the one for slices of slopes and drops.
-pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let (Names { scalar, .. }, preamble) = (names, coefficients.preamble());
+pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let (Names { scalar, .. }, preamble) = (coefficients.names, coefficients.preamble());
     let [a, depth, places, values] = ["a", "depth", "places", "values"].map(local);
-    let whole = of_whole_powers(forms, coefficients, names);
-    let ways = whole.or_else(|| of_quarters(forms, coefficients, names));
-    let Ways { inline, drop, fill } = ways.unwrap_or_else(|| of_any_powers(forms, coefficients, names));
+    let whole = of_whole_powers(forms, coefficients);
+    let ways = whole.or_else(|| of_quarters(forms, coefficients));
+    let Ways { inline, drop, fill } = ways.unwrap_or_else(|| of_any_powers(forms, coefficients));
     let fill = fill.map(|fill| {
         quote! {
             #inline
@@ -62,7 +62,8 @@ struct Ways {
 }
 
 /// With the depth as a factor. All that a slice shares are coefficients that depend on fields.
-fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<Ways> {
+fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<Ways> {
+    let names = coefficients.names;
     let sum = &forms.load_integral;
     let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
     let whole = Whole::of(sum)?;
@@ -86,9 +87,9 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
     let fills = !coefficients.preamble().is_empty() || whole.highest() > HIGHEST_POWER || !has_quick_slope;
     let fill = fills.then(|| {
         let slope = if has_quick_slope {
-            power_sum::quick_value(&forms.approach_slope, &r, coefficients, names)
+            power_sum::quick_value(&forms.approach_slope, &r, coefficients)
         } else {
-            power_sum::value_in_vectors(&forms.approach_slope, &slope, &r, coefficients, names)
+            power_sum::value_in_vectors(&forms.approach_slope, &slope, &r, coefficients)
         };
         let function = names.generated("fill_by_functions");
         let in_vectors = (whole.exponents.len() <= MOST_TERMS_IN_VECTORS).then(|| quote!(#[inline(always)]));
@@ -109,7 +110,7 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: 
 }
 
 /// From the roots of the radii.
-fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Option<Ways> {
+fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<Ways> {
     let sum = &forms.load_integral;
     let [a, r, depth, places, values] = ["a", "r", "depth", "places", "values"].map(local);
     let dense = |part: &PowerSum| {
@@ -121,9 +122,9 @@ fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Nam
     };
     let parts = sum.in_quarters()?.iter().map(dense).collect::<Option<Vec<_>>>()?;
     let parts = quote!((#(#parts),*));
-    let [one, many] = ["drop_by_roots", "fill_by_roots"].map(|name| names.generated(name));
-    let terms = terms(sum, coefficients, names);
-    let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients, names);
+    let [one, many] = ["drop_by_roots", "fill_by_roots"].map(|name| coefficients.names.generated(name));
+    let terms = terms(sum, coefficients);
+    let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients);
     Some(Ways {
         drop: quote!(#one(#a, #depth, #parts, #terms)),
         fill: Some(quote!(#many(self, #a, #places, #values, |#r| { #slope }, #parts))),
@@ -132,10 +133,11 @@ fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Nam
     })
 }
 
-fn of_any_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> Ways {
+fn of_any_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Ways {
     let [a, depth, places, values] = ["a", "depth", "places", "values"].map(local);
-    let [one, many] = ["power_sum_drop", "fill_slopes_and_drops"].map(|name| names.generated(name));
-    let terms = terms(&forms.load_integral, coefficients, names);
+    let [one, many] =
+        ["power_sum_drop", "fill_slopes_and_drops"].map(|name| coefficients.names.generated(name));
+    let terms = terms(&forms.load_integral, coefficients);
     Ways {
         drop: quote!(#one(#a, #depth, #terms)),
         fill: Some(quote!(#many(self, #a, #places, #values, #terms))),

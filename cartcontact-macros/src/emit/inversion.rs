@@ -25,19 +25,19 @@ pub(super) fn methods(
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> TokenStream {
+    let names = coefficients.names;
     let (gap, preamble) = (&geometry.gap, coefficients.preamble());
     let Names { krate, scalar, load_integral, limit, .. } = names;
-    let general = outside_table(gap, forms, start, coefficients, names);
-    let (found, radii) = start.map(|start| from_start(gap, forms, start, coefficients, names)).unzip();
+    let general = outside_table(gap, forms, start, coefficients);
+    let (found, radii) = start.map(|start| from_start(gap, forms, start, coefficients)).unzip();
     let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
-    let unlimited = unlimited.map(|found| unlimited_radius(found, gap, forms, coefficients, names));
+    let unlimited = unlimited.map(|found| unlimited_radius(found, gap, forms, coefficients));
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
         None => general,
     };
-    let radii_within = radii.flatten().map(|radii| radii_within(&radii, coefficients, names));
+    let radii_within = radii.flatten().map(|radii| radii_within(&radii, coefficients));
     let quick_radii = quick_radii(gap, forms, start, names);
     let inline = inlining(gap, forms, start);
     quote! {
@@ -85,23 +85,22 @@ fn from_start(
     forms: &ClosedForms,
     start: &Start,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> (TokenStream, Option<TokenStream>) {
     match start {
         Start::Roots(table) => {
-            let [radius, radii] = roots::radius_and_radii(table, &forms.load_integral, coefficients, names);
+            let [radius, radii] = roots::radius_and_radii(table, &forms.load_integral, coefficients);
             (radius, Some(radii))
         }
         Start::Seeds(found) => {
             let is_beside = has_leading_term_beside_seeds(gap);
-            let solve = is_beside.then(|| leading_term::solve(forms, coefficients, names)).flatten();
+            let solve = is_beside.then(|| leading_term::solve(forms, coefficients)).flatten();
             let [radius, radii] =
-                seeds::radius_and_radii(found, &forms.stepped, solve.as_ref(), coefficients, names);
+                seeds::radius_and_radii(found, &forms.stepped, solve.as_ref(), coefficients);
             (radius, Some(radii))
         }
         Start::LeadingTerm => {
-            let radii = leading_term::radii(forms, coefficients, names);
-            (leading_term::radius(forms, coefficients, names), radii)
+            let radii = leading_term::radii(forms, coefficients);
+            (leading_term::radius(forms, coefficients), radii)
         }
     }
 }
@@ -133,14 +132,14 @@ fn unlimited_radius(
     gap: &Gap,
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> TokenStream {
+    let names = coefficients.names;
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
     let within = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
     let (anew, within) = if has_leading_term_beside_seeds(gap) {
         // Before the table is tried again. The coefficients are computed anew: what the cold call sees is kept in memory,
         // and all that the table needs would be computed again for each of many radii.
-        let found = leading_term::radius(forms, coefficients, names);
+        let found = leading_term::radius(forms, coefficients);
         (Some(&preamble), found_or_general(&found, &within, names))
     } else {
         (None, within)
@@ -168,29 +167,29 @@ fn outside_table(
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> TokenStream {
-    let general = general(gap, forms, coefficients, names);
+    let general = general(gap, forms, coefficients);
     if !(matches!(start, Some(Start::Seeds(_))) && may_have_leading_term(gap)) {
         return general;
     }
     let found = if has_leading_term_beside_seeds(gap) {
-        leading_term::radius(forms, coefficients, names)
+        leading_term::radius(forms, coefficients)
     } else {
-        leading_term::radius_of_real_powers(forms, coefficients, names)
+        leading_term::radius_of_real_powers(forms, coefficients)
     };
-    found_or_general(&found, &general, names)
+    found_or_general(&found, &general, coefficients.names)
 }
 
 /// The radius of any load integral, whatever the geometry.
-fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     match gap.terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
             let Names { load_integral, limit, .. } = names;
             let (invert, terms) = (names.generated("invert_one_term"), coefficients.terms());
             quote!(#invert(#load_integral, #(#terms)*, #limit))
         }
-        _ => newton(gap, forms, coefficients, names),
+        _ => newton(gap, forms, coefficients),
     }
 }
 
@@ -206,8 +205,8 @@ fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -
 }
 
 /// The method for slices; `radii` is its result.
-fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
-    let Names { krate, scalar, load_integrals, limit, radii: slice, .. } = names;
+fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>) -> TokenStream {
+    let Names { krate, scalar, load_integrals, limit, radii: slice, .. } = coefficients.names;
     let preamble = coefficients.preamble();
     quote! {
         fn radii_within(
@@ -222,10 +221,11 @@ fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>, names: &Na
     }
 }
 
-fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let (invert, zero) = (names.generated("invert"), names.number(&Rational::zero()));
-    let evaluate = value_and_log_slope(forms, coefficients, names);
-    let positive = positive_terms(gap, coefficients, names);
+    let evaluate = value_and_log_slope(forms, coefficients);
+    let positive = positive_terms(gap, coefficients);
     let has_negative = match coefficients.of_uncertain_sign() {
         None => quote!(true),
         Some(none) if none.is_empty() => quote!(false),
@@ -233,7 +233,7 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
     };
     let (Names { load_integral, limit, .. }, a) = (names, local("a"));
     // Not the method of that name: its receiver would be one more argument of the general solution.
-    let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients, names).code;
+    let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients).code;
     let rounded_once = names.in_double_words(&rounded_once);
     quote! {
         #invert(
@@ -248,7 +248,8 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>, names
 }
 
 /// The positive terms to iterate over.
-fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let terms = gap.terms.iter().zip(coefficients.terms());
     if !gap.is_constant() {
         let (of, terms) = (names.generated("positive_terms"), terms.map(|(_, pair)| pair));
@@ -261,11 +262,12 @@ fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>, names: &Names) -> 
 }
 
 /// J(a) and a J′(a), in the cheapest form: Newton's method divides their error by the degree of J.
-fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let sum = &forms.load_integral;
     let [a, x, value, slope, log_slope] = ["a", "x", "value", "slope", "log_slope"].map(local);
     let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER) else {
-        let (function, terms) = (names.generated("power_sum_and_log_slope"), terms(sum, coefficients, names));
+        let (function, terms) = (names.generated("power_sum_and_log_slope"), terms(sum, coefficients));
         return quote!(#function(#a, #terms));
     };
     let constant = names.constant();

@@ -14,25 +14,23 @@ use crate::number::{Rational, integer};
 const HIGHEST_POWER: u32 = 80;
 
 /// The radius from the leading term, if that term leads to it.
-pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+pub(super) fn radius(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let (Names { load_integral, limit, .. }, kind) = (names, names.generated("WholePowers"));
-    match whole_powers(&forms.stepped, coefficients, names) {
+    match whole_powers(&forms.stepped, coefficients) {
         Some(powers) => quote!(#kind::radius(&#powers, #load_integral, #limit)),
-        None => radius_of_real_powers(forms, coefficients, names),
+        None => radius_of_real_powers(forms, coefficients),
     }
 }
 
 /// The same for powers of any kind; needs no item beside it.
-pub(super) fn radius_of_real_powers(
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+pub(super) fn radius_of_real_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let (Names { load_integral, limit, .. }, [a, scale]) = (names, ["a", "scale"].map(local));
     let radius = names.generated("radius_of_real_powers");
     let quick = names.generated("quick_power_sum_steepness");
     let precise = names.generated("scaled_power_sum_steepness");
-    let terms = terms(&forms.load_integral, coefficients, names);
+    let terms = terms(&forms.load_integral, coefficients);
     quote! {
         #radius(
             #load_integral,
@@ -46,12 +44,9 @@ pub(super) fn radius_of_real_powers(
 
 /// The radii of a slice from the leading term, or else by `radius_within`; for whole powers only, as others do not
 /// vectorise.
-pub(super) fn radii(
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> Option<TokenStream> {
-    let solve = solve(forms, coefficients, names)?;
+pub(super) fn radii(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let names = coefficients.names;
+    let solve = solve(forms, coefficients)?;
     let (general, radii_of_whole_powers) =
         (names.by_radius_within(), names.generated("radii_of_whole_powers"));
     let Names { load_integrals, limit, radii, .. } = names;
@@ -61,12 +56,9 @@ pub(super) fn radii(
 }
 
 /// The function that solves for one of many radii, if powers are whole.
-pub(super) fn solve(
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> Option<TokenStream> {
-    let powers = whole_powers(&forms.stepped, coefficients, names)?;
+pub(super) fn solve(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let names = coefficients.names;
+    let powers = whole_powers(&forms.stepped, coefficients)?;
     let (load_integral, more, kind) = (&names.load_integral, local("more"), names.generated("WholePowers"));
     Some(quote! {
         // Without the attribute, wide vectors would end at the call.
@@ -76,7 +68,8 @@ pub(super) fn solve(
 }
 
 /// J as `WholePowers`, if it has them.
-fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
+fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let names = coefficients.names;
     let whole = whole(stepped)?;
     let Scaled { load_integral: sum, per_unit } = &stepped.scaled;
     let per_unit = names.number(per_unit);

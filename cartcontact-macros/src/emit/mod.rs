@@ -115,14 +115,14 @@ pub(crate) fn solver(
     let import = import(krate, &names);
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
-    let (evaluators, operations) = evaluators(geometry, &forms, &coefficients, &names);
+    let (evaluators, operations) = evaluators(geometry, &forms, &coefficients);
     let start = Start::of(geometry, &forms);
-    let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients, &names);
-    let drops = drops::methods(&forms, &coefficients, &names);
-    let beside_inversion = beside_inversion(&geometry.gap, &forms, start.as_ref(), &coefficients, &names);
-    let range = range::methods(item, geometry, &coefficients, &names);
-    let inherent = inherent::block(item, geometry, &coefficients, &names);
-    let quadrature_hints = quadrature_hints(geometry, &coefficients, &names);
+    let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients);
+    let drops = drops::methods(&forms, &coefficients);
+    let beside_inversion = beside_inversion(&geometry.gap, &forms, start.as_ref(), &coefficients);
+    let range = range::methods(item, geometry, &coefficients);
+    let inherent = inherent::block(item, geometry, &coefficients);
+    let quadrature_hints = quadrature_hints(geometry, &coefficients);
     let [shared, precise_shared] = coefficients.functions();
     let header = implementation(item, &names);
     let beside = coefficients.operations();
@@ -165,8 +165,8 @@ fn evaluators(
     geometry: &Geometry,
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> (TokenStream, Vec<Operations>) {
+    let names = coefficients.names;
     let scalar = &names.scalar;
     let method = |name: &str, variable: &Ident, body: TokenStream| {
         let name = Ident::new(name, Span::call_site());
@@ -179,7 +179,7 @@ fn evaluators(
     for (name, variable, sum) in EVALUATORS {
         let (variable, sum) = (local(variable), sum(forms));
         let coefficients = coefficients.for_rounding_once([sum]);
-        let Counted { code, operations: count } = power_sum::value(sum, &variable, &coefficients, names);
+        let Counted { code, operations: count } = power_sum::value(sum, &variable, &coefficients);
         let preamble = coefficients.preamble();
         operations.push(count);
         methods.push(method(name, &variable, names.in_double_words(&quote!(#preamble #code))));
@@ -190,26 +190,23 @@ fn evaluators(
         ("quick_load_integral", &forms.load_integral),
     ] {
         let a = local("a");
-        let code = power_sum::quick_value(sum, &a, coefficients, names);
+        let code = power_sum::quick_value(sum, &a, coefficients);
         let preamble = coefficients.preamble();
         methods.push(method(name, &a, quote!(#preamble #code)));
     }
-    methods.extend(approach_and_load_integral(forms, coefficients, names));
-    let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients, names);
+    methods.extend(approach_and_load_integral(forms, coefficients));
+    let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients);
     operations.push(pressure_kernel::operations(&geometry.gap));
     (quote!(#(#methods)* #(#pressure_kernels)*), operations)
 }
 
 /// The method that evaluates both with the same coefficients, if these have to be computed.
-fn approach_and_load_integral(
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> Option<TokenStream> {
+fn approach_and_load_integral(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let names = coefficients.names;
     let sums = [&forms.approach, &forms.load_integral];
     let (scalar, a, coefficients) = (&names.scalar, local("a"), coefficients.for_rounding_once(sums));
     let preamble = coefficients.preamble();
-    let values = sums.map(|sum| power_sum::value(sum, &a, &coefficients, names).code);
+    let values = sums.map(|sum| power_sum::value(sum, &a, &coefficients).code);
     let both = names.in_double_words(&quote!(#preamble (#(#values),*)));
     (!preamble.is_empty()).then(|| {
         quote! {
@@ -225,12 +222,12 @@ fn beside_inversion(
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> Option<TokenStream> {
+    let names = coefficients.names;
     match start? {
         Start::Roots(roots) => Some(roots::item(roots, names)),
         Start::Seeds(found) => {
-            let from_table = seeds::items(found, &forms.stepped, coefficients, names);
+            let from_table = seeds::items(found, &forms.stepped, coefficients);
             let is_beside = has_leading_term_beside_seeds(gap);
             let from_leading_term = is_beside.then(|| leading_term::items(forms, names)).flatten();
             Some(quote!(#from_table #from_leading_term))
@@ -344,7 +341,8 @@ fn bounded_generics(item: &Item, names: &Names) -> Generics {
 }
 
 /// What quadrature has to know about the terms.
-fn quadrature_hints(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn quadrature_hints(geometry: &Geometry, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
     let highest = terms.last().map(|term| literal(&term.exponent));
     let truth = quote!(::core::primitive::bool);

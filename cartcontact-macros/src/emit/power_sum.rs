@@ -109,10 +109,11 @@ impl Whole {
 
 /// The value of the sum at `x` in double words, with one rounding besides those of the coefficients, which may be
 /// precise.
-pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>, names: &Names) -> Counted {
+pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Counted {
+    let names = coefficients.names;
     let Some(whole) = Whole::of(sum).filter(Whole::is_dense) else {
         let (power_sum, terms, fused) =
-            (names.generated("power_sum"), terms(sum, coefficients, names), &names.fused);
+            (names.generated("power_sum"), terms(sum, coefficients), &names.fused);
         let code = quote!(#power_sum::<_, _, _, #fused>(#x, #terms));
         return Counted { code, operations: Operations::in_library() };
     };
@@ -135,21 +136,17 @@ pub(super) fn is_quick_in_vectors(sum: &PowerSum) -> bool {
 }
 
 /// The value of the sum at `x` in the cheapest form with an error below 7 ε.
-pub(super) fn quick_value(
-    sum: &PowerSum,
-    x: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     match Whole::of(sum) {
-        Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients, names),
+        Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
         Some(whole) if whole.is_low_in_square() => {
             let (even_sum, lowest) = (names.generated("even_sum"), whole.lowest());
             let dense = whole.dense((lowest, 2), sum, coefficients);
             quote!(#even_sum(#x, #lowest, #dense))
         }
-        _ => in_quarters(sum, x, coefficients, names).unwrap_or_else(|| {
-            let (power_sum, terms) = (names.generated("quick_power_sum"), terms(sum, coefficients, names));
+        _ => in_quarters(sum, x, coefficients).unwrap_or_else(|| {
+            let (power_sum, terms) = (names.generated("quick_power_sum"), terms(sum, coefficients));
             quote!(#power_sum(#x, #terms))
         }),
     }
@@ -162,21 +159,15 @@ pub(super) fn value_in_vectors(
     whole: &Whole,
     x: &Ident,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> TokenStream {
-    let (plain_sum, lowest) = (names.generated("plain_sum"), whole.lowest());
+    let (plain_sum, lowest) = (coefficients.names.generated("plain_sum"), whole.lowest());
     let dense = whole.dense((lowest, 1), sum, coefficients);
     quote!(#plain_sum(#x, #lowest, #dense))
 }
 
 /// Σ x^(k/4) P(x) over the parts of multiples of 1/4, where all have low powers. A root and the product with it are two
 /// more roundings.
-fn in_quarters(
-    sum: &PowerSum,
-    x: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> Option<TokenStream> {
+fn in_quarters(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     let (mut bindings, mut values) = (TokenStream::new(), Vec::new());
     for (quarters, part) in (0_u8..).zip(sum.in_quarters()?) {
         let whole = Whole::of(&part)?;
@@ -187,13 +178,13 @@ fn in_quarters(
         if part.summands.is_empty() {
             continue;
         }
-        let (value, part) =
-            (local(&format!("of_quarter{quarters}")), horner(&part, &whole, x, coefficients, names));
+        let (value, part) = (local(&format!("of_quarter{quarters}")), horner(&part, &whole, x, coefficients));
         bindings.extend(quote!(let #value = { #part };));
         values.push(if quarters == 0 {
             quote!(#value)
         } else {
-            let (root, quarters) = (names.generated("quarter_root"), Literal::u8_unsuffixed(quarters));
+            let (root, quarters) =
+                (coefficients.names.generated("quarter_root"), Literal::u8_unsuffixed(quarters));
             quote!(#root::<_, #quarters>(#x) * #value)
         });
     }
@@ -201,16 +192,10 @@ fn in_quarters(
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
-fn horner(
-    sum: &PowerSum,
-    whole: &Whole,
-    x: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
-    let nested = nested((whole, is_monic(sum)), &variable, factors, names);
+    let nested = nested((whole, is_monic(sum)), &variable, factors, coefficients.names);
     let lowest = whole.lowest();
     let powers = (0..lowest / whole.stride()).map(|_| &variable);
     let odd = (lowest % whole.stride() == 1).then(|| quote!(* #x));
@@ -288,7 +273,8 @@ fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
 }
 
 /// The sum as terms (coefficient, exponent) to iterate over.
-pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     if let Some(table) = table(sum).filter(|table| table.len() > FEW) {
         let (whole_terms, table) = (names.generated("whole_terms"), code(table));
         return quote!(#whole_terms(&#table));

@@ -9,9 +9,9 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
+use super::local;
 use super::operations::Operations;
 use super::power_sum::{self, Whole, whole_number};
-use super::{Names, local};
 use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
@@ -25,15 +25,11 @@ const HIGHEST_QUICK_QUARTER: u32 = 6;
 const HIGHEST_ALONE: u32 = 8;
 
 /// The kernel for callers, and the quick one that pressures are summed from.
-pub(super) fn methods(
-    gap: &Gap,
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> [TokenStream; 2] {
+pub(super) fn methods(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> [TokenStream; 2] {
+    let names = coefficients.names;
     let (scalar, [a, r]) = (&names.scalar, ["a", "r"].map(local));
-    let (kernel, precise) = precise_kernel(gap, forms, coefficients, names);
-    let quick_kernel = quick_kernel(gap, forms, coefficients, names);
+    let (kernel, precise) = precise_kernel(gap, forms, coefficients);
+    let quick_kernel = quick_kernel(gap, forms, coefficients);
     let method = |method, kernel, inline| {
         let method = Ident::new(method, Span::call_site());
         quote! {
@@ -55,12 +51,8 @@ fn call(function: &TokenStream, terms: &TokenStream) -> TokenStream {
     quote!(#function(#a, #r, #terms))
 }
 
-fn quick_kernel(
-    gap: &Gap,
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+fn quick_kernel(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
     let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
     if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
@@ -69,9 +61,9 @@ fn quick_kernel(
     if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
         return call(&names.generated("quick_whole_pressure_kernel"), &weights(1));
     }
-    let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients, names));
+    let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients));
     in_root.unwrap_or_else(|| {
-        let terms = power_sum::terms(&forms.gap, coefficients, names);
+        let terms = power_sum::terms(&forms.gap, coefficients);
         call(&names.generated("quick_pressure_kernel"), &terms)
     })
 }
@@ -81,8 +73,8 @@ fn precise_kernel<'a>(
     gap: &Gap,
     forms: &ClosedForms,
     coefficients: &Coefficients<'a>,
-    names: &Names,
 ) -> (TokenStream, Coefficients<'a>) {
+    let names = coefficients.names;
     let fused = &names.fused;
     if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
         let precise = coefficients.for_rounding_once([&forms.log_kernel]);
@@ -91,8 +83,7 @@ fn precise_kernel<'a>(
         return (call(&quote!(#function::<_, _, #fused, _>), &weights), precise);
     }
     let precise = coefficients.for_rounding_once([&forms.gap]);
-    let (function, terms) =
-        (names.generated("pressure_kernel"), power_sum::terms(&forms.gap, &precise, names));
+    let (function, terms) = (names.generated("pressure_kernel"), power_sum::terms(&forms.gap, &precise));
     (call(&quote!(#function::<_, _, _, #fused>), &terms), precise)
 }
 
@@ -123,12 +114,7 @@ fn weights(step: u32, log_kernel: &PowerSum, coefficients: &Coefficients<'_>) ->
 }
 
 /// The kernel in the root of the radius with this index, if all powers are whole there, and low.
-fn kernel_in_root(
-    index: u32,
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> Option<TokenStream> {
+fn kernel_in_root(index: u32, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     // The exponents n + 2, multiplied by the index.
     let weights = forms.log_kernel.in_root(index).weighted(|_| fraction(1, 2 * index));
     let whole = Whole::of(&weights).filter(|whole| whole.highest() <= (HIGHEST_QUICK_QUARTER + 2) * index)?;
@@ -139,7 +125,9 @@ fn kernel_in_root(
     });
     let pairs = quote!([#(#pairs),*]);
     let (highest, index) = (number(whole.highest() - 2 * index), number(index));
-    let (function, terms) =
-        (names.generated("quick_pressure_kernel_in_root"), power_sum::terms(&forms.gap, coefficients, names));
+    let (function, terms) = (
+        coefficients.names.generated("quick_pressure_kernel_in_root"),
+        power_sum::terms(&forms.gap, coefficients),
+    );
     Some(call(&quote!(#function::<_, #index, #highest, _>), &quote!(#pairs, #terms)))
 }

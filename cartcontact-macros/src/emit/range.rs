@@ -16,16 +16,12 @@ use crate::reading::field::{Field, FieldKind};
 use crate::reading::item::Item;
 use crate::reading::name::unraw;
 
-pub(super) fn methods(
-    item: &Item,
-    geometry: &Geometry,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+pub(super) fn methods(item: &Item, geometry: &Geometry, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let is_constant = geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_));
-    let checked = (!is_constant).then_some(Checked { item, geometry, coefficients, names });
+    let checked = (!is_constant).then_some(Checked { item, geometry, coefficients });
     let scalar = &names.scalar;
-    let max_radius = match (known(geometry, coefficients, names), &checked) {
+    let max_radius = match (known(geometry, coefficients), &checked) {
         (Some(end), _) => quote! {
             #[inline]
             fn max_radius(&self) -> #scalar { #end }
@@ -59,7 +55,8 @@ fn check_of_constants(names: &Names) -> TokenStream {
 }
 
 /// The end of the range, if no value of a field can make the geometry inadmissible before it.
-fn known(geometry: &Geometry, coefficients: &Coefficients<'_>, names: &Names) -> Option<TokenStream> {
+fn known(geometry: &Geometry, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let names = coefficients.names;
     let (Names { krate, scalar, .. }, constant) = (names, names.constant());
     if !unchecked(geometry).is_empty() {
         return None;
@@ -94,14 +91,17 @@ struct Checked<'a> {
     item: &'a Item,
     geometry: &'a Geometry,
     coefficients: &'a Coefficients<'a>,
-    names: &'a Names,
 }
 
 impl Checked<'_> {
+    fn names(&self) -> &Names {
+        self.coefficients.names
+    }
+
     /// Zero for a geometry that `check` refuses.
     fn max_radius(&self) -> TokenStream {
         let (preamble, range) = (self.coefficients.preamble(), self.range());
-        let (constant, scalar, end) = (self.names.constant(), &self.names.scalar, local("end"));
+        let (constant, scalar, end) = (self.names().constant(), &self.names().scalar, local("end"));
         quote! {
             #[inline]
             fn max_radius(&self) -> #scalar {
@@ -117,14 +117,14 @@ impl Checked<'_> {
     fn check(&self) -> TokenStream {
         let (preamble, range) = (self.coefficients.preamble(), self.range());
         let (in_format, declared) = (self.in_format(), self.declared());
-        let (krate, error) = (&self.names.krate, local("error"));
+        let (krate, error) = (&self.names().krate, local("error"));
         let mut checks = self.checks_of_terms();
         let range = match checks.next() {
             Some(first) => quote!(#first #(.and(#checks))*.and_then(|()| #range)),
             None => range,
         };
         let (fields, names, values) = self.named(|field| field.used);
-        let with_parameters = self.names.generated("with_parameters");
+        let with_parameters = self.names().generated("with_parameters");
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
                 #in_format
@@ -143,7 +143,7 @@ impl Checked<'_> {
 
     /// The end of the range for the values of the fields, or the error that they cause.
     fn range(&self) -> TokenStream {
-        let constant = self.names.constant();
+        let constant = self.names().constant();
         let requested = match &self.geometry.range {
             Range::Unbounded => quote!(::core::option::Option::None),
             Range::Limited(end) => {
@@ -155,7 +155,7 @@ impl Checked<'_> {
                 quote!(::core::option::Option::Some(#end))
             }
         };
-        let (terms, checked_range) = (self.coefficients.terms(), self.names.generated("checked_range"));
+        let (terms, checked_range) = (self.coefficients.terms(), self.names().generated("checked_range"));
         let range = quote!(#checked_range([#(#terms),*], #requested));
         let surfaces = unchecked(self.geometry).iter().map(|surface| {
             let radius = self.coefficients.in_fields(&surface.radius);
@@ -166,7 +166,7 @@ impl Checked<'_> {
         if surfaces.is_empty() {
             return range;
         }
-        let inside_surfaces = self.names.generated("inside_surfaces");
+        let inside_surfaces = self.names().generated("inside_surfaces");
         quote!(#inside_surfaces(#range, [#(#surfaces),*]))
     }
 
@@ -176,7 +176,7 @@ impl Checked<'_> {
         let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
         terms.filter_map(|(term, pair)| {
             if term.coefficient.as_constant().is_some() {
-                let check = self.names.generated("check_coefficients");
+                let check = self.names().generated("check_coefficients");
                 return (!fits_every_format(term)).then(|| quote!(#check([#pair])));
             }
             // A field itself is zero only if it is given so.
@@ -187,7 +187,7 @@ impl Checked<'_> {
                 let values = parts.iter().map(|part| self.coefficients.expression(part));
                 quote!([#(#values),*])
             });
-            let check = self.names.generated("check_product");
+            let check = self.names().generated("check_product");
             Some(quote!(#check(#pair, #factors, #divisors)))
         })
     }
@@ -197,14 +197,14 @@ impl Checked<'_> {
         let is_double = |field: &&Field| field.used && field.kind == FieldKind::F64;
         let fields = self.item.fields.iter().filter(is_double).map(|field| &field.ident);
         let names: Vec<String> = fields.clone().map(unraw).collect();
-        let (check, scalar) = (self.names.generated("check_range_of_fields"), &self.names.scalar);
+        let (check, scalar) = (self.names().generated("check_range_of_fields"), &self.names().scalar);
         refusal(&names, &quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])))
     }
 
     /// Refuses values of fields that were declared positive and are not.
     fn declared(&self) -> TokenStream {
         let (bindings, names, values) = self.named(|field| field.used && field.is_positive);
-        let check = self.names.generated("check_positive");
+        let check = self.names().generated("check_positive");
         refusal(&names, &quote!({ #bindings #check(&[#(#names),*], [#(#values),*]) }))
     }
 

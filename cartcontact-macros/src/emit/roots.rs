@@ -30,9 +30,9 @@ pub(super) fn radius_and_radii(
     roots: &Roots,
     load_integral: &PowerSum,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> [TokenStream; 2] {
-    let (table, term) = (table::name(), term(roots, load_integral, coefficients, names));
+    let names = coefficients.names;
+    let (table, term) = (table::name(), term(roots, load_integral, coefficients));
     let (general, kind) = (names.by_radius_within(), names.generated("Roots"));
     let Names { load_integral, load_integrals, limit, radii, .. } = names;
     [
@@ -42,12 +42,8 @@ pub(super) fn radius_and_radii(
 }
 
 /// The term of J: the one of the table, or its coefficient if the table is for any coefficient.
-fn term(
-    roots: &Roots,
-    load_integral: &PowerSum,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+fn term(roots: &Roots, load_integral: &PowerSum, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let only = load_integral.summands.first();
     let c = only.map(|only| coefficients.unweighted(only));
     match &roots.reach {

@@ -12,14 +12,10 @@ use crate::number::{Rational, integer};
 use crate::start::seeds::Seeds;
 
 /// The table, and the function that the step from it evaluates.
-pub(super) fn items(
-    seeds: &Seeds,
-    stepped: &Stepped,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+pub(super) fn items(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let (table, a) = (table::item(&seeds.table, names), local("a"));
-    let body = body(stepped, &seeds.unit, &a, coefficients, names);
+    let body = body(stepped, &seeds.unit, &a, coefficients);
     let function = steepness::function(&name(), &a, coefficients.variables(), &body, names);
     quote!(#table #function)
 }
@@ -36,10 +32,10 @@ pub(super) fn radius_and_radii(
     stepped: &Stepped,
     solve: Option<&TokenStream>,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> [TokenStream; 2] {
+    let names = coefficients.names;
     let (variables, _) = coefficients.variables();
-    let binding = units(seeds, stepped, coefficients, names);
+    let binding = units(seeds, stepped, coefficients);
     let (table, steepness, general) = (table::name(), name(), names.by_radius_within());
     let kind = names.generated("Table");
     let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
@@ -70,13 +66,14 @@ pub(super) fn radius_and_radii(
 }
 
 /// Binds the units of the table: those of its own geometry, or those in which the first two terms have the same size.
-fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>, names: &Names) -> TokenStream {
+fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let units = local("units");
     let Stepped { scaled: Scaled { load_integral, per_unit }, root } = stepped;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
         names.generated("OwnUnits")
     } else {
-        equal_terms(seeds, load_integral, per_unit, coefficients, names)
+        equal_terms(seeds, load_integral, per_unit, coefficients)
     };
     if *root == 1 {
         return quote!(let #units = #own;);
@@ -92,8 +89,8 @@ fn equal_terms(
     load_integral: &PowerSum,
     per_unit: &Rational,
     coefficients: &Coefficients<'_>,
-    names: &Names,
 ) -> TokenStream {
+    let names = coefficients.names;
     let sizes = load_integral.summands.iter().zip(&seeds.factors).map(|(summand, &factor)| {
         let coefficient = coefficients.factor(summand);
         if factor < 0.0 { quote!(-(#coefficient)) } else { coefficient }
@@ -108,17 +105,11 @@ fn equal_terms(
 
 /// A `Steepness` at the radius `a`: J, a J′ divided by a [unit](Seeds::unit), and a² J″/2 divided by its square. In J
 /// a unit would cost a rounding, as the load integral would have to be divided by it, too.
-fn body(
-    stepped: &Stepped,
-    unit: &Rational,
-    a: &Ident,
-    coefficients: &Coefficients<'_>,
-    names: &Names,
-) -> TokenStream {
+fn body(stepped: &Stepped, unit: &Rational, a: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     let Stepped { scaled: Scaled { load_integral, .. }, root } = stepped;
     let Some(whole) = Whole::of(load_integral) else {
-        let (function, terms) =
-            (names.generated("power_sum_steepness"), terms(load_integral, coefficients, names));
+        let (function, terms) = (names.generated("power_sum_steepness"), terms(load_integral, coefficients));
         return quote!(#function(#a, #terms));
     };
     if *root > 2 {
