@@ -19,7 +19,7 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 const HIGHEST_POWER: u32 = 24;
 
 /// The highest whole power beside a root: with higher ones compilers would leave all radii out of vectors.
-const HIGHEST_BESIDE_ROOT: u32 = 13;
+const HIGHEST_DROP_BESIDE_ROOT: u32 = 13;
 
 /// With more terms vectors would take longer than one radius after the other: too many coefficients are in memory.
 const MOST_TERMS_IN_VECTORS: usize = 24;
@@ -117,7 +117,7 @@ fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<W
         if part.summands.is_empty() {
             return Some(quote!([]));
         }
-        let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_BESIDE_ROOT)?;
+        let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_DROP_BESIDE_ROOT)?;
         Some(whole.dense((0, 1), part, coefficients))
     };
     let parts = sum.in_quarters()?.iter().map(dense).collect::<Option<Vec<_>>>()?;
