@@ -2,7 +2,7 @@
 
 use super::Contact;
 use crate::Scalar;
-use crate::load::{Load, rounding_of};
+use crate::load::{Load, rounding_of_hereditary};
 use crate::profile::GapProfile;
 use crate::scalar::is_finite_and_not_negative;
 
@@ -35,7 +35,7 @@ fn deepest_fall<T: Scalar, P: GapProfile<T>, L: Load<T>>(
         let now = hereditary_at(time);
         let ((_, first), (end, last)) = if now.0 < before.0 { (now, before) } else { (before, now) };
         let fall = first - last;
-        if fall > rounding_of(first) && fall > deepest.0 {
+        if fall > rounding_of_hereditary(first) && fall > deepest.0 {
             deepest = (fall, Some(end));
         }
         before = now;

@@ -3,7 +3,7 @@
 // Loads: `constant`, `piecewise_linear` (through `knots`), and `pointers` to loads of a user; what can be wrong with
 // one is an `error`. A straight part of any of them is a `piece`; where a load is not straight, a `force_series` is its
 // force during a step. `recession`: up to when the solution covers a history, which is divided into parts no shorter
-// than `shortest`.
+// than `shortest`; what counts as `rounding` there.
 mod constant;
 mod error;
 mod force_series;
@@ -12,6 +12,7 @@ mod piece;
 mod piecewise_linear;
 mod pointers;
 mod recession;
+mod rounding;
 mod shortest;
 
 use crate::Scalar;
@@ -21,7 +22,7 @@ pub use error::LoadError;
 pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
-pub(crate) use recession::{impulse_tolerance, rounding_of};
+pub(crate) use rounding::{impulse_tolerance, rounding_of_hereditary, rounding_within_load};
 pub(crate) use shortest::Shortest;
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.

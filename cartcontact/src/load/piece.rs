@@ -1,5 +1,6 @@
 //! A straight part of a load.
 
+use super::rounding::allowed_fall;
 use crate::Scalar;
 use crate::scalar::smallest_normal;
 
@@ -54,11 +55,16 @@ impl<T: Scalar> Piece<T> {
         from.1 + if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share }
     }
 
-    /// ∫F over the piece.
-    pub(crate) fn impulse(&self) -> T {
+    /// Half-way between the forces at its ends.
+    pub(super) fn mean_force(&self) -> T {
         let half = T::constant(0.5);
         // The sum of the forces need not be in range.
-        self.duration() * (self.start.1 * half + self.end.1 * half)
+        self.start.1 * half + self.end.1 * half
+    }
+
+    /// ∫F over the piece.
+    pub(crate) fn impulse(&self) -> T {
+        self.duration() * self.mean_force()
     }
 
     /// The part of it between two times, of which at least one is within the piece.
@@ -90,7 +96,7 @@ impl<T: Scalar> Piece<T> {
     /// e^(−χ t) may be too fast by that much when its forces are rounded: a long fall leaves so little that this is
     /// more than its own rounding.
     pub(super) fn fall_beyond_rounding(&self) -> T {
-        self.fall_forgiving(self.start.1 * T::default_epsilon() * T::constant(8.0))
+        self.fall_forgiving(allowed_fall(self.start.1))
     }
 
     fn fall_forgiving(&self, rounding: T) -> T {

@@ -3,7 +3,8 @@
 use core::fmt;
 
 use super::knots::{check, pieces};
-use super::recession::{Descent, may_add_up};
+use super::recession::Descent;
+use super::rounding::may_add_up;
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;

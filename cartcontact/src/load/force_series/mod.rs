@@ -14,7 +14,7 @@
 mod chebyshev;
 
 use super::Load;
-use super::recession::is_force;
+use super::rounding::{is_force, rounding_within_load};
 use crate::Scalar;
 use chebyshev::{
     Coefficients, DEGREE, abscissa, derivative, interpolate, leave_out, length_above, mean_to_the_end, sum_at,
@@ -263,8 +263,7 @@ impl<T: Scalar> ForceSeries<T> {
     fn rounding(&self, end: T) -> T {
         let slope = derivative(&self.variation[..self.length]);
         let change = slope.iter().fold(T::zero(), |sum, c| sum + c.abs());
-        let forces = self.size * T::constant(64.0);
-        (forces + change * (end / self.duration)) * T::default_epsilon()
+        rounding_within_load(self.size) + change * (end / self.duration) * T::default_epsilon()
     }
 
     /// How much smaller the hereditary load was some e-foldings before the end than at the end, and how much it grew

@@ -26,13 +26,6 @@ pub(in crate::load) struct Contradiction<T> {
     integral: T,
 }
 
-/// By how much an impulse may be off in a history that ends with a hereditary load.
-///
-/// Infinite without drainage, as impulses then do not count.
-pub(crate) fn impulse_tolerance<T: Scalar>(hereditary: T, chi: T) -> T {
-    if chi.is_zero() { T::infinity() } else { hereditary / chi * T::default_epsilon().sqrt() }
-}
-
 /// The least and the most that ∫F can be along a series that ends at a time.
 fn bounds<T: Scalar>(force: &ForceSeries<T>, end: T, chi: T) -> (T, T) {
     // Nodes are counted from the end.

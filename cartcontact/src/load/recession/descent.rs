@@ -11,7 +11,7 @@
 
 use crate::Scalar;
 use crate::load::Piece;
-use crate::scalar::from_single;
+use crate::load::rounding::tolerance_of_falls;
 
 /// A walk along straight pieces that hardly fall too fast, if at all.
 pub(in crate::load) struct Descent<T> {
@@ -20,16 +20,6 @@ pub(in crate::load) struct Descent<T> {
     crest: (T, T),
     /// By how much Y has fallen since.
     fallen: T,
-}
-
-/// What the falls of many pieces may add up to, as a share of the force.
-fn tolerance<T: Scalar>() -> T {
-    T::default_epsilon().sqrt()
-}
-
-/// Whether the falls of so many pieces, each within its allowance, can add up to too much.
-pub(in crate::load) fn may_add_up<T: Scalar>(count: usize) -> bool {
-    from_single::<T>(count as f32 * 8.0) * T::default_epsilon() > tolerance()
 }
 
 impl<T: Scalar> Descent<T> {
@@ -51,14 +41,13 @@ impl<T: Scalar> Descent<T> {
             self.crest = piece.start;
         }
         self.fallen = (self.fallen - self.gain(piece)).max(T::zero());
-        (self.fallen > self.crest.1 * tolerance()).then_some(self.crest.0)
+        (self.fallen > tolerance_of_falls(self.crest.1)).then_some(self.crest.0)
     }
 
     /// By how much Y rises along a piece.
     fn gain(&self, piece: &Piece<T>) -> T {
-        let (folds, half) = (self.chi * piece.duration(), T::constant(0.5));
         // The impulse need not be in range.
-        let gain = piece.rise() + folds * (piece.start.1 * half + piece.end.1 * half);
+        let gain = piece.rise() + self.chi * piece.duration() * piece.mean_force();
         if gain < T::zero() && piece.keeps_bound(self.chi) { T::zero() } else { gain }
     }
 }

@@ -1,7 +1,8 @@
 //! Faults of a history, which the solution then does not cover.
 
-use super::contradiction::{Contradiction, impulse_tolerance};
+use super::contradiction::Contradiction;
 use crate::Scalar;
+use crate::load::rounding::{impulse_tolerance, rounding_within_load};
 use crate::load::{Load, LoadError};
 
 /// Why the solution does not cover a history.
@@ -51,15 +52,4 @@ impl<T: Scalar> Fault<T> {
 pub(super) fn tolerances<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> (T, T) {
     let hereditary = load.force(t) + chi * load.impulse(t);
     (rounding_within_load(hereditary), impulse_tolerance(hereditary, chi))
-}
-
-/// By how much a force or an impulse may be off because a load computes it from numbers of the given size, 64 ε of
-/// them.
-pub(super) fn rounding_within_load<T: Scalar>(size: T) -> T {
-    size * T::default_epsilon() * T::constant(64.0)
-}
-
-/// Whether a number is a valid force, which may be negative by up to `negligible`.
-pub(in crate::load) fn is_force<T: Scalar>(number: T, negligible: T) -> bool {
-    number >= -negligible && number.is_finite()
 }

@@ -7,7 +7,7 @@
 //! | `straight` | follows the pieces of a load that is straight between its knots |
 //! | `descent` | sums the falls of pieces that each fall by no more than rounding |
 //! | `contradiction` | bounds the impulses that the force can have |
-//! | `fault` | what is found, and what counts as rounding |
+//! | `fault` | what is found |
 
 mod contradiction;
 mod descent;
@@ -19,10 +19,7 @@ use super::Load;
 use crate::Scalar;
 use fault::Fault;
 
-pub(crate) use contradiction::impulse_tolerance;
-pub(super) use descent::{Descent, may_add_up};
-pub(super) use fault::is_force;
-pub(crate) use search::rounding_of;
+pub(super) use descent::Descent;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {

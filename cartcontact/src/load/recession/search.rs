@@ -21,8 +21,9 @@
 //! A load that is [straight](super::straight) between its knots is not searched.
 
 use super::contradiction::Contradiction;
-use super::fault::{Fault, rounding_within_load, tolerances};
+use super::fault::{Fault, tolerances};
 use crate::Scalar;
+use crate::load::rounding::{rounding_of_hereditary, rounding_within_load, tolerance_of_falls};
 use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between};
 use crate::scalar::{smallest_normal, spacing_of_times};
 
@@ -54,11 +55,6 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         }
     }
     None
-}
-
-/// By how much rounding may make a hereditary load fall in a panel; near zero all numbers are rounded alike.
-pub(crate) fn rounding_of<T: Scalar>(hereditary: T) -> T {
-    hereditary.max(smallest_normal()) * T::default_epsilon() * T::constant(8.0)
 }
 
 /// A search in progress.
@@ -216,12 +212,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     /// The gain of every panel is rounded, so that what is forgiven adds up, to no more than along
     /// [straight pieces](super::descent).
     fn rounding(&self, force: T, impulse: T) -> T {
-        let of_one = rounding_of(force + self.chi * impulse);
+        let of_one = rounding_of_hereditary(force + self.chi * impulse);
         if self.crest.fallen.is_zero() {
             return of_one;
         }
         let of_all = of_one * T::constant(f64::from(self.crest.panels));
-        let most = self.load.force(self.crest.time) * T::default_epsilon().sqrt();
+        let most = tolerance_of_falls(self.load.force(self.crest.time));
         of_all.min(most).max(of_one)
     }
 

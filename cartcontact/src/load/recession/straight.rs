@@ -5,8 +5,9 @@
 
 use super::contradiction::Contradiction;
 use super::descent::Descent;
-use super::fault::{Fault, is_force, tolerances};
+use super::fault::{Fault, tolerances};
 use crate::Scalar;
+use crate::load::rounding::is_force;
 use crate::load::{Load, Piece};
 use crate::numbers::compensated_sum::CompensatedSum;
 

@@ -13,7 +13,7 @@
 //! impulse is that of another load.
 
 use super::March;
-use crate::load::{ForceSeries, Load, Shortest};
+use crate::load::{ForceSeries, Load, Shortest, rounding_within_load};
 use crate::memory::fading::Fading;
 use crate::memory::stretch::{Course, degree};
 use crate::scalar::{smallest_normal, spacing_of_times};
@@ -161,9 +161,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn misses(&self, force: &ForceSeries<T>, end: T) -> bool {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let (before, after) = (load.impulse(self.now.time), load.impulse(end));
-        // Early on, χ ∫F may be less than the rounding of F.
-        let rounding = after * T::constant(64.0) + load.force_before(end) / chi * T::constant(4.0);
-        force.is_loose(end) || force.misses(after - before, rounding * T::default_epsilon())
+        // Early on, χ ∫F may be less than the rounding of F, which is a few ε.
+        let of_force = load.force_before(end) / chi * T::default_epsilon() * T::constant(4.0);
+        force.is_loose(end) || force.misses(after - before, rounding_within_load(after) + of_force)
     }
 
     /// Continues along a step, and through a jump at its end.
