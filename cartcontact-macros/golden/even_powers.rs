@@ -196,7 +196,7 @@ const _: () = {
                                     __cartcontact::generated::Exponent::whole(8),
                                 ),
                             ]),
-                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
+                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
                                 __a,
                                 __scale,
                                 [

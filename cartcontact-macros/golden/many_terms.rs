@@ -359,7 +359,7 @@ const _: () = {
                                     ],
                                 ),
                             ),
-                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
+                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
                                 __a,
                                 __scale,
                                 __cartcontact::generated::whole_terms(

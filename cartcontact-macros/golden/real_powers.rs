@@ -235,7 +235,7 @@ const _: () = {
                                     __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
                                 ),
                             ]),
-                            |__a, __scale| __cartcontact::generated::quick_power_sum_steepness(
+                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
                                 __a,
                                 __scale,
                                 [

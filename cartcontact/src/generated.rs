@@ -21,7 +21,7 @@ pub use crate::evaluate::pressure_kernel::{
     quick_pressure_kernel_in_root, quick_whole_pressure_kernel,
 };
 pub use crate::evaluate::steepness::{
-    NestedPowers, Steepness, power_sum_steepness, quick_power_sum_steepness, scaled_power_sum_steepness,
+    NestedPowers, Steepness, plain_power_sum_steepness, power_sum_steepness, scaled_power_sum_steepness,
 };
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};

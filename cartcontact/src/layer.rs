@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::medium::MediumError;
 use crate::numbers::binary::quotient;
-use crate::scalar::is_finite_and_not_negative;
+use crate::scalar::{is_finite_and_not_negative, is_finite_and_positive};
 
 /// One biphasic layer on its bone.
 ///
@@ -74,11 +74,10 @@ impl<T: Scalar> Layer<T> {
 
     /// Whether the three constants are valid.
     fn check(&self) -> Result<(), MediumError> {
-        let positive = |x: T| x > T::zero() && x.is_finite();
-        if !positive(self.thickness) {
+        if !is_finite_and_positive(self.thickness) {
             return Err(MediumError::Thickness { thickness: self.thickness.value() });
         }
-        if !positive(self.shear_modulus) {
+        if !is_finite_and_positive(self.shear_modulus) {
             return Err(MediumError::ShearModulus { shear_modulus: self.shear_modulus.value() });
         }
         if !is_finite_and_not_negative(self.permeability) {

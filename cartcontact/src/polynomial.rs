@@ -9,7 +9,7 @@ use crate::evaluate::double_power::{power_sum, weighted_power_sum};
 use crate::evaluate::power::{power_sum_and_log_slope, power_sum_drop, quick_power_sum};
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
 use crate::evaluate::steepness::{
-    halved_power_sum_steepness, load_integral_coefficient, quick_power_sum_steepness,
+    halved_power_sum_steepness, load_integral_coefficient, load_integral_divisor, plain_power_sum_steepness,
 };
 use crate::in_double_words;
 use crate::numbers::double_word::DoubleWord;
@@ -124,9 +124,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
 
     /// The terms of J: (C n/((n+2)(n+4)), n+4).
     fn load_integral_terms(&self) -> impl Iterator<Item = (T, Exponent<T>)> + Clone {
-        // (n+2)(n+4) in a form in which only the sum rounds much where n is small and J least steep.
-        let divisor = |n: T| n * (n + T::constant(6.0)) + T::constant(8.0);
-        self.map(move |c, n| (c * (n / divisor(n)), Exponent::of(n).plus(4)))
+        self.map(|c, n| (c * (n / load_integral_divisor(n)), Exponent::of(n).plus(4)))
     }
 
     /// The same terms, with nothing rounded.
@@ -209,7 +207,7 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
             limit,
             self.load_integral_terms(),
             #[inline(always)]
-            |a, scale| quick_power_sum_steepness(a, scale, self.load_integral_terms()),
+            |a, scale| plain_power_sum_steepness(a, scale, self.load_integral_terms()),
             #[inline(always)]
             |a, scale| halved_power_sum_steepness(a, scale, self.precise_load_integral_terms()),
         );

@@ -11,7 +11,8 @@
 //! slope and takes the place of 2 c here. `folds` below is where the error reaches ε/4 of f64 or f32, to four digits.
 
 use crate::Scalar;
-use crate::scalar::{Tabled, from_single, is_single};
+use crate::numbers::tabled::Tabled;
+use crate::scalar::{from_single, is_single};
 
 /// The most nodes of a rule.
 pub(crate) const MOST_NODES: usize = 24;
@@ -85,6 +86,16 @@ impl Rule {
         Self { count, double, single }
     }
 
+    /// A number from the tables of the format that `T` has.
+    #[inline(always)]
+    fn number<T: Scalar>(
+        &self,
+        double: impl Fn(&Tables<f64>) -> f64,
+        single: impl Fn(&Tables<f32>) -> f32,
+    ) -> T {
+        if is_single::<T>() { from_single(single(&self.single)) } else { T::constant(double(&self.double)) }
+    }
+
     /// The shortest rule for an integrand that changes by e^`folds`.
     pub(crate) fn for_folds<T: Scalar>(folds: T) -> &'static Self {
         RULES.into_iter().find(|rule| folds <= rule.folds()).unwrap_or(Self::FINEST)
@@ -92,7 +103,7 @@ impl Rule {
 
     /// The most e-foldings it integrates to full accuracy in the arithmetic of `T`.
     pub(crate) fn folds<T: Scalar>(&self) -> T {
-        if is_single::<T>() { from_single(self.single.folds) } else { T::constant(self.double.folds) }
+        self.number(|tables| tables.folds, |tables| tables.folds)
     }
 
     /// The number of nodes.
@@ -107,11 +118,8 @@ impl Rule {
     #[inline(always)]
     pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
         (0..self.len() / 2).map(|pair| {
-            if is_single::<T>() {
-                (from_single(self.single.first[pair]), from_single(self.single.highest[pair]))
-            } else {
-                (T::constant(self.double.first[pair]), T::constant(self.double.highest[pair]))
-            }
+            let first = self.number(|tables| tables.first[pair], |tables| tables.first[pair]);
+            (first, self.number(|tables| tables.highest[pair], |tables| tables.highest[pair]))
         })
     }
 
@@ -154,11 +162,7 @@ impl Rule {
     /// degree n − 2.
     #[inline(always)]
     pub(crate) fn factor_of_next<T: Scalar>(&self, pair: usize) -> T {
-        if is_single::<T>() {
-            from_single(self.single.next[pair])
-        } else {
-            T::constant(self.double.next[pair])
-        }
+        self.number(|tables| tables.next[pair], |tables| tables.next[pair])
     }
 
     /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes, by either of its
@@ -184,11 +188,8 @@ impl Rule {
         let half = T::constant(0.5);
         let (middle, radius) = ((low + high) * half, (high - low) * half);
         (0..self.len()).map(move |index| {
-            let (node, weight) = if is_single::<T>() {
-                (from_single(self.single.nodes[index]), from_single(self.single.weights[index]))
-            } else {
-                (T::constant(self.double.nodes[index]), T::constant(self.double.weights[index]))
-            };
+            let node: T = self.number(|tables| tables.nodes[index], |tables| tables.nodes[index]);
+            let weight: T = self.number(|tables| tables.weights[index], |tables| tables.weights[index]);
             (middle + radius * node, radius * weight)
         })
     }

@@ -101,6 +101,18 @@ pub(crate) fn is_finite_and_not_negative<T: Scalar>(x: T) -> bool {
     (x >= T::zero()) & x.is_finite()
 }
 
+/// Whether a number may be a size such as a thickness: finite and above zero.
+#[inline(always)]
+pub(crate) fn is_finite_and_positive<T: Scalar>(x: T) -> bool {
+    (x > T::zero()) & x.is_finite()
+}
+
+/// Whether a number is finite, above zero and not subnormal.
+#[inline(always)]
+pub(crate) fn is_normal_and_positive<T: Scalar>(x: T) -> bool {
+    (x >= smallest_normal()) & x.is_finite()
+}
+
 /// A duration that surely moves a time up to `end`: four roundings of it.
 #[inline(always)]
 pub(crate) fn spacing_of_times<T: Scalar>(end: T) -> T {
@@ -111,48 +123,6 @@ pub(crate) fn spacing_of_times<T: Scalar>(end: T) -> T {
 #[inline(always)]
 pub fn from_single<T: Scalar>(value: f32) -> T {
     <T as SupersetOf<f32>>::from_subset(&value)
-}
-
-/// A number of a table in both precisions: conversions are slow on microcontrollers.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tabled {
-    double: f64,
-    single: f32,
-}
-
-impl Tabled {
-    pub(crate) const fn of(value: f64) -> Self {
-        Self { double: value, single: value as f32 }
-    }
-
-    #[inline(always)]
-    pub(crate) fn get<T: Scalar>(self) -> T {
-        if is_single::<T>() { from_single(self.single) } else { T::constant(self.double) }
-    }
-}
-
-/// The numbers of a table.
-pub(crate) const fn tabled<const N: usize>(numbers: [f64; N]) -> [Tabled; N] {
-    let mut table = [Tabled::of(0.0); N];
-    let mut place = 0;
-    while place < N {
-        table[place] = Tabled::of(numbers[place]);
-        place += 1;
-    }
-    table
-}
-
-/// The numbers of a table in rows.
-pub(crate) const fn tabled_rows<const WIDTH: usize, const ROWS: usize>(
-    rows: [[f64; WIDTH]; ROWS],
-) -> [[Tabled; WIDTH]; ROWS] {
-    let mut table = [[Tabled::of(0.0); WIDTH]; ROWS];
-    let mut row = 0;
-    while row < ROWS {
-        table[row] = tabled(rows[row]);
-        row += 1;
-    }
-    table
 }
 
 /// Whether numbers of this type are nothing but their values; others, such as dual numbers, may carry derivatives.
@@ -211,11 +181,5 @@ mod tests {
         for (x, expected) in floors {
             assert_eq!((floor::<f64>(x), floor::<f32>(x as f32)), (expected, expected), "{x}");
         }
-    }
-
-    #[test]
-    fn a_number_of_a_table_is_the_nearest_of_its_format() {
-        let third = Tabled::of(1.0 / 3.0);
-        assert_eq!((third.get::<f64>(), third.get::<f32>()), (1.0 / 3.0, 1.0 / 3.0));
     }
 }

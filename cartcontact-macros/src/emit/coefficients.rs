@@ -20,7 +20,7 @@ use crate::reading::name::unraw;
 
 /// At most this many constants are written out one by one, which lets compilers fold them into the code around them.
 /// More of them stand in a table, which takes much less time to compile.
-pub(super) const FEW: usize = 8;
+pub(super) const MOST_WRITTEN_OUT: usize = 8;
 
 /// The digits of the coefficients.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -171,7 +171,7 @@ impl<'a> Coefficients<'a> {
         };
         let constants: Vec<f64> = summands.iter().map(constant).collect::<Option<_>>()?;
         let (function, scalar) = (self.names.generated("constants"), &self.names.scalar);
-        (constants.len() > FEW).then(|| {
+        (constants.len() > MOST_WRITTEN_OUT).then(|| {
             let constants = number::code(constants);
             quote!(#function::<#scalar, _>(#constants))
         })

@@ -28,7 +28,7 @@ pub(super) fn radius_of_real_powers(forms: &ClosedForms, coefficients: &Coeffici
     let names = coefficients.names;
     let (Names { load_integral, limit, .. }, [a, scale]) = (names, ["a", "scale"].map(local));
     let radius = names.generated("radius_of_real_powers");
-    let quick = names.generated("quick_power_sum_steepness");
+    let quick = names.generated("plain_power_sum_steepness");
     let precise = names.generated("scaled_power_sum_steepness");
     let terms = terms(&forms.load_integral, coefficients);
     quote! {

@@ -20,7 +20,7 @@ use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::coefficients::{Coefficients, FEW};
+use super::coefficients::{Coefficients, MOST_WRITTEN_OUT};
 use super::operations::{Counted, Operations};
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
@@ -275,7 +275,7 @@ fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
 /// The sum as terms (coefficient, exponent) to iterate over.
 pub(super) fn terms(sum: &PowerSum, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    if let Some(table) = table(sum).filter(|table| table.len() > FEW) {
+    if let Some(table) = table(sum).filter(|table| table.len() > MOST_WRITTEN_OUT) {
         let (whole_terms, table) = (names.generated("whole_terms"), code(table));
         return quote!(#whole_terms(&#table));
     }

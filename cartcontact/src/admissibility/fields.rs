@@ -3,6 +3,7 @@
 use super::invalid;
 use crate::Scalar;
 use crate::profile::ProfileError;
+use crate::scalar::is_finite_and_positive;
 
 /// Checks the fields that a geometry declares positive.
 ///
@@ -13,7 +14,7 @@ pub fn check_positive<T: Scalar, const N: usize>(
     names: &[&'static str; N],
     values: [T; N],
 ) -> Result<(), ProfileError> {
-    match names.iter().zip(values).find(|(_, value)| !(*value > T::zero() && value.is_finite())) {
+    match names.iter().zip(values).find(|(_, value)| !is_finite_and_positive(*value)) {
         None => Ok(()),
         Some((field, value)) => Err(ProfileError::NotPositive { field, value: value.value() }),
     }

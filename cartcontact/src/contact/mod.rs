@@ -17,7 +17,6 @@ use scales::Scales;
 
 use crate::load::Load;
 use crate::medium::Medium;
-use crate::memory::{Stage, surplus_that_counts};
 use crate::profile::{GapProfile, RadiusError};
 use crate::snapshot::Snapshot;
 use crate::{Scalar, field};
@@ -235,12 +234,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius under a load.
     #[inline(always)]
     pub(crate) fn radius_under_loading(&self, loading: Loading<T>) -> Result<T, RadiusError> {
-        self.radius_of_one(self.scales.load_integral(loading))
+        self.radius_of_integral_out_of_line(self.scales.load_integral(loading))
     }
 
     /// The contact radius under a hereditary load Y.
-    pub(crate) fn radius_under(&self, hereditary: T) -> Result<T, RadiusError> {
-        self.radius_of_one(hereditary * self.scales.integral_per_load)
+    pub(crate) fn radius_under_hereditary(&self, hereditary: T) -> Result<T, RadiusError> {
+        self.radius_of_integral_out_of_line(hereditary * self.scales.integral_per_load)
     }
 
     /// The contact radius of a single load integral: out of line, and given the number in a register.
@@ -249,13 +248,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// two of them are then read at once, and a processor waits with that until all earlier work is done, 20 ns of one
     /// pressure.
     #[inline(never)]
-    fn radius_of_one(&self, load_integral: T) -> Result<T, RadiusError> {
-        self.radius_of(load_integral)
+    fn radius_of_integral_out_of_line(&self, load_integral: T) -> Result<T, RadiusError> {
+        self.radius_of_integral(load_integral)
     }
 
     /// The contact radius of a load integral.
     #[inline(always)]
-    pub(crate) fn radius_of(&self, load_integral: T) -> Result<T, RadiusError> {
+    pub(crate) fn radius_of_integral(&self, load_integral: T) -> Result<T, RadiusError> {
         self.profile.radius_within(load_integral, self.max_radius)
     }
 
@@ -268,23 +267,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline(always)]
     pub(crate) fn loading(&self, t: T) -> Loading<T> {
         Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
-    }
-
-    /// A time with its contact radius, for integrals that begin or end there.
-    pub(crate) fn stage(&self, time: T, radius: T) -> Stage<T> {
-        self.stage_under(self.loading(time), time, radius)
-    }
-
-    /// [`stage`](Self::stage) under a loading that the caller knows.
-    pub(crate) fn stage_under(&self, loading: Loading<T>, time: T, radius: T) -> Stage<T> {
-        self.stage_of(loading, time, radius, self.profile.quick_load_integral(radius))
-    }
-
-    /// The stage with a radius whose load integral is known.
-    pub(crate) fn stage_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Stage<T> {
-        let surplus = loading.hereditary - self.load_per_integral() * load_integral;
-        let surplus = surplus_that_counts(surplus, loading.force);
-        Stage { time, radius, surplus, impulse: loading.impulse.into() }
     }
 }
 

@@ -15,21 +15,20 @@ use crate::profile::GapProfile;
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
 const BLOCK: usize = 256;
 
-/// The radii at as many times; the edge is known not to recede before a time, at which the load may step down, or not at
-/// all.
+/// The radii at as many times; `recedes_from` is their [`recession_within`](super::recession_within).
 pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     contact: &Contact<T, P, L>,
     times: &[T],
     radii: &mut [T],
-    since: Option<T>,
+    recedes_from: Option<T>,
 ) -> Result<(), ContactError> {
     let mut load_integrals = [T::zero(); BLOCK];
     for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
-        let is_advancing = since.is_none_or(|since| latest(times) < since);
+        let is_advancing = recedes_from.is_none_or(|since| latest(times) < since);
         let load_integrals = &mut load_integrals[..times.len()];
         if !(is_advancing && Block { contact, times, load_integrals, radii }.fill()) {
             for (radius, &time) in radii.iter_mut().zip(times) {
-                *radius = contact.radius_if_advancing(time, since)?;
+                *radius = contact.radius_if_advancing(time, recedes_from)?;
             }
         }
     }

@@ -6,7 +6,7 @@ use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::load::{Load, LoadError, impulse_tolerance};
 use crate::profile::{GapProfile, RadiusError};
-use crate::scalar::{is_finite_and_not_negative, smallest_normal};
+use crate::scalar::{is_finite_and_not_negative, is_normal_and_positive, smallest_normal};
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline]
@@ -21,10 +21,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.common_radius_at(t, || true).map_or_else(checked_radius, Ok)
     }
 
-    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not recede before a time, at which the
-    /// load may step down, or not at all.
-    pub(crate) fn radius_if_advancing(&self, t: T, since: Option<T>) -> Result<T, ContactError> {
-        match since {
+    /// [`radius_at`](Self::radius_at) where the caller knows from when on the edge recedes, if it does: `recedes_from`
+    /// is the [`recession_within`](super::recession_within) of times up to `t` and later. At that very time it need not
+    /// have moved yet.
+    pub(crate) fn radius_if_advancing(&self, t: T, recedes_from: Option<T>) -> Result<T, ContactError> {
+        match recedes_from {
             Some(since) if t >= since => self.radius_at(t),
             _ => self.advancing_radius_at(t),
         }
@@ -48,7 +49,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         if !is_common || !is_advancing() {
             return None;
         }
-        self.radius_of(load_integral).ok().filter(|&radius| sizes.contain(radius))
+        self.radius_of_integral(load_integral).ok().filter(|&radius| sizes.contain(radius))
     }
 
     /// The contact radius, or the first of its faults.
@@ -65,7 +66,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             return Err(unrepresentable);
         }
         let load_integral = self.scales.load_integral(loading);
-        let radius = self.radius_of(load_integral).map_err(|error| match error {
+        let radius = self.radius_of_integral(load_integral).map_err(|error| match error {
             RadiusError::BeyondRange { max_radius, .. } => ContactError::BeyondRange {
                 time: t.value(),
                 leaves_at: self.time_of_leaving(t).value(),
@@ -88,7 +89,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let square = radius * radius;
         let power = square * square;
         let slope = self.profile.quick_approach_slope(radius);
-        let has_power = (power >= smallest_normal()) & power.is_finite();
+        let has_power = is_normal_and_positive(power);
         let has_slope = is_normal_quotient(load_integral / radius, power) & slope.is_finite();
         let has_increments = (power * slope * radius).is_finite();
         let has_pressure = force.is_zero() | is_normal_quotient(force, power);

@@ -1,4 +1,4 @@
-//! Whether the edge of the contact recedes up to any of some times.
+//! From when on the edge of the contact recedes, up to the latest of some times.
 
 use super::Contact;
 use crate::Scalar;

@@ -7,7 +7,7 @@ use crate::dispatch::out_of_line;
 use crate::numbers::double_functions;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::{has_no_derivatives, smallest_normal};
+use crate::scalar::{has_no_derivatives, is_normal_and_positive};
 
 /// Σ c x^n over the terms (c, n), rounded once.
 #[inline(always)]
@@ -97,7 +97,7 @@ fn double_fractional_power<T: Scalar, const FUSED: bool>(x: T, n: Exponent<T>) -
     match quarters(x, n.fraction).filter(|_| n.rest.is_zero()) {
         Some(0) => DoubleWord::of(T::one()),
         Some(quarters) => quarter_power(DoubleWord::of(x), quarters, DoubleWord::sqrt, DoubleWord::times),
-        None if has_no_derivatives::<T>() && x >= smallest_normal() && x.is_finite() => {
+        None if has_no_derivatives::<T>() && is_normal_and_positive(x) => {
             double_functions::fractional_power(x, DoubleWord::sum(n.fraction, n.rest))
         }
         None => DoubleWord::of(real_fractional_power(x, n.fraction)),

@@ -8,7 +8,7 @@
 //!
 //! Three words in names say how exact a result is. *Plain*: every operation is rounded. *Quick*: within a few ε, mostly
 //! in plain arithmetic, corrected where errors would add up. *Precise*: rounded once, as is what has no word in its
-//! name but a quick counterpart. `quick_power_sum_steepness`, which generated code calls, is a plain one.
+//! name but a quick counterpart.
 
 pub(crate) mod arithmetic;
 pub(crate) mod coefficient;

@@ -17,7 +17,7 @@ use crate::numbers::exponent::Exponent;
 use crate::scalar::has_no_derivatives;
 
 /// Up to this many even powers repeat the rounding of a² too little to matter.
-const FEW: usize = 3;
+const MOST_UNCORRECTED_POWERS: usize = 3;
 
 /// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
 #[inline(always)]
@@ -56,7 +56,7 @@ pub fn even_pressure_kernel<T: Scalar, C: Coefficient<T>, const FUSED: bool, con
 #[inline(always)]
 pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
     let plain = || sum_of_even_kernels::<T, Word<T>>(a, r, &weights).rounded();
-    if N <= FEW {
+    if N <= MOST_UNCORRECTED_POWERS {
         return plain();
     }
     let sum = sum_of_even_kernels::<T, Corrected<T>>(a, r, &weights).rounded();

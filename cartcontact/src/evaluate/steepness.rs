@@ -174,10 +174,16 @@ impl<T: Scalar> NestedPowers<T> {
     }
 }
 
+/// (n+2)(n+4) in a form in which only the sum rounds much where n is small and J least steep.
+#[inline(always)]
+pub(crate) fn load_integral_divisor<T: Scalar>(n: T) -> T {
+    n * (n + T::constant(6.0)) + T::constant(8.0)
+}
+
 /// c n/((n+2)(n+4)). The divisor is rounded if n has more than half the digits of a word.
 #[inline(always)]
 pub(crate) fn load_integral_coefficient<T: Scalar>(c: T, n: T) -> Halved<T> {
-    let divisor = n * (n + T::constant(6.0)) + T::constant(8.0);
+    let divisor = load_integral_divisor(n);
     let inverse = divisor.recip();
     let quotient = Halved::of(c * (n * inverse));
     let (high, low) = Halved::of(c).parts_of_product(Halved::of(n));
@@ -188,7 +194,7 @@ pub(crate) fn load_integral_coefficient<T: Scalar>(c: T, n: T) -> Halved<T> {
 
 /// `scale` Σ c x^p with its derivatives, with every product rounded, which is enough for all steps but the last.
 #[inline(always)]
-pub fn quick_power_sum_steepness<T: Scalar>(
+pub fn plain_power_sum_steepness<T: Scalar>(
     x: T,
     scale: T,
     terms: impl IntoIterator<Item = (T, Exponent<T>)>,

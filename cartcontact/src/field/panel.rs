@@ -27,9 +27,10 @@ use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{FEW_FOLDS, Line, decay_gain, not_negative};
+use crate::numbers::tabled::{Tabled, tabled};
 use crate::profile::GapProfile;
 use crate::quadrature::NODES_4;
-use crate::scalar::{Tabled, smallest_normal, tabled};
+use crate::scalar::smallest_normal;
 
 /// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
 const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
@@ -102,7 +103,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let densities = |x: T| {
             let z = half * (T::one() + x);
             let gain = z * (force_rate + chi * (force + T::constant(0.5) * force_rate * z));
-            let a = contact.radius_under(hereditary + gain).ok()?;
+            let a = contact.radius_under_hereditary(hereditary + gain).ok()?;
             // Of a load that falls as fast as it may this is rounding, which may be negative: raised to zero it would add up.
             let rate = force_rate + chi * (force + force_rate * z);
             let square = a * a;

@@ -23,7 +23,7 @@ pub(crate) use force_series::ForceSeries;
 pub use piece::Piece;
 pub use piecewise_linear::PiecewiseLinear;
 pub(crate) use rounding::{impulse_tolerance, rounding_of_hereditary, rounding_within_load};
-pub(crate) use shortest::Shortest;
+pub(crate) use shortest::{Shortest, least_step};
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
 ///

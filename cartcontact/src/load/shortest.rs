@@ -1,9 +1,15 @@
 //! The shortest part into which a history is divided.
 
 use crate::Scalar;
+use crate::scalar::{smallest_normal, spacing_of_times};
 
 /// After this many parts that are given up, the shortest length is doubled.
 const GIVEN_UP_PER_DOUBLING: u32 = 16;
+
+/// The shortest step on the way to a time: it surely moves a time up to there, and is a normal number.
+pub(crate) fn least_step<T: Scalar>(end: T) -> T {
+    spacing_of_times(end).max(smallest_normal())
+}
 
 /// The shortest length of a part. It is doubled after every sixteen parts that are given up although they still leave
 /// something out. Otherwise the noise of a load would be followed through a whole history.

@@ -6,7 +6,7 @@ pub use error::MediumError;
 
 use crate::Scalar;
 use crate::layer::Layer;
-use crate::scalar::smallest_normal;
+use crate::scalar::is_normal_and_positive;
 
 /// What the layers contribute to the solution: the stiffness m and the rate of drainage χ.
 ///
@@ -149,11 +149,10 @@ impl<T: Scalar> Medium<T> {
     /// # Ok::<(), cartcontact::MediumError>(())
     /// ```
     pub fn from_constants(m: T, chi: T) -> Result<Self, MediumError> {
-        let is_normal = |x: T| x >= smallest_normal() && x.is_finite();
-        if !is_normal(m) {
+        if !is_normal_and_positive(m) {
             return Err(MediumError::Stiffness { m: m.value() });
         }
-        if !(chi.is_zero() || is_normal(chi)) {
+        if !(chi.is_zero() || is_normal_and_positive(chi)) {
             return Err(MediumError::Rate { chi: chi.value() });
         }
         Ok(Self { m, chi })

@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::numbers::double_word::DoubleWord;
-use crate::scalar::{Tabled, tabled};
+use crate::numbers::tabled::{Tabled, tabled};
 
 /// The number of e-foldings after which a pressure is below rounding, with a margin.
 pub(crate) fn faded_folds<T: Scalar>() -> T {
@@ -23,7 +23,7 @@ pub(crate) fn decay_gain<T: Scalar>(x: T) -> T {
     -x * sum
 }
 
-/// The ratios of its neighbouring terms over −x, from the last one.
+/// 1/k for k from 10 down to 2: in the series of e^(−x) − 1, the term of x^k is −x/k times the one before it.
 const SHARES: [Tabled; 9] =
     tabled([1.0 / 10.0, 1.0 / 9.0, 0.125, 1.0 / 7.0, 1.0 / 6.0, 0.2, 0.25, 1.0 / 3.0, 0.5]);
 

@@ -26,8 +26,9 @@ use super::nodes::Node;
 use super::stretch::{Course, Stretch};
 use crate::dispatch::half_wide;
 use crate::load::Load;
+use crate::numbers::tabled::{Tabled, tabled};
 use crate::quadrature::Rule;
-use crate::scalar::{Tabled, is_single, tabled};
+use crate::scalar::is_single;
 use crate::{GapProfile, Scalar};
 
 /// A rule, and how large p L/a and X may be.

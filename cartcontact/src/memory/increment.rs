@@ -34,22 +34,19 @@ impl<T: Scalar> Increment<T> {
             radii,
             weights,
             #[inline(always)]
-            |s, weight| weight * ((s - low) * (s + low)),
+            |s, weight| Self::at(s, weight, low).offset,
         );
         let slope = sum(
             radii,
             weights,
             #[inline(always)]
-            |_, weight| weight,
+            |s, weight| Self::at(s, weight, low).slope,
         );
         let spread = sum(
             radii,
             weights,
             #[inline(always)]
-            |s, weight| {
-                let rise = (s - low) * (s + low);
-                weight * rise * rise
-            },
+            |s, weight| Self::at(s, weight, low).spread,
         );
         Self { offset, slope, spread }
     }

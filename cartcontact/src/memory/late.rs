@@ -14,19 +14,19 @@ use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// The most sections: room on the stack of a small processor.
-const MOST: usize = 32;
+const MOST_SECTIONS: usize = 32;
 
 /// Fewer radii than these are as quick one by one.
-const FEW: usize = 4;
+const FEWEST_RADII_FOR_SECTIONS: usize = 4;
 
 /// The sections of time between a stage and the end.
 pub(crate) struct Late<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     count: usize,
     /// The beginning of each section, and at `count` the end of the last.
-    stages: [Stage<T>; MOST + 1],
+    stages: [Stage<T>; MOST_SECTIONS + 1],
     /// How pressures change from the end of each section on, where a radius has asked for it.
-    to_end: [Option<Transition<T>>; MOST],
+    to_end: [Option<Transition<T>>; MOST_SECTIONS],
 }
 
 impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
@@ -35,16 +35,17 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
         contact: &'a Contact<T, P, L>,
         start: Stage<T>,
         (time, radius): (T, T),
-        radii: usize,
+        radius_count: usize,
     ) -> Self {
         let load = contact.load();
         let is_one_piece = load.is_linear_between_knots() && knot_between(load, start.time, time).is_none();
-        let count = if radii < FEW || is_one_piece || !has_no_derivatives::<T>() {
+        let count = if radius_count < FEWEST_RADII_FOR_SECTIONS || is_one_piece || !has_no_derivatives::<T>()
+        {
             1
         } else {
-            (radii + radii).isqrt().min(MOST)
+            (2 * radius_count).isqrt().min(MOST_SECTIONS)
         };
-        let mut stages = [start; MOST + 1];
+        let mut stages = [start; MOST_SECTIONS + 1];
         let length = (time - start.time) / T::constant(count as f64);
         for index in 1..count {
             let before = stages[index - 1].radius;
@@ -55,7 +56,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
             stages[index] = contact.stage_under(loading, now, reached);
         }
         stages[count] = Stage { time, radius, ..start };
-        Self { contact, count, stages, to_end: [None; MOST] }
+        Self { contact, count, stages, to_end: [None; MOST_SECTIONS] }
     }
 
     /// The pressure at the end at a radius that is reached after the start.

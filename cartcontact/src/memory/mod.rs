@@ -50,5 +50,6 @@ pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
 pub(crate) use late::Late;
 pub(crate) use line::Line;
 pub(crate) use march::march;
-pub(crate) use stage::{Stage, surplus_that_counts};
+pub(crate) use stage::Stage;
+use stage::surplus_that_counts;
 pub(crate) use transition::{Transition, not_negative};

@@ -11,10 +11,10 @@
 //! variance of the powers of J about their mean p. They are between 4 and the highest power q, so that v/(2 p) is below
 //! q/2. The start takes J for the power that it is at the known radius; two steps usually suffice.
 
-use super::stretch::degree;
 use crate::dispatch::wide;
 use crate::numbers::exponential::loss;
 use crate::numbers::logarithm::log_of_ratio;
+use crate::profile::degree::degree_of_load_integral;
 use crate::{GapProfile, Scalar};
 
 /// How many radii are solved for at once.
@@ -31,7 +31,7 @@ pub(super) fn replace_drops_by_radii<T: Scalar, P: GapProfile<T>>(
     drops: &mut [T],
 ) -> bool {
     let load_integral = profile.quick_load_integral(edge);
-    let power = degree(profile, edge, load_integral);
+    let power = degree_of_load_integral(profile, edge, load_integral);
     drops.chunks_mut(BLOCK).all(|drops| {
         wide(
             #[inline(always)]

@@ -23,6 +23,10 @@ use crate::{GapProfile, Scalar};
 /// the age is a power of the radius and not a line; with 1.5 less than 6 ε were seen.
 const MARGIN: f64 = 1.5;
 
+/// How much larger the fading over a panel may be than measured: smaller than [`MARGIN`], because it is measured over
+/// the whole panel and at its end, not extrapolated from its beginning.
+const MARGIN_OF_MEASURED_FADING: f64 = 1.3;
+
 /// A singularity of the integrand counts as this many e-foldings in a length equal to its distance: the rule of 24
 /// nodes needs panels of at most 2.2 distances (its error falls as ρ^(−48), with ρ = 2.26 for a distance of 0.45 of the
 /// length), or of 31 folds.
@@ -149,11 +153,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
 
     /// The end of a panel, moved closer until the integrand changes by no more than the finest rule integrates, and the
     /// number of e-foldings by which it does: those of its powers, per length, and those by which the history fades,
-    /// with a margin of 1.3.
+    /// with a margin.
     ///
     /// The rate at its beginning does not bound the rate further in where δ₀′ nearly vanishes there and rises again.
     fn end_of_panel(&self, (depth, age): (T, T), end: T, of_powers: T, shortest: T) -> (T, T) {
-        let rate = self.contact.medium().chi() * T::constant(1.3);
+        let rate = self.contact.medium().chi() * T::constant(MARGIN_OF_MEASURED_FADING);
         let most = Rule::FINEST.folds::<T>();
         let mut length = end - depth;
         loop {
@@ -193,9 +197,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// Whether the shortest rule suffices for a whole stretch of a held load under positive terms, whatever its panels
     /// are.
     ///
-    /// The [`folds_per_length`](Self::folds_per_length) are greatest at the edge, where ages grow by J′/Y′ per length. For a term of power p,
-    /// over the share u of the radius, that adds up to p u/(1 − (1−u)^p) < 1 + p u times the growth of the ages, which
-    /// is at most χ times the duration.
+    /// The [`folds_per_length`](Self::folds_per_length) are greatest at the edge, where ages grow by J′/Y′ per length.
+    /// For a term of power p, over the share u of the radius, that adds up to p u/(1 − (1−u)^p) < 1 + p u times the
+    /// growth of the ages, which is at most χ times the duration.
     fn changes_little(&self) -> bool {
         let (contact, high) = (self.contact, self.high);
         let (n, length) = (contact.profile().highest_exponent(), high - self.low);

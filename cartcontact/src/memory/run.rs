@@ -27,8 +27,8 @@ use crate::dispatch::wide;
 use crate::load::{Load, Piece};
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::numbers::exponential::decay;
+use crate::numbers::tabled::Tabled;
 use crate::quadrature::Rule;
-use crate::scalar::Tabled;
 use crate::{GapProfile, Scalar};
 
 /// The most pieces in a run.

@@ -1,8 +1,10 @@
 //! A time with its contact radius, and what the radius lacks of the load then.
 
-use crate::Scalar;
+use crate::contact::{Contact, Loading};
+use crate::load::Load;
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::is_plain_zero;
+use crate::{GapProfile, Scalar};
 
 /// A stage of the contact: a time with its contact radius.
 ///
@@ -31,12 +33,31 @@ impl<T: Scalar> Stage<T> {
     }
 }
 
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
+    /// A time with its contact radius, for integrals that begin or end there.
+    pub(crate) fn stage(&self, time: T, radius: T) -> Stage<T> {
+        self.stage_under(self.loading(time), time, radius)
+    }
+
+    /// [`stage`](Self::stage) under a loading that the caller knows.
+    pub(crate) fn stage_under(&self, loading: Loading<T>, time: T, radius: T) -> Stage<T> {
+        self.stage_of(loading, time, radius, self.profile().quick_load_integral(radius))
+    }
+
+    /// The stage with a radius whose load integral is known.
+    pub(crate) fn stage_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Stage<T> {
+        let surplus = loading.hereditary - self.load_per_integral() * load_integral;
+        let surplus = surplus_that_counts(surplus, loading.force);
+        Stage { time, radius, surplus, impulse: loading.impulse.into() }
+    }
+}
+
 /// The surplus of a stage, unless it is too large for its radius to be taken as exact to first order.
 ///
 /// A surplus of x times the force adds a pressure of first order in x, and shifts all ages by x e-foldings, which takes
 /// as much away, since a held load has little more to drain. When the hereditary load is at least 1/√ε times
 /// the force, its rounding makes x² larger than rounding. Leaving the surplus out moves the radius by no more than a
 /// rounding error.
-pub(crate) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
+pub(super) fn surplus_that_counts<T: Scalar>(surplus: T, force: T) -> T {
     if surplus.abs() <= force * T::default_epsilon().sqrt() { surplus } else { T::zero() }
 }

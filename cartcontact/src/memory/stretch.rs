@@ -6,6 +6,7 @@ use super::{Increment, time_form};
 use crate::contact::Contact;
 use crate::load::{ForceSeries, Load};
 use crate::numbers::exponential::decay;
+use crate::profile::degree::degree_of_load_integral;
 use crate::{GapProfile, Scalar};
 
 /// The radii from `low` to `high` that the edge passed while the load took a course.
@@ -107,13 +108,6 @@ impl<'a, T: Scalar> Course<'a, T> {
             }
         }
     }
-}
-
-/// a J′/J = a⁵ δ₀′/(2 J), the degree of the load integral at a radius, in an order that keeps the fifth power in range.
-pub(super) fn degree<T: Scalar>(profile: &impl GapProfile<T>, a: T, load_integral: T) -> T {
-    let square = a * a;
-    let slope = profile.quick_approach_slope(a);
-    (a * slope * T::constant(0.5)) * (square / (load_integral / square))
 }
 
 /// Whether nothing drains in so few e-foldings.
@@ -248,7 +242,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                 // As shares of J at `top`: the deficit is a force, and divided by π m/4 it may be out of range.
                 let share_of_deficit = deficit / (self.contact.load_per_integral() * load_integral);
                 let singular = profile.quick_load_integral(self.high) / load_integral - share_of_deficit;
-                let degree = degree(profile, top, load_integral);
+                let degree = degree_of_load_integral(profile, top, load_integral);
                 let radius = top * singular.abs().powf(degree.recip());
                 // A panel of 2.15 times this, 0.86 of the way there, has its singularity at ρ = 2.19: ρ^(−48) is 5e-17.
                 let on_axis = (top - radius) * T::constant(0.4);
@@ -256,7 +250,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             }
             Course::Smooth(_) => {
                 let profile = self.contact.profile();
-                let degree = degree(profile, top, profile.quick_load_integral(top));
+                let degree = degree_of_load_integral(profile, top, profile.quick_load_integral(top));
                 Some(off_axis(top, degree) * half)
             }
             Course::Linear { .. } | Course::Step { .. } => None,

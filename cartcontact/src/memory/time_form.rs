@@ -174,7 +174,7 @@ where
     fn find_radii(&self, load_integrals: &[T], radii: &mut [T]) {
         if self.contact.radii_of(load_integrals, radii).is_err() {
             for (s, &load_integral) in radii.iter_mut().zip(load_integrals) {
-                *s = self.contact.radius_of(load_integral).unwrap_or(self.low);
+                *s = self.contact.radius_of_integral(load_integral).unwrap_or(self.low);
             }
         }
         radii.iter_mut().for_each(|s| *s = greater(self.low, *s));

@@ -1,8 +1,10 @@
 //! Powers of two, taken out of a number and put back, so that roots and quotients neither overflow nor lose accuracy.
 
-use super::bits::{exponent, fraction};
+use super::bits::{exponent, fraction, power_of_two};
 use crate::Scalar;
-use crate::scalar::{floor, from_single, has_no_derivatives, is_same, is_single, smallest_normal};
+use crate::scalar::{
+    floor, from_single, has_no_derivatives, is_finite_and_positive, is_same, is_single, smallest_normal,
+};
 
 /// The fraction f and the exponent e of a positive finite number x = f · 2^e with 1 ≤ f < 2.
 #[inline]
@@ -12,6 +14,7 @@ pub(crate) fn split<T: Scalar>(x: T) -> (T, i32) {
         let (_, exponent) = split(x.value());
         return (scale(x, -exponent), exponent);
     }
+    // 2²⁴ and 2⁵⁴.
     let (units, shift) =
         if is_same::<T, f32>() { (16_777_216.0, 24) } else { (18_014_398_509_481_984.0, 54) };
     let (x, shift) = if x < smallest_normal() { (x * T::constant(units), shift) } else { (x, 0) };
@@ -34,9 +37,9 @@ pub(crate) fn scale<T: Scalar>(x: T, e: i32) -> T {
 /// 2^e, or the nearest normal power of two; for any scalar.
 fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
     if is_single::<T>() | (-126..=127).contains(&e) {
-        from_single(f32::from_bits(((e.clamp(-126, 127) + 127) as u32) << 23))
+        from_single(power_of_two(e.clamp(-126, 127)))
     } else {
-        T::constant(f64::from_bits(((e.clamp(-1022, 1023) + 1023) as u64) << 52))
+        T::constant(power_of_two(e.clamp(-1022, 1023)))
     }
 }
 
@@ -50,7 +53,7 @@ pub(crate) fn quotient<T: Scalar, const N: usize, const M: usize>(factors: [T; N
     if factors.iter().chain(&divisors).all(|&x| least <= x && x <= most) {
         return over(product(factors), divisors);
     }
-    let parts = |x: T| if x > T::zero() && x.is_finite() { split(x) } else { (x, 0) };
+    let parts = |x: T| if is_finite_and_positive(x) { split(x) } else { (x, 0) };
     let octaves = |parts: &[(T, i32)]| parts.iter().map(|&(_, octaves)| octaves).sum::<i32>();
     let (factors, divisors) = (factors.map(parts), divisors.map(parts));
     let fraction = |(fraction, _)| fraction;

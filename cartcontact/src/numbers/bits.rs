@@ -85,9 +85,9 @@ pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
 #[inline(always)]
 pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
     if is_same::<T, f32>() {
-        T::from_subset(&f32::from_bits(((e + 127) as u32) << 23))
+        T::from_subset(&f32::from_bits(((e + bias::<T>()) as u32) << 23))
     } else {
-        T::constant(f64::from_bits(((e + 1023) as u64) << 52))
+        T::constant(f64::from_bits(((e + bias::<T>()) as u64) << 52))
     }
 }
 
@@ -97,8 +97,8 @@ pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
 pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
     let any: &dyn Any = &x;
     match any.downcast_ref::<f32>() {
-        Some(single) => (single.to_bits() >> 23) as i32 - 127,
-        None => (x.value().to_bits() >> 52) as i32 - 1023,
+        Some(single) => (single.to_bits() >> 23) as i32 - bias::<f32>(),
+        None => (x.value().to_bits() >> 52) as i32 - bias::<f64>(),
     }
 }
 

@@ -14,7 +14,8 @@ use super::double_word::DoubleWord;
 use super::series::{inverse_factorials, odd_reciprocals};
 use crate::Scalar;
 use crate::in_double_words;
-use crate::scalar::{Tabled, is_same, tabled_rows};
+use crate::numbers::tabled::{Tabled, tabled_rows};
+use crate::scalar::is_same;
 
 /// x^φ of a normal number above 0, for 0 ≤ φ < 1. A function of its own, too long to be part of others: it chooses its
 /// instructions again.

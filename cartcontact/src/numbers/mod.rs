@@ -5,6 +5,7 @@
 //! | digits and exponents of numbers | `bits` (of f32 and f64, without branches), `binary` (of every scalar, subnormals too), `exponent` |
 //! | numbers with more digits | `halved` (an error of ε/1000), `double_word` (of ε²), `compensated_sum` |
 //! | functions | `exponential`, `logarithm` (plain words, for vector loops), `double_functions` (double words), `series` |
+//! | numbers known beforehand | `tabled` (in both formats) |
 
 pub(crate) mod binary;
 pub(crate) mod bits;
@@ -16,3 +17,4 @@ pub(crate) mod exponential;
 pub(crate) mod halved;
 pub(crate) mod logarithm;
 pub(crate) mod series;
+pub(crate) mod tabled;

@@ -33,6 +33,12 @@ pub enum RadiusError {
     },
 }
 
+/// Checks that there is a place for the radius of every load integral.
+pub(crate) fn check_places<T>(load_integrals: &[T], radii: &[T]) -> Result<(), RadiusError> {
+    let (load_integrals, radii) = (load_integrals.len(), radii.len());
+    if load_integrals == radii { Ok(()) } else { Err(RadiusError::Length { load_integrals, radii }) }
+}
+
 impl fmt::Display for RadiusError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {

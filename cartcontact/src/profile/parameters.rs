@@ -6,7 +6,7 @@ use crate::Scalar;
 use crate::shown::Shown;
 
 /// The most parameters that a message can carry without allocation.
-const MOST: usize = 6;
+const MOST_PARAMETERS: usize = 6;
 
 /// The names and values of the fields that a geometry depends on; an error keeps the first six.
 ///
@@ -27,7 +27,7 @@ const MOST: usize = 6;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parameters {
     names: &'static [&'static str],
-    values: [f64; MOST],
+    values: [f64; MOST_PARAMETERS],
 }
 
 impl Parameters {
@@ -57,7 +57,7 @@ impl fmt::Display for Parameters {
         }
         f.write_str(match self.names.len() {
             0 => "",
-            1..=MOST => ": ",
+            1..=MOST_PARAMETERS => ": ",
             _ => " and more: ",
         })
     }

@@ -2,11 +2,10 @@
 
 use core::iter;
 
-use super::check_places;
 use super::table::{Row, Step, Table, digits};
 use crate::Scalar;
 use crate::dispatch::wide;
-use crate::profile::RadiusError;
+use crate::profile::{RadiusError, check_places};
 
 /// Radii per block. Their rows and seeds stay in the first-level cache.
 const BLOCK: usize = 64;

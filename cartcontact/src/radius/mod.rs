@@ -23,12 +23,7 @@ pub(crate) mod whole_powers;
 
 use crate::Scalar;
 use crate::profile::RadiusError;
-
-/// Checks that there is a place for the radius of every load integral.
-pub(crate) fn check_places<T>(load_integrals: &[T], radii: &[T]) -> Result<(), RadiusError> {
-    let (load_integrals, radii) = (load_integrals.len(), radii.len());
-    if load_integrals == radii { Ok(()) } else { Err(RadiusError::Length { load_integrals, radii }) }
-}
+use crate::scalar::is_finite_and_positive;
 
 /// Whether the radius has to be searched for: a load integral of zero has the radius zero.
 ///
@@ -39,7 +34,7 @@ pub(crate) fn check_places<T>(load_integrals: &[T], radii: &[T]) -> Result<(), R
 fn needs_search<T: Scalar>(target: T, limit: T) -> Result<bool, RadiusError> {
     if target.is_zero() {
         Ok(false)
-    } else if !(target > T::zero() && target.is_finite()) {
+    } else if !is_finite_and_positive(target) {
         Err(RadiusError::InvalidLoadIntegral { load_integral: target.value() })
     } else if limit > T::zero() {
         Ok(true)

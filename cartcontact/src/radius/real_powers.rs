@@ -74,7 +74,7 @@ pub fn radius_of_real_powers<T: Scalar>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::steepness::{quick_power_sum_steepness, scaled_power_sum_steepness};
+    use crate::evaluate::steepness::{plain_power_sum_steepness, scaled_power_sum_steepness};
 
     /// Not only right, which the general solution would be as well, but found here.
     #[test]
@@ -89,7 +89,7 @@ mod tests {
                     target,
                     f64::INFINITY,
                     terms(),
-                    |a, scale| quick_power_sum_steepness(a, scale, terms()),
+                    |a, scale| plain_power_sum_steepness(a, scale, terms()),
                     |a, scale| scaled_power_sum_steepness(a, scale, terms()),
                 );
                 // The test rounds the terms, and their sum up to nine times; p divides these errors.

@@ -3,7 +3,8 @@
 //! Source: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use crate::Scalar;
-use crate::scalar::{Tabled, has_no_derivatives};
+use crate::numbers::tabled::Tabled;
+use crate::scalar::has_no_derivatives;
 
 /// The degree N.
 pub(super) const DEGREE: usize = 16;

@@ -24,12 +24,15 @@ use super::contradiction::Contradiction;
 use super::fault::{Fault, tolerances};
 use crate::Scalar;
 use crate::load::rounding::{rounding_of_hereditary, rounding_within_load, tolerance_of_falls};
-use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between};
-use crate::scalar::{smallest_normal, spacing_of_times};
+use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between, least_step};
 
 /// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
 /// are short already.
 const MOST_DOUBTS: u32 = 128;
+
+/// 2⁻¹⁷ of the time between knots: panels that miss something are no shorter. Steps of pressures go down to
+/// 2⁻²⁰, as they have to integrate what panels only have to notice.
+const SHORTEST_SHARE: f64 = 1.0 / 131_072.0;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
@@ -43,7 +46,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         time: zero,
         impulse: zero,
         crest: Crest::at(zero),
-        shortest: Shortest::of(T::constant(1.0 / 131_072.0)),
+        shortest: Shortest::of(T::constant(SHORTEST_SHARE)),
         doubts: MOST_DOUBTS,
         suspicion: None,
     };
@@ -135,7 +138,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn follow(&mut self, end: T) -> Option<Fault<T>> {
         let mut step = end - self.time;
         let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
-        let least = spacing_of_times(end).max(smallest_normal());
+        let least = least_step(end);
         let whole = step;
         while self.time < end {
             let short = (whole * self.shortest.length()).max(least);

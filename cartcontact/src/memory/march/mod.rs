@@ -368,7 +368,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
         // Early on, rounding can make an impulse negative.
         let hereditary = (force + self.contact.medium().chi() * impulse.value).max(T::zero());
-        self.contact.radius_under(hereditary).unwrap_or(self.radius).max(self.now.radius).min(self.radius)
+        self.contact
+            .radius_under_hereditary(hereditary)
+            .unwrap_or(self.radius)
+            .max(self.now.radius)
+            .min(self.radius)
     }
 
     fn quarter_m(&self) -> T {

@@ -13,16 +13,19 @@
 //! impulse is that of another load.
 
 use super::March;
-use crate::load::{ForceSeries, Load, Shortest, rounding_within_load};
+use crate::load::{ForceSeries, Load, Shortest, least_step, rounding_within_load};
 use crate::memory::fading::Fading;
-use crate::memory::stretch::{Course, degree};
-use crate::scalar::{smallest_normal, spacing_of_times};
+use crate::memory::stretch::Course;
+use crate::profile::degree::degree_of_load_integral;
 use crate::{GapProfile, Scalar};
 
 /// The most halvings of steps between knots because of their impulse, which may simply be that of another load.
 const MOST_DOUBTS: u32 = 256;
 /// The most further halvings of the shortest steps: for some sixty jumps and kinks, with 32 halvings each.
 const MOST_HALVINGS: u32 = 2048;
+
+/// 2⁻²⁰ of the time between knots: most steps are no shorter.
+const SHORTEST_SHARE: f64 = 1.0 / 1_048_576.0;
 
 /// The length of steps.
 struct Pace<T> {
@@ -38,8 +41,8 @@ struct Pace<T> {
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
-        let least = spacing_of_times(end).max(smallest_normal());
-        let shortest = Shortest::of((duration * T::constant(1.0 / 1_048_576.0)).max(least));
+        let least = least_step(end);
+        let shortest = Shortest::of((duration * T::constant(SHORTEST_SHARE)).max(least));
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
     }
 
@@ -148,7 +151,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// the degree of the load integral nearly vanishes.
     fn condition_of(&self, a: T) -> T {
         let profile = self.contact.profile();
-        degree(profile, a, profile.quick_load_integral(a)).recip().max(T::one())
+        degree_of_load_integral(profile, a, profile.quick_load_integral(a)).recip().max(T::one())
     }
 
     /// The force from now to the end of a step.

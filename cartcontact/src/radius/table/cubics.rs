@@ -4,6 +4,7 @@ use super::units::Units;
 use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::evaluate::steepness::Steepness;
+use crate::numbers::bits::fraction;
 use crate::profile::RadiusError;
 use crate::radius::whole_powers::find_blocks;
 use crate::scalar::from_single;
@@ -87,7 +88,7 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
     /// c₂, c₁, c₃.
     #[inline(always)]
     fn start(self, row: &Row, digits: u32, _periods: i32) -> f32 {
-        let u = f32::from_bits(digits & 0x007f_ffff | 0x3f80_0000);
+        let u = fraction(f32::from_bits(digits));
         (row.at(0) + row.at(2) * u) + (row.at(1) + row.at(3) * u) * (u * u)
     }
 

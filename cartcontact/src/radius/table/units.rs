@@ -7,7 +7,7 @@ use crate::numbers::binary::{divide, scale, split};
 use crate::numbers::bits::with_half_its_digits;
 use crate::numbers::exponent::Exponent;
 use crate::radius::halley::Target;
-use crate::scalar::is_same;
+use crate::scalar::{is_finite_and_positive, is_same};
 
 /// The units of a table's load integrals and radii, and of the step from them.
 ///
@@ -140,7 +140,7 @@ fn equal_terms<T: Scalar>((c, p): (T, T), (d, q): (T, T)) -> (T, T) {
 fn root<T: Scalar>(x: T, p: T) -> T {
     let inverse = p.recip();
     // Zero, negative numbers, infinity and NaN have no octaves, and have to show in the result.
-    if !(x > T::zero() && x.is_finite()) {
+    if !is_finite_and_positive(x) {
         return x.powf(inverse);
     }
     let (fraction, octaves) = split(x);
