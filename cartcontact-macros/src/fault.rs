@@ -8,8 +8,7 @@ use num_traits::ToPrimitive;
 use crate::diagnostics::Extent;
 use crate::gap::rim;
 use crate::gap::surface::Surface;
-use crate::gap::truncation::three_digits;
-use crate::number::{Rational, decimal, fraction};
+use crate::number::{Rational, decimal, fraction, three_digits};
 use crate::reading::literal;
 
 /// Of two faults the one of higher rank is reported: it remains if the other is mended, or it is the reason for the
@@ -48,16 +47,15 @@ pub(crate) enum Change<'a> {
     Order(u32),
 }
 
-impl<T: Into<String>> From<(Extent, T)> for Fault {
-    fn from((extent, message): (Extent, T)) -> Self {
-        let (rank, rule) = (Rank::Truncation, message.into());
-        Fault { extent, rank, rule, ways: Vec::new(), otherwise: String::new() }
-    }
-}
-
 impl Fault {
-    pub(crate) fn ranked(self, rank: Rank) -> Self {
-        Fault { rank, ..self }
+    /// The fault of an order.
+    pub(crate) fn of_truncation(extent: Extent, rule: impl Into<String>) -> Self {
+        Self::new(Rank::Truncation, extent, rule)
+    }
+
+    /// A fault without a way out.
+    pub(crate) fn new(rank: Rank, extent: Extent, rule: impl Into<String>) -> Self {
+        Fault { extent, rank, rule: rule.into(), ways: Vec::new(), otherwise: String::new() }
     }
 
     /// Way out: a `max_radius` that is no larger than this literal.

@@ -4,7 +4,7 @@ use crate::diagnostics::{Diagnostics, Extent};
 use crate::fault::{Change, Fault};
 use crate::gap::Gap;
 use crate::gap::coefficient::Coefficient;
-use crate::gap::constant::Standing;
+use crate::gap::constant::WrittenConstant;
 use crate::gap::evaluate::Evaluator;
 use crate::gap::expansion::{self, Expanded, Truncation};
 use crate::gap::options::Options;
@@ -36,21 +36,21 @@ pub(crate) fn geometry(
     let mut evaluator = Evaluator::new(item, attribute.names_r(), diagnostics);
     let written = attribute.gap.as_ref()?;
     let (shape, complete) = evaluator.gap(written);
-    let standing = complete.then(|| Standing::of(written, attribute.is_of_bodies, &mut evaluator));
+    let constant = complete.then(|| WrittenConstant::of(written, attribute.is_of_bodies, &mut evaluator));
     let limit = attribute.max_radius.as_ref();
     let range = declared_range(limit, &mut evaluator);
     let options = Options::read(attribute, &mut evaluator);
     let place = limit.map(|limit| limit.extent);
     let is_whole = complete && !attribute.lacks_option;
     let Some((range, options)) = range.zip(options).filter(|_| is_whole) else {
-        check_without_range(shape, complete, (standing.as_ref(), written.extent), diagnostics);
+        check_without_range(shape, complete, (constant.as_ref(), written.extent), diagnostics);
         return None;
     };
     let declared = Declared { shape, options, range, extent: written.extent, limit: place };
     let expanded = declared.expanded();
     let Expanded { powers, truncation } =
         expanded.map_err(|fault| declared.report(&fault, diagnostics)).ok()?;
-    let gap = Gap::new(powers, standing.as_ref(), declared.extent, diagnostics)?;
+    let gap = Gap::new(powers, constant.as_ref(), declared.extent, diagnostics)?;
     let values = values(&gap, &declared.range, truncation.as_ref().ok().and_then(Option::as_ref));
     item.mark_used(|field| values.iter().any(|value| value.depends_on(field)), diagnostics);
     if let Some(positive) = &attribute.positive {
@@ -119,14 +119,14 @@ impl Declared {
 fn check_without_range(
     shape: Shape,
     complete: bool,
-    (standing, extent): (Option<&Standing>, Extent),
+    (constant, extent): (Option<&WrittenConstant>, Extent),
     diagnostics: &mut Diagnostics,
 ) {
     if !complete {
         Gap::check_rest(shape.powers, diagnostics);
     } else if !shape.surfaces.is_empty() {
-        drop(Gap::terms(shape.powers, standing, diagnostics));
-    } else if let Some(gap) = Gap::new(shape.powers, standing, extent, diagnostics)
+        drop(Gap::terms(shape.powers, constant, diagnostics));
+    } else if let Some(gap) = Gap::new(shape.powers, constant, extent, diagnostics)
         && let Err(fault) = proof::prove(&gap, &Wanted::UpToSomewhere)
     {
         diagnostics.report(fault.extent, fault.message(&[], |_| true));

@@ -49,15 +49,14 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, Fault> {
     {
         let message = "the gap falls from the centre on, so the surfaces would overlap; the term with the lowest power \
                        needs a positive coefficient";
-        return Err(Fault::from((first.extent, message)).ranked(Rank::Opening));
+        return Err(Fault::new(Rank::Opening, first.extent, message));
     }
     let Some(terms) = slope(gap) else { return Ok(of_fields(gap)) };
     let negative = terms.iter().zip(&gap.terms).find(|((_, coefficient), _)| coefficient.is_negative());
     let Some((_, guilty)) = negative else {
         return Ok(Proof::AllRadii { by: "all coefficients are positive" });
     };
-    let end = first_zero(&terms)
-        .map_err(|message| Fault::from((guilty.extent, message)).ranked(Rank::Undecided))?;
+    let end = first_zero(&terms).map_err(|message| Fault::new(Rank::Undecided, guilty.extent, message))?;
     let Some(mut end) = end else {
         return Ok(Proof::AllRadii { by: "the slope of the approach has no positive root" });
     };
@@ -84,7 +83,7 @@ fn too_large(extent: Extent, end: &mut End) -> Fault {
     let rule = format!(
         "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc"
     );
-    with_remedy((extent, rule).into(), largest, "write at most `", "write a smaller one")
+    with_remedy(Fault::new(Rank::Range, extent, rule), largest, "write at most `", "write a smaller one")
 }
 
 fn unlimited(extent: Extent, end: &mut End) -> Fault {
@@ -93,13 +92,17 @@ fn unlimited(extent: Extent, end: &mut End) -> Fault {
         "the gap no longer exceeds its mean over the contact disc from r = {shown} on: beyond it the contact radius is \
          not determined"
     );
-    with_remedy((extent, rule).into(), largest, "add `max_radius = ", "add a `max_radius` well below that")
+    with_remedy(
+        Fault::new(Rank::Range, extent, rule),
+        largest,
+        "add `max_radius = ",
+        "add a `max_radius` well below that",
+    )
 }
 
 /// Adds the remedy for a range that goes too far. `largest` is the largest decimal below its end, if there is an `f64`
 /// there.
 fn with_remedy(fault: Fault, largest: Option<String>, words: &'static str, otherwise: &str) -> Fault {
-    let fault = fault.ranked(Rank::Range);
     match largest {
         Some(largest) => fault.or_max_radius(words, largest).otherwise(otherwise),
         None => fault.otherwise("use a smaller unit of length"),

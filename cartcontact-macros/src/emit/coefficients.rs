@@ -32,8 +32,8 @@ enum Digits {
 
 #[derive(Clone, Copy)]
 pub(super) struct Coefficients<'a> {
-    item: &'a Item,
-    geometry: &'a Geometry,
+    pub(super) item: &'a Item,
+    pub(super) geometry: &'a Geometry,
     pub(super) names: &'a Names,
     digits: Digits,
 }

@@ -117,7 +117,7 @@ fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<W
         if part.summands.is_empty() {
             return Some(quote!([]));
         }
-        let whole = Whole::of(part).filter(|whole| whole.highest() <= HIGHEST_DROP_BESIDE_ROOT)?;
+        let whole = Whole::up_to(HIGHEST_DROP_BESIDE_ROOT, part)?;
         Some(whole.dense((0, 1), part, coefficients))
     };
     let parts = sum.in_quarters()?.iter().map(dense).collect::<Option<Vec<_>>>()?;

@@ -14,12 +14,13 @@ use crate::number::literal;
 use crate::reading::generics::Generics;
 use crate::reading::item::Item;
 
-pub(super) fn block(item: &Item, geometry: &Geometry, coefficients: &Coefficients<'_>) -> TokenStream {
+pub(super) fn block(coefficients: &Coefficients<'_>) -> TokenStream {
+    let Coefficients { item, geometry, names, .. } = *coefficients;
     if geometry.gap.is_constant() {
         return implementation(item, &item.generics, &constants(geometry));
     }
     let (pairs, preamble) = (coefficients.terms(), coefficients.preamble());
-    of_fields(item, coefficients.names, &geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
+    of_fields(item, names, &geometry.gap.terms.len(), &quote!(#preamble [#(#pairs),*]))
 }
 
 /// The stand-in for a faulty profile: that of a gap that depends on fields if any field is marked as used.

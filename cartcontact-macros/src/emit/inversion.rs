@@ -266,7 +266,7 @@ fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> 
     let names = coefficients.names;
     let sum = &forms.load_integral;
     let [a, x, value, slope, log_slope] = ["a", "x", "value", "slope", "log_slope"].map(local);
-    let Some(whole) = Whole::of(sum).filter(|whole| whole.highest() <= HIGHEST_DENSE_POWER) else {
+    let Some(whole) = Whole::up_to(HIGHEST_DENSE_POWER, sum) else {
         let (function, terms) = (names.generated("power_sum_and_log_slope"), terms(sum, coefficients));
         return quote!(#function(#a, #terms));
     };
@@ -276,10 +276,8 @@ fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> 
         (names.generated("value_and_slope"), whole.dense((lowest, stride), sum, coefficients));
     // J = x^k a^odd Q(x) with x = a² or a, hence a J′ = x^k a^odd (lowest Q + stride x Q′).
     let argument = if stride == 2 { quote!(#a * #a) } else { quote!(#a) };
-    let factors = (0..lowest / stride).map(|_| &x);
-    let odd = (lowest % stride == 1).then(|| quote!(* #a));
+    let scale = whole.lowest_power(&x, &a);
     let (lowest, stride) = (literal(&integer(lowest)), literal(&integer(stride)));
-    let scale = quote!(#(* #factors)* #odd);
     quote! {
         let #x = #argument;
         let (#value, #slope) = #function(#x, #dense);

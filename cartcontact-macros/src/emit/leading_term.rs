@@ -102,7 +102,7 @@ pub(super) fn has_whole_powers(forms: &ClosedForms) -> bool {
 
 /// The powers of J, if they are whole and not too high.
 fn whole(stepped: &Stepped) -> Option<Whole> {
-    Whole::of(&stepped.scaled.load_integral).filter(|whole| whole.highest() <= HIGHEST_POWER)
+    Whole::up_to(HIGHEST_POWER, &stepped.scaled.load_integral)
 }
 
 /// The functions that compute J and its derivatives, with any coefficients.

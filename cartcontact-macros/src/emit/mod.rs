@@ -120,9 +120,9 @@ pub(crate) fn solver(
     let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients);
     let drops = drops::methods(&forms, &coefficients);
     let beside_inversion = beside_inversion(&geometry.gap, &forms, start.as_ref(), &coefficients);
-    let range = range::methods(item, geometry, &coefficients);
-    let inherent = inherent::block(item, geometry, &coefficients);
-    let quadrature_hints = quadrature_hints(geometry, &coefficients);
+    let range = range::methods(&coefficients);
+    let inherent = inherent::block(&coefficients);
+    let quadrature_hints = quadrature_hints(&coefficients);
     let [shared, precise_shared] = coefficients.functions();
     let header = implementation(item, &names);
     let beside = coefficients.operations();
@@ -341,9 +341,9 @@ fn bounded_generics(item: &Item, names: &Names) -> Generics {
 }
 
 /// What quadrature has to know about the terms.
-fn quadrature_hints(geometry: &Geometry, coefficients: &Coefficients<'_>) -> TokenStream {
-    let names = coefficients.names;
-    let (scalar, constant, terms) = (&names.scalar, names.constant(), &geometry.gap.terms);
+fn quadrature_hints(coefficients: &Coefficients<'_>) -> TokenStream {
+    let (terms, names) = (&coefficients.geometry.gap.terms, coefficients.names);
+    let (scalar, constant) = (&names.scalar, names.constant());
     let highest = terms.last().map(|term| literal(&term.exponent));
     let truth = quote!(::core::primitive::bool);
     let is_smooth = terms.iter().all(|term| term.exponent.is_integer());

@@ -50,6 +50,11 @@ impl Whole {
         Some(Self { exponents: exponents.collect::<Option<_>>()? })
     }
 
+    /// None also if an exponent is above `highest`.
+    pub(super) fn up_to(highest: u32, sum: &PowerSum) -> Option<Self> {
+        Self::of(sum).filter(|whole| whole.highest() <= highest)
+    }
+
     pub(super) fn lowest(&self) -> u32 {
         self.exponents.first().copied().unwrap_or(0)
     }
@@ -71,6 +76,14 @@ impl Whole {
         } else {
             (None, x.clone())
         }
+    }
+
+    /// The product of the lowest power, as factors of the [`variable`](Self::variable) and of `x` itself if that power is
+    /// odd in r²; each with a multiplication sign in front.
+    pub(super) fn lowest_power(&self, variable: &Ident, x: &Ident) -> TokenStream {
+        let factors = (0..self.lowest() / self.stride()).map(|_| variable);
+        let odd = (self.lowest() % self.stride() == 1).then(|| quote!(* #x));
+        quote!(#(* #factors)* #odd)
     }
 
     pub(super) fn largest_gap(&self) -> u32 {
@@ -196,10 +209,8 @@ fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
     let nested = nested((whole, is_monic(sum)), &variable, factors, coefficients.names);
-    let lowest = whole.lowest();
-    let powers = (0..lowest / whole.stride()).map(|_| &variable);
-    let odd = (lowest % whole.stride() == 1).then(|| quote!(* #x));
-    quote!(#bindings #square (#nested) #(* #powers)* #odd)
+    let lowest_power = whole.lowest_power(&variable, x);
+    quote!(#bindings #square (#nested) #lowest_power)
 }
 
 /// Whether the leading coefficient is 1.

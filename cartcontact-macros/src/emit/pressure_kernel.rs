@@ -117,7 +117,7 @@ fn weights(step: u32, log_kernel: &PowerSum, coefficients: &Coefficients<'_>) ->
 fn kernel_in_root(index: u32, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     // The exponents n + 2, multiplied by the index.
     let weights = forms.log_kernel.in_root(index).weighted(|_| fraction(1, 2 * index));
-    let whole = Whole::of(&weights).filter(|whole| whole.highest() <= (HIGHEST_QUICK_QUARTER + 2) * index)?;
+    let whole = Whole::up_to((HIGHEST_QUICK_QUARTER + 2) * index, &weights)?;
     let number = |number: u32| Literal::u32_unsuffixed(number);
     let pairs = whole.exponents.iter().zip(&weights.summands).map(|(power, summand)| {
         let (factor, k) = (coefficients.factor(summand), number(power - 2 * index));

@@ -13,15 +13,14 @@ use crate::geometry::Geometry;
 use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
 use crate::reading::field::{Field, FieldKind};
-use crate::reading::item::Item;
 use crate::reading::name::unraw;
 
-pub(super) fn methods(item: &Item, geometry: &Geometry, coefficients: &Coefficients<'_>) -> TokenStream {
-    let names = coefficients.names;
+pub(super) fn methods(coefficients: &Coefficients<'_>) -> TokenStream {
+    let (geometry, names) = (coefficients.geometry, coefficients.names);
     let is_constant = geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_));
-    let checked = (!is_constant).then_some(Checked { item, geometry, coefficients });
+    let checked = (!is_constant).then_some(Checked(coefficients));
     let scalar = &names.scalar;
-    let max_radius = match (known(geometry, coefficients), &checked) {
+    let max_radius = match (known(coefficients), &checked) {
         (Some(end), _) => quote! {
             #[inline]
             fn max_radius(&self) -> #scalar { #end }
@@ -55,8 +54,8 @@ fn check_of_constants(names: &Names) -> TokenStream {
 }
 
 /// The end of the range, if no value of a field can make the geometry inadmissible before it.
-fn known(geometry: &Geometry, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
-    let names = coefficients.names;
+fn known(coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let (geometry, names) = (coefficients.geometry, coefficients.names);
     let (Names { krate, scalar, .. }, constant) = (names, names.constant());
     if !unchecked(geometry).is_empty() {
         return None;
@@ -87,20 +86,16 @@ fn unchecked(geometry: &Geometry) -> &[Surface] {
 }
 
 /// What depends on the values of the fields.
-struct Checked<'a> {
-    item: &'a Item,
-    geometry: &'a Geometry,
-    coefficients: &'a Coefficients<'a>,
-}
+struct Checked<'a>(&'a Coefficients<'a>);
 
 impl Checked<'_> {
     fn names(&self) -> &Names {
-        self.coefficients.names
+        self.0.names
     }
 
     /// Zero for a geometry that `check` refuses.
     fn max_radius(&self) -> TokenStream {
-        let (preamble, range) = (self.coefficients.preamble(), self.range());
+        let (preamble, range) = (self.0.preamble(), self.range());
         let (constant, scalar, end) = (self.names().constant(), &self.names().scalar, local("end"));
         quote! {
             #[inline]
@@ -115,7 +110,7 @@ impl Checked<'_> {
     }
 
     fn check(&self) -> TokenStream {
-        let (preamble, range) = (self.coefficients.preamble(), self.range());
+        let (preamble, range) = (self.0.preamble(), self.range());
         let (in_format, declared) = (self.in_format(), self.declared());
         let (krate, error) = (&self.names().krate, local("error"));
         let mut checks = self.checks_of_terms();
@@ -144,22 +139,22 @@ impl Checked<'_> {
     /// The end of the range for the values of the fields, or the error that they cause.
     fn range(&self) -> TokenStream {
         let constant = self.names().constant();
-        let requested = match &self.geometry.range {
+        let requested = match &self.0.geometry.range {
             Range::Unbounded => quote!(::core::option::Option::None),
             Range::Limited(end) => {
                 let end = literal(end);
                 quote!(::core::option::Option::Some(#constant(#end)))
             }
             Range::Symbolic(end) => {
-                let end = self.coefficients.in_fields(end);
+                let end = self.0.in_fields(end);
                 quote!(::core::option::Option::Some(#end))
             }
         };
-        let (terms, checked_range) = (self.coefficients.terms(), self.names().generated("checked_range"));
+        let (terms, checked_range) = (self.0.terms(), self.names().generated("checked_range"));
         let range = quote!(#checked_range([#(#terms),*], #requested));
-        let surfaces = unchecked(self.geometry).iter().map(|surface| {
-            let radius = self.coefficients.in_fields(&surface.radius);
-            let shape = self.coefficients.in_fields(&surface.shape);
+        let surfaces = unchecked(self.0.geometry).iter().map(|surface| {
+            let radius = self.0.in_fields(&surface.radius);
+            let shape = self.0.in_fields(&surface.shape);
             quote!((#radius, #shape))
         });
         let surfaces: Vec<TokenStream> = surfaces.collect();
@@ -173,7 +168,7 @@ impl Checked<'_> {
     /// Checks of constants that not every format holds, and of products of fields: rounded to zero, they would be no
     /// terms.
     fn checks_of_terms(&self) -> impl Iterator<Item = TokenStream> {
-        let terms = self.geometry.gap.terms.iter().zip(self.coefficients.terms());
+        let terms = self.0.geometry.gap.terms.iter().zip(self.0.terms());
         terms.filter_map(|(term, pair)| {
             if term.coefficient.as_constant().is_some() {
                 let check = self.names().generated("check_coefficients");
@@ -184,7 +179,7 @@ impl Checked<'_> {
                 return None;
             }
             let [factors, divisors] = term.coefficient.factors_and_divisors()?.map(|parts| {
-                let values = parts.iter().map(|part| self.coefficients.expression(part));
+                let values = parts.iter().map(|part| self.0.expression(part));
                 quote!([#(#values),*])
             });
             let check = self.names().generated("check_product");
@@ -195,7 +190,7 @@ impl Checked<'_> {
     /// Refuses values of fields in f64 that the format of the contact does not hold.
     fn in_format(&self) -> TokenStream {
         let is_double = |field: &&Field| field.used && field.kind == FieldKind::F64;
-        let fields = self.item.fields.iter().filter(is_double).map(|field| &field.ident);
+        let fields = self.0.item.fields.iter().filter(is_double).map(|field| &field.ident);
         let names: Vec<String> = fields.clone().map(unraw).collect();
         let (check, scalar) = (self.names().generated("check_range_of_fields"), &self.names().scalar);
         refusal(&names, &quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])))
@@ -210,8 +205,8 @@ impl Checked<'_> {
 
     /// The bindings of some fields, and their names and variables.
     fn named(&self, wanted: fn(&Field) -> bool) -> (TokenStream, Vec<String>, Vec<Ident>) {
-        let bindings = self.coefficients.fields(&quote!(self), &wanted);
-        let fields = self.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
+        let bindings = self.0.fields(&quote!(self), &wanted);
+        let fields = self.0.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
         (bindings, fields.clone().map(unraw).collect(), fields.map(field_variable).collect())
     }
 }

@@ -7,8 +7,8 @@ use crate::reading::literal;
 use crate::reading::name::unraw;
 use crate::reading::syntax::{Expression, Kind, Summand};
 
-/// What stands without r in a gap as written.
-pub(crate) struct Standing {
+/// The constant of a gap as it is written: what stands there without r.
+pub(crate) struct WrittenConstant {
     is_of_bodies: bool,
     /// Nothing if there is no such term, or several.
     only: Option<OnlyTerm>,
@@ -31,7 +31,7 @@ enum Place {
     Alone,
 }
 
-impl Standing {
+impl WrittenConstant {
     /// The terms without r of an expression that has been evaluated.
     pub(crate) fn of(written: &Expression, is_of_bodies: bool, evaluator: &mut Evaluator<'_>) -> Self {
         let mut terms = Vec::new();
@@ -47,7 +47,7 @@ impl Standing {
         }
         let mut terms = terms.into_iter().filter_map(|term| term.evaluated(evaluator));
         let only = terms.next().filter(|_| terms.next().is_none());
-        Standing { is_of_bodies, only }
+        WrittenConstant { is_of_bodies, only }
     }
 }
 
@@ -94,10 +94,10 @@ fn mentions_r(expression: &Expression) -> bool {
     }
 }
 
-/// What to say about the constant `value` of a gap; the only term in `standing` may be all of it.
-pub(super) fn message(value: &Coefficient, standing: Option<&Standing>) -> String {
+/// What to say about the constant `value` of a gap; the only term in the `constant` as written may be all of it.
+pub(super) fn message(value: &Coefficient, constant: Option<&WrittenConstant>) -> String {
     let (sign, size) = signed(value);
-    let only = standing.and_then(|standing| standing.only.as_ref()).filter(|only| only.value == *value);
+    let only = constant.and_then(|constant| constant.only.as_ref()).filter(|only| only.value == *value);
     let remedy = match only {
         Some(OnlyTerm { place: Place::Alone, .. }) => "a flat body is `0`, as in `lower = 0`".to_owned(),
         Some(OnlyTerm { is_plain: false, .. }) => "remove this term".to_owned(),
@@ -106,7 +106,7 @@ pub(super) fn message(value: &Coefficient, standing: Option<&Standing>) -> Strin
         None => {
             let opposite = if sign == '+' { '-' } else { '+' };
             let whole =
-                if standing.is_some_and(|standing| standing.is_of_bodies) { "a body" } else { "the gap" };
+                if constant.is_some_and(|constant| constant.is_of_bodies) { "a body" } else { "the gap" };
             format!("write `{opposite} {size}` behind {whole} to take it away")
         }
     };

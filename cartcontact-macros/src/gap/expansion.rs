@@ -46,15 +46,17 @@ pub(crate) fn expand(
     let (request, place) = match (options.order, tolerance) {
         (Some((Order::Fixed(order), place)), _) => (Request::Order(order, tolerance), place),
         (Some((Order::Smallest, place)), Some(tolerance)) => (Request::Smallest(tolerance), place),
-        (Some((Order::Smallest, place)), None) => return Err((place, without_tolerance(limit)).into()),
-        (None, _) => return Err((first.extent, without_order(tolerance.is_some())).into()),
+        (Some((Order::Smallest, place)), None) => {
+            return Err(Fault::of_truncation(place, without_tolerance(limit)));
+        }
+        (None, _) => return Err(Fault::of_truncation(first.extent, without_order(tolerance.is_some()))),
     };
     let highest = request.highest_order();
     let expansion = Expansion { shape, range, limit, place };
     let truncation = match (expansion.unchecked(), expansion.neglected(highest), tolerance) {
         (Err(beyond_rim), _, _) => Err(beyond_rim),
         (Ok(_), Ok(neglected), _) => expansion.bounded(&request, &neglected),
-        (Ok(_), Err(reason), Some((_, place))) => return Err((*place, reason).into()),
+        (Ok(_), Err(reason), Some((_, place))) => return Err(Fault::of_truncation(*place, reason)),
         (Ok(unchecked), Err(_), None) => Ok(Truncation { order: highest, error: None, unchecked }),
     };
     let order = truncation.as_ref().map_or(highest, |truncation| truncation.order);
@@ -103,7 +105,7 @@ fn without_surfaces(powers: &Polynomial, options: &Options) -> Result<Expanded, 
     let message = format!(
         "{named} for surfaces, and this gap has no `sphere(R)` or `conic(R, k)`, or they cancel; remove {them}"
     );
-    Err((place, message).into())
+    Err(Fault::of_truncation(place, message))
 }
 
 fn without_order(is_auto_likely: bool) -> String {
@@ -156,7 +158,7 @@ impl Expansion<'_> {
             Request::Smallest((tolerance, place)) => match neglected.smallest_order(tolerance) {
                 Ok(Some(smallest)) => smallest,
                 Err(unprovable @ Unprovable { order: 2 }) => return Err(self.unprovable(unprovable)),
-                none => return Err(Fault::from((*place, unattainable(&none)))),
+                none => return Err(Fault::of_truncation(*place, unattainable(&none))),
             },
         };
         // The range has been compared with the rims.
@@ -204,7 +206,7 @@ impl Expansion<'_> {
         };
         let shown = decimal(tolerance);
         let rule = format!("order {order} neglects {size}, more than the tolerance of {shown}");
-        let fault = Fault::from((self.place, rule));
+        let fault = Fault::of_truncation(self.place, rule);
         Ok(match self.smallest_order(tolerance) {
             Ok(Some(higher)) => fault.or_order(Some(higher)).otherwise(LESS),
             none => fault.otherwise(unattainable(&none)),
@@ -212,7 +214,7 @@ impl Expansion<'_> {
     }
 
     fn overwhelmed(&self) -> Fault {
-        let fault = Fault::from((self.limit.unwrap_or(self.place), OVERWHELMED));
+        let fault = Fault::of_truncation(self.limit.unwrap_or(self.place), OVERWHELMED);
         fault.or_order(self.smallest_order(&fraction(1, 2)).ok().flatten()).otherwise("lower max_radius")
     }
 
@@ -222,7 +224,7 @@ impl Expansion<'_> {
         let next = (order + 2..=HIGHEST_ORDER).step_by(2).find(opens)?;
         let within = tolerance.and_then(|(tolerance, _)| self.smallest_order(tolerance).ok()?);
         let rule = format!("the terms of the gap cancel up to r^{order}, and those behind it are neglected");
-        let fault = Fault::from((self.place, rule)).or_order(Some(next)).or_order(within);
+        let fault = Fault::of_truncation(self.place, rule).or_order(Some(next)).or_order(within);
         Some(fault.otherwise("raise the order"))
     }
 
@@ -237,7 +239,7 @@ impl Expansion<'_> {
             "what order {order} neglects cannot be compared with a tolerance beside these exponents; {lower}round the \
              exponents, as in `r^2.5`, or write a number for the order and no tolerance"
         );
-        (self.place, message).into()
+        Fault::of_truncation(self.place, message)
     }
 }
 
@@ -264,7 +266,7 @@ fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
         None => ("the r with |1 + k| r^2 = R^2 (r = R for a sphere)".to_owned(), None),
     };
     let rule = format!("max_radius must lie below {end}, where the series of a surface ends");
-    let fault = Fault::from((extent, rule)).ranked(Rank::Rim).otherwise("write a smaller one");
+    let fault = Fault::new(Rank::Rim, extent, rule).otherwise("write a smaller one");
     match largest {
         Some(largest) => fault.or_max_radius("write at most `", largest),
         None => fault,
@@ -275,11 +277,11 @@ fn expanded(shape: &Shape, order: u32) -> Result<Polynomial, Fault> {
     let mut sum = shape.powers.clone();
     for surface in &shape.surfaces {
         let extent = surface.extent;
-        let series = surface.series(order / 2).map_err(|message| (extent, message))?;
+        let series = surface.series(order / 2).map_err(|message| Fault::of_truncation(extent, message))?;
         if !series.iter().all(Coefficient::is_representable) {
             let message =
                 format!("order {order} has coefficients beyond the range of `f64`; write a lower one");
-            return Err((extent, message).into());
+            return Err(Fault::of_truncation(extent, message));
         }
         for (j, coefficient) in (1_u32..).zip(series) {
             sum.accumulate(integer(2 * j), Monomial { coefficient, extent });

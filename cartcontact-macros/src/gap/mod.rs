@@ -21,7 +21,7 @@ use num_traits::Zero;
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::number::{self, Rational};
 use coefficient::Coefficient;
-use constant::Standing;
+use constant::WrittenConstant;
 use polynomial::{Monomial, Polynomial};
 
 /// At 0.999 of the radius where it is 1, r^1024 is 0.36: beyond that, a contact cannot tell it from a step.
@@ -48,7 +48,7 @@ impl Gap {
     /// The gap that a polynomial written at `extent` stands for. Every fault is reported.
     pub(crate) fn new(
         polynomial: Polynomial,
-        standing: Option<&Standing>,
+        constant: Option<&WrittenConstant>,
         extent: Extent,
         diagnostics: &mut Diagnostics,
     ) -> Option<Self> {
@@ -59,7 +59,7 @@ impl Gap {
             diagnostics.report(only.extent, message);
             return None;
         }
-        let terms = Gap::terms(polynomial, standing, diagnostics)?;
+        let terms = Gap::terms(polynomial, constant, diagnostics)?;
         if terms.is_empty() {
             diagnostics
                 .report(extent, "the gap is zero everywhere: its terms cancel; write one that opens with r");
@@ -86,13 +86,13 @@ impl Gap {
     /// other terms: whatever removes the constant leaves them as they are.
     pub(crate) fn terms(
         polynomial: Polynomial,
-        standing: Option<&Standing>,
+        constant: Option<&WrittenConstant>,
         diagnostics: &mut Diagnostics,
     ) -> Option<Vec<Term>> {
         let mut terms = Some(Vec::new());
         for (exponent, monomial) in polynomial.into_terms() {
             if exponent.is_zero() {
-                diagnostics.report(monomial.extent, constant::message(&monomial.coefficient, standing));
+                diagnostics.report(monomial.extent, constant::message(&monomial.coefficient, constant));
                 continue;
             }
             match (term(exponent, monomial), &mut terms) {

@@ -27,7 +27,7 @@ use num_traits::{One, Zero};
 
 use crate::gap::coefficient::Coefficient;
 use crate::gap::surface::{Surface, binomial_ratio};
-use crate::number::{Rational, floor};
+use crate::number::{Rational, ceil, floor};
 
 /// Binary digits after the point in the sum of a whole series; where u^J has none there, 1/(1 − u) is near F.
 const DIGITS: u64 = 512;
@@ -56,13 +56,13 @@ impl Series {
         let terms = terms.iter().map(Coefficient::as_constant).collect::<Option<_>>()?;
         let geometric = (Rational::one() - &u).recip();
         let tails_at_end = if u.is_positive() {
-            let geometric = ceil(&geometric);
+            let geometric = ceil(&geometric, FEW_DIGITS);
             let least =
                 |of_sum: Option<Rational>| of_sum.unwrap_or_else(|| geometric.clone()).min(geometric.clone());
             tail_bounds(&u).map(least).take(count).collect()
         } else {
             let chord = |j: u32| Rational::one() + binomial_ratio(j) * (&geometric - Rational::one());
-            (1..).map(|j| ceil(&chord(j))).take(count).collect()
+            (1..).map(|j| ceil(&chord(j), FEW_DIGITS)).take(count).collect()
         };
         let least_tail = floor(&geometric, FEW_DIGITS).min(Rational::one());
         Some(Series { terms, tails_at_end, least_tail })
@@ -77,14 +77,11 @@ fn tail_bounds(u: &Rational) -> impl Iterator<Item = Option<Rational>> {
     // Roots and terms are rounded down.
     let mut left = (BigInt::one() << DIGITS) - shifted(&(Rational::one() - u), 2 * DIGITS).sqrt();
     (1_u32..).map(move |j| {
-        let bound = (!term.is_zero()).then(|| ceil(&Rational::new_raw(left.clone(), term.clone())));
+        let bound =
+            (!term.is_zero()).then(|| ceil(&Rational::new_raw(left.clone(), term.clone()), FEW_DIGITS));
         left -= &term;
         let ratio = binomial_ratio(j);
         term = ((&term * &step * ratio.numer()) >> DIGITS) / ratio.denom();
         bound
     })
-}
-
-fn ceil(value: &Rational) -> Rational {
-    -floor(&-value, FEW_DIGITS)
 }

@@ -26,7 +26,7 @@ use crate::first_zero::first_zero;
 use crate::gap::like_terms::LikeTerms;
 use crate::gap::series::Series;
 use crate::gap::shape::Shape;
-use crate::number::{Rational, floor, integer};
+use crate::number::{Rational, ceil, floor, integer, three_digits};
 
 /// The highest order: more terms than a smooth joint needs, and few enough to evaluate.
 pub(crate) const HIGHEST_ORDER: u32 = 128;
@@ -198,9 +198,9 @@ impl Neglected {
         let [below, above] = self.rest(last as usize);
         let square = &self.radius * &self.radius;
         over.add(integer(2 * last + 2), above.at_centre);
-        over.add(integer(2 * last + 4), -floor(&(-above.rise / &square), DIGITS));
+        over.add(integer(2 * last + 4), ceil(&(above.rise / &square), DIGITS));
         under.add(integer(2 * last + 2), -below.at_centre);
-        under.add(integer(2 * last + 4), -floor(&(below.rise / &square), DIGITS));
+        under.add(integer(2 * last + 4), ceil(&(-below.rise / &square), DIGITS));
         let sides = [(over, Rational::one() - tolerance), (under, Rational::one() + tolerance)];
         let sides =
             sides.into_iter().filter(|(powers, _)| powers.iter().any(|(_, value)| value.is_positive()));
@@ -224,7 +224,7 @@ impl Neglected {
         let sum = |of: &[Rest], part: fn(&Rest) -> &Rational| unreduced_sum(of.iter().map(part).cloned());
         let [at_centre, rise]: [fn(&Rest) -> &Rational; 2] = [|rest| &rest.at_centre, |rest| &rest.rise];
         let below = |part| floor(&sum(&least, part), DIGITS);
-        let above = |part| -floor(&-sum(&most, part), DIGITS);
+        let above = |part| ceil(&sum(&most, part), DIGITS);
         [
             Rest { at_centre: below(at_centre), rise: below(rise) },
             Rest { at_centre: above(at_centre), rise: above(rise) },
@@ -276,7 +276,7 @@ impl Sum {
     /// The sum for j = index + 1, where the powers of the gap have the coefficient `own`.
     fn of(surfaces: &[Series], own: Option<Rational>, index: usize, scale: &Rational) -> Self {
         let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
-        let (below, above) = (floor(&sum, DIGITS), -floor(&-&sum, DIGITS));
+        let (below, above) = (floor(&sum, DIGITS), ceil(&sum, DIGITS));
         let with_own = own.as_ref().map_or_else(|| below.clone(), |own| floor(&(own + sum), DIGITS));
         let own = own.unwrap_or_else(Rational::zero);
         let at_end = |value: &Rational| (value * scale).to_f64().unwrap_or(f64::NAN);
@@ -296,9 +296,4 @@ fn unreduced_sum(terms: impl Iterator<Item = Rational>) -> Rational {
         let numerator = sum.numer() * term.denom() + term.numer() * sum.denom();
         Rational::new_raw(numerator, sum.denom() * term.denom())
     })
-}
-
-/// The number rounded to three digits, as the exact value of the `f64` that these digits are read as.
-pub(crate) fn three_digits(value: f64) -> Option<Rational> {
-    format!("{value:.2e}").parse::<f64>().ok().and_then(Rational::from_float)
 }

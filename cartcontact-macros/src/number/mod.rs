@@ -69,7 +69,7 @@ pub(crate) fn nearest_and_rest(value: &Rational) -> (f64, f64) {
 
 /// Whether the number is a power of two, apart from its sign.
 pub(crate) fn is_power_of_two(value: &Rational) -> bool {
-    [value.numer(), value.denom()].iter().all(|part| part.magnitude().count_ones() == 1)
+    is_binary(value) && value.numer().magnitude().count_ones() == 1
 }
 
 /// The nearest finite `f64` as a literal in its shortest form, such as `0.025f64`.
@@ -143,13 +143,27 @@ pub(crate) fn floor(value: &Rational, digits: u64) -> Rational {
     Rational::new(quotient << excess, BigInt::one() << shift)
 }
 
+/// The same, rounded up.
+pub(crate) fn ceil(value: &Rational, digits: u64) -> Rational {
+    -floor(&-value, digits)
+}
+
+/// Whether the denominator is a power of two.
+pub(crate) fn is_binary(value: &Rational) -> bool {
+    value.denom().magnitude().count_ones() == 1
+}
+
+/// The number rounded to three digits, as the exact value of the `f64` that these digits are read as.
+pub(crate) fn three_digits(value: f64) -> Option<Rational> {
+    format!("{value:.2e}").parse::<f64>().ok().and_then(Rational::from_float)
+}
+
 /// For readers: a short fraction if it is not a decimal, otherwise the nearest `f64`.
 pub(crate) fn decimal(value: &Rational) -> String {
     let shortest = value.to_f64().unwrap_or(0.0);
     let (numerator, denominator) = (value.numer(), value.denom());
     let is_short = numerator.bits() + denominator.bits() < 40;
-    let is_binary = || denominator.magnitude().count_ones() == 1;
-    if is_short && !is_binary() && !is_written(value, shortest) {
+    if is_short && !is_binary(value) && !is_written(value, shortest) {
         format!("{numerator}/{denominator}")
     } else {
         plain(shortest)

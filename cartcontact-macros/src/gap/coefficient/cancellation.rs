@@ -33,7 +33,7 @@ impl Product {
 
 /// Whether a number has no more digits than any word.
 fn is_short(value: &Rational) -> bool {
-    value.denom().magnitude().count_ones() == 1 && value.numer().bits() <= DIGITS_OF_SINGLE
+    number::is_binary(value) && value.numer().bits() <= DIGITS_OF_SINGLE
 }
 
 #[cfg(test)]
