@@ -21,11 +21,13 @@
 //! the march stands: never too long, at worst too short.
 //!
 //! **Rounding.** Each d has three roundings, each k one. What these and all others may add to a result is subtracted
-//! from it, so that a range never ends beyond the zero; terms that cancel may leave no range.
+//! from it, so that a range never ends beyond the zero; terms that cancel may leave no range. Every rounding counts ε, of
+//! which it has half, so that the rounding of these bounds themselves is covered.
 
 use crate::Scalar;
 use crate::scalar::{from_single, smallest_normal};
 
+/// The most steps of the march.
 const MOST_STEPS: u32 = 20_000;
 
 /// δ₀′ as a sum of exponentials of x = ln r.
@@ -57,6 +59,7 @@ impl<T: Scalar> Slope<'_, T> {
 
     /// A lower bound of the coefficient d of an exponent: terms of the same exponent may cancel.
     fn least_coefficient(&self, exponent: T) -> T {
+        // Three roundings of d, the product below, and N sums.
         let rounding = T::default_epsilon() * (T::constant(4.0) + self.count());
         let terms = self.exponentials().filter(|&(_, k)| k == exponent);
         terms.fold(T::zero(), |sum, (d, _)| sum + (d - d.abs() * rounding))
@@ -65,6 +68,7 @@ impl<T: Scalar> Slope<'_, T> {
     /// Whether the first term alone outweighs all negative ones at a radius, and hence at all smaller radii.
     pub(super) fn first_outweighs_negative_up_to(&self, radius: T) -> bool {
         let (zero, one) = (T::zero(), T::one());
+        // Three roundings of d, two of the power, three of the factors below, and N sums.
         let rounding = T::default_epsilon() * (T::constant(8.0) + self.count());
         // The rounding of k, in the power.
         let per_exponent = T::default_epsilon() * radius.ln().abs();
@@ -90,6 +94,8 @@ impl<T: Scalar> Slope<'_, T> {
             return zero;
         }
         let step = span.recip();
+        // The exponential at the end may be off by ε, and its product is rounded; and a step of less than the spacing of
+        // numbers next to x does not move it.
         let rounding = T::default_epsilon() * T::constant(4.0);
         let end = self.last_term_dominates_from(span);
         let mut x = self.first_term_dominates_up_to(first);
@@ -115,6 +121,7 @@ impl<T: Scalar> Slope<'_, T> {
         let mut others = self.exponentials().filter(|&(_, k)| k > T::zero());
         let (Some((d, k)), None) = (others.next(), others.next()) else { return None };
         let (first, last) = (first.ln(), d.abs().ln());
+        // Each logarithm is off by ε, and by the roundings of its number; k and the difference are rounded.
         let rounding = T::default_epsilon() * T::constant(4.0) * (first.abs() + last.abs() + k + T::one());
         (d < T::zero()).then(|| ((first - last - rounding) / k).exp())
     }
@@ -130,6 +137,7 @@ impl<T: Scalar> Slope<'_, T> {
         }
         let count: T = from_single(self.exponentials().filter(|&(d, _)| d < zero).count() as f32);
         let (log_first, log_last, log_count) = (first.ln(), last.ln(), count.ln());
+        // Six logarithms, and some ten operations with numbers no larger than `size`.
         let rounding = T::default_epsilon() * T::constant(16.0);
         self.exponentials().filter(|&(d, _)| d < zero).all(|(d, k)| {
             let weight = k / span;
@@ -170,7 +178,8 @@ impl<T: Scalar> Slope<'_, T> {
             value += term;
             slope += k * term;
             curvature += k * k * size * (k * step).exp();
-            // In units of ε: the error of the logarithms, and of the sum so far.
+            // In units of ε: of the logarithms, which are rounded, multiplied and added; of d and the exponential; and of
+            // the sum so far.
             let of_logarithms = d.abs().ln().abs() + (k * x).abs();
             error += size * (four + T::constant(1.5) * of_logarithms) + value.abs();
         }

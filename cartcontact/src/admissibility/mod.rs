@@ -82,9 +82,13 @@ fn coefficient_of<T: Scalar>(terms: &[(T, T)], n: T) -> T {
     terms.iter().filter(|(_, exponent)| *exponent == n).fold(T::zero(), |sum, &(c, _)| sum + c)
 }
 
+/// The highest exponent, as at compile time: at 0.999 of the radius where it is 1, r^1024 is 0.36, and beyond that a
+/// contact cannot tell it from a step.
+const HIGHEST_EXPONENT: f64 = 1024.0;
+
 #[inline(always)]
 fn is_exponent<T: Scalar>(n: T) -> bool {
-    (n > T::zero()) & (n <= T::constant(1024.0))
+    (n > T::zero()) & (n <= T::constant(HIGHEST_EXPONENT))
 }
 
 /// Checks that the coefficients of constant terms (C, n) fit the format that they are used in. No constant is zero

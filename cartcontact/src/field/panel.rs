@@ -27,13 +27,15 @@ use crate::contact::Contact;
 use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{FEW_FOLDS, Line, decay_gain, not_negative};
+use crate::numbers::cosines::cosine_of_sixteenths;
 use crate::numbers::tabled::{Tabled, tabled};
 use crate::profile::GapProfile;
 use crate::quadrature::NODES_4;
 use crate::scalar::smallest_normal;
 
-/// The positive roots of the Chebyshev polynomial T₈, cos((2k+1)π/16), rounded to f64.
-const NODES: [f64; 4] = [0.9807852804032304, 0.8314696123025452, 0.5555702330196022, 0.19509032201612828];
+/// The positive roots of the Chebyshev polynomial T₈.
+const NODES: [f64; 4] =
+    [cosine_of_sixteenths(1), cosine_of_sixteenths(3), cosine_of_sixteenths(5), cosine_of_sixteenths(7)];
 /// The nodes, their squares and their reciprocals, in both formats.
 const TABLED_NODES: [Tabled; 4] = tabled(NODES);
 const SQUARES: [Tabled; 4] = {

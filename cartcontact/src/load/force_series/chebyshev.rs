@@ -3,41 +3,22 @@
 //! Source: J. C. Mason, D. C. Handscomb, Chebyshev Polynomials (2003), chapters 2.4, 6.3.
 
 use crate::Scalar;
+use crate::numbers::cosines::cosine_of_sixteenths;
 use crate::numbers::tabled::Tabled;
 use crate::scalar::has_no_derivatives;
 
-/// The degree N.
+/// The degree N: the abscissas are [cosines of sixteenths](cosine_of_sixteenths) of π.
 pub(super) const DEGREE: usize = 16;
 
 /// The coefficients of Chebyshev polynomials.
 pub(super) type Coefficients<T> = [T; DEGREE + 1];
-
-/// cos(π k/16) for k from 0 to 8, rounded from 40 digits.
-const QUARTER_TURN: [f64; DEGREE / 2 + 1] = [
-    1.0,
-    0.980_785_280_403_230_4,
-    0.923_879_532_511_286_7,
-    0.831_469_612_302_545_2,
-    core::f64::consts::FRAC_1_SQRT_2,
-    0.555_570_233_019_602_2,
-    0.382_683_432_365_089_8,
-    0.195_090_322_016_128_28,
-    0.0,
-];
-
-/// cos(π k/16) of any k.
-const fn any_cosine(k: usize) -> f64 {
-    let turn = k % (2 * DEGREE);
-    let half = if turn > DEGREE { 2 * DEGREE - turn } else { turn };
-    if half <= DEGREE / 2 { QUARTER_TURN[half] } else { -QUARTER_TURN[DEGREE - half] }
-}
 
 /// The abscissas cos(π j/N), from 1 to −1.
 const ABSCISSAS: Coefficients<Tabled> = {
     let mut abscissas = [Tabled::of(0.0); DEGREE + 1];
     let mut j = 0;
     while j <= DEGREE {
-        abscissas[j] = Tabled::of(any_cosine(j));
+        abscissas[j] = Tabled::of(cosine_of_sixteenths(j));
         j += 1;
     }
     abscissas
@@ -53,7 +34,8 @@ const SHARES: [Coefficients<Tabled>; DEGREE / 2 + 1] = {
         while k <= DEGREE {
             let of_value = if j == 0 || j == DEGREE / 2 { 0.5 } else { 1.0 };
             let of_coefficient = if k == 0 || k == DEGREE { 0.5 } else { 1.0 };
-            shares[j][k] = Tabled::of(2.0 / DEGREE as f64 * of_value * of_coefficient * any_cosine(j * k));
+            shares[j][k] =
+                Tabled::of(2.0 / DEGREE as f64 * of_value * of_coefficient * cosine_of_sixteenths(j * k));
             k += 1;
         }
         j += 1;

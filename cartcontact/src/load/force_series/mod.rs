@@ -10,6 +10,14 @@
 //! (1 − ξ) M. The division by 1 − ξ is exact, by Clenshaw's recurrence at 1, so that the gain has all its digits even
 //! where the time to the end is short; and the force enters only through its difference from that at the end, so that
 //! the many small gains of a long history do not round as the force does.
+//!
+//! How well a series follows its force is graded by what it leaves out, Σ|cₖ| over the last three:
+//!
+//! | it is | if it leaves out | a step of pressures |
+//! |---|---|---|
+//! | loose | more than rounding | is shortened as long as it is long |
+//! | rough | more than √ε of the force | is shortened down to roundings of the time |
+//! | unresolved | as much as it has: the coefficients do not fall | is taken for a jump, if it can be no shorter |
 
 mod chebyshev;
 
@@ -183,7 +191,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// How large a [dip](Self::deepest_dip) the rounding of forces may make, N³ ε of them.
-    pub(crate) fn noise(&self) -> T {
+    pub(crate) fn rounding_of_dip(&self) -> T {
         self.size * T::default_epsilon() * T::constant((DEGREE * DEGREE * DEGREE) as f64)
     }
 
@@ -206,7 +214,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be off because of what the series leaves out.
-    pub(crate) fn uncertainty(&self) -> T {
+    pub(crate) fn uncertainty_of_gains(&self) -> T {
         self.folds * self.rest
     }
 

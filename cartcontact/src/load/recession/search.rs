@@ -198,7 +198,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         (stop, impulse): (T, T),
         halving: Halving,
     ) -> Option<Finding<T>> {
-        if self.misses(force, (stop, impulse), halving) {
+        if self.must_halve(force, (stop, impulse), halving) {
             return None;
         }
         let finding = self.examine(force, stop, self.rounding(self.load.force_before(stop), impulse));
@@ -247,7 +247,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     }
 
     /// Whether a panel is to be halved because its nodes miss what the load does between them.
-    fn misses(&mut self, force: &ForceSeries<T>, (stop, impulse): (T, T), halving: Halving) -> bool {
+    fn must_halve(&mut self, force: &ForceSeries<T>, (stop, impulse): (T, T), halving: Halving) -> bool {
         if force.is_unresolved() {
             return halving == Halving::Free;
         }
@@ -293,7 +293,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if dip <= zero && self.crest.fallen <= gain {
             return Finding::Rises(Crest::at(end));
         }
-        let rounding = rounding + force.uncertainty();
+        let rounding = rounding + force.uncertainty_of_gains();
         let mut fallen = self.crest.fallen;
         // The node at which the hereditary load is highest; none while it was higher before the panel.
         let mut highest = fallen.is_zero().then_some(ForceSeries::<T>::START);
@@ -312,7 +312,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         }
         let crest = highest.map_or(self.crest, |node| Crest::at(force.time(node, end)));
         let crest = Crest { fallen, ..crest };
-        if dip > rounding + force.noise() { Finding::Unclear(crest) } else { Finding::Rises(crest) }
+        if dip > rounding + force.rounding_of_dip() { Finding::Unclear(crest) } else { Finding::Rises(crest) }
     }
 }
 

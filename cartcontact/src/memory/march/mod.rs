@@ -259,14 +259,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (mut increment, is_over_time) = stretch.increment();
         if is_covered {
             let (kept, sizes) = fading.kept_of(forces);
-            let of_strips = if is_over_time || is_left_out {
-                self.add_strip();
-                T::zero()
-            } else {
-                self.leave_strip();
-                fading.after(-self.now.surplus, surplus)
-            };
-            let laid = kept - of_strips;
+            let laid = kept - self.load_of_strips(is_over_time || is_left_out, surplus, fading);
             let load = laid * contact.integral_per_load();
             if !is_straight {
                 increment = increment
@@ -280,6 +273,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.now = Stage { radius: high, surplus, ..self.now };
         // An integral over time ends at the exact radius, one over the radius at the rounded one, without the strip.
         self.has_strip = is_over_time;
+    }
+
+    /// The load that the strips at both ends of a stretch carry at its end, beside the integral: none if the strip
+    /// `stays`, otherwise that at the end less what is left of the one now, which is taken away.
+    fn load_of_strips(&mut self, stays: bool, surplus: T, fading: Fading<T>) -> T {
+        if stays {
+            self.add_strip();
+            return T::zero();
+        }
+        self.leave_strip();
+        fading.after(-self.now.surplus, surplus)
     }
 
     /// Whether the contact has reached the radii that the transition is for.

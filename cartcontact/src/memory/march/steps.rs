@@ -113,7 +113,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 pace.halve();
                 continue;
             }
-            if doubts > 0 && pace.is_long() && self.misses(&force, stop) {
+            if doubts > 0 && pace.is_long() && self.leaves_something_out(&force, stop) {
                 doubts -= 1;
                 pace.halve();
                 continue;
@@ -160,8 +160,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         ForceSeries::without_noise(self.contact.load(), times, self.contact.medium().chi())
     }
 
-    /// Whether the nodes of a step miss what the load does between them.
-    fn misses(&self, force: &ForceSeries<T>, end: T) -> bool {
+    /// Whether the series of a step leaves out more than rounding, or its nodes miss what the load does between them.
+    fn leaves_something_out(&self, force: &ForceSeries<T>, end: T) -> bool {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let (before, after) = (load.impulse(self.now.time), load.impulse(end));
         // Early on, χ ∫F may be less than the rounding of F, which is a few ε.
