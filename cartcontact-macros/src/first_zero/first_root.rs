@@ -22,13 +22,13 @@ use crate::number::Rational;
 pub(crate) struct FirstRoot {
     /// Has this root; all its roots are simple.
     polynomial: IntegerPolynomial,
-    place: Place,
+    place: RootPlace,
     /// The bits that the next step tries to gain.
     gain: u64,
 }
 
 /// In units of 2^exponent.
-pub(crate) enum Place {
+pub(crate) enum RootPlace {
     At {
         offset: BigInt,
         exponent: i64,
@@ -42,7 +42,7 @@ pub(crate) enum Place {
 }
 
 impl FirstRoot {
-    pub(crate) fn new(polynomial: IntegerPolynomial, place: Place) -> Self {
+    pub(crate) fn new(polynomial: IntegerPolynomial, place: RootPlace) -> Self {
         FirstRoot { polynomial, place, gain: 1 }
     }
 
@@ -64,8 +64,8 @@ impl FirstRoot {
         let mut checked = false;
         loop {
             let (lower, upper, exponent) = match &self.place {
-                Place::At { offset, exponent } => return compare(offset, *exponent),
-                Place::Between { lower, upper, exponent } => (lower, upper, *exponent),
+                RootPlace::At { offset, exponent } => return compare(offset, *exponent),
+                RootPlace::Between { lower, upper, exponent } => (lower, upper, *exponent),
             };
             if compare(lower, exponent).is_ge() {
                 return Ordering::Greater;
@@ -89,7 +89,7 @@ impl FirstRoot {
 
     /// Whether the root to the power `denominator` equals `power`.
     fn satisfies(&self, power: &Rational, denominator: u32) -> bool {
-        let Place::Between { lower, upper, exponent } = &self.place else { return false };
+        let RootPlace::Between { lower, upper, exponent } = &self.place else { return false };
         let mut coefficients = vec![BigInt::zero(); denominator as usize];
         coefficients.push(power.denom().clone());
         if let Some(constant) = coefficients.first_mut() {
@@ -101,7 +101,7 @@ impl FirstRoot {
 
     /// Shortens the interval to about half or less, at points with no more digits than needed.
     fn step(&mut self) {
-        let Place::Between { lower, upper, exponent } = &mut self.place else { return };
+        let RootPlace::Between { lower, upper, exponent } = &mut self.place else { return };
         let missing = (self.gain + ROOM).saturating_sub((&*upper - &*lower).bits());
         *lower <<= missing;
         *upper <<= missing;
@@ -129,7 +129,7 @@ impl FirstRoot {
                     point = &*upper - &piece;
                 }
                 Ordering::Equal => {
-                    self.place = Place::At { offset: point, exponent: *exponent };
+                    self.place = RootPlace::At { offset: point, exponent: *exponent };
                     return;
                 }
             }
@@ -141,8 +141,8 @@ impl FirstRoot {
     /// Whether the root is known to 2^-bits of its upper end.
     fn is_narrow(&self, bits: u64) -> bool {
         match &self.place {
-            Place::At { .. } => true,
-            Place::Between { lower, upper, .. } => (upper - lower) << bits <= *upper,
+            RootPlace::At { .. } => true,
+            RootPlace::Between { lower, upper, .. } => (upper - lower) << bits <= *upper,
         }
     }
 
@@ -155,7 +155,8 @@ impl FirstRoot {
 
     /// The root to within a factor of two, as a power of two.
     pub(crate) fn binary_exponent(&self) -> i64 {
-        let (Place::At { offset, exponent } | Place::Between { upper: offset, exponent, .. }) = &self.place;
+        let (RootPlace::At { offset, exponent } | RootPlace::Between { upper: offset, exponent, .. }) =
+            &self.place;
         (offset.bits() as i64).saturating_add(*exponent)
     }
 }

@@ -32,7 +32,7 @@ use num_traits::{Signed, Zero};
 
 use crate::first_zero::bernstein::{Bernstein, SignChanges};
 use crate::first_zero::common_divisor::square_free;
-use crate::first_zero::first_root::{FirstRoot, Place};
+use crate::first_zero::first_root::{FirstRoot, RootPlace};
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::minimum::{Minimum, Roots, Undecided};
 use crate::first_zero::outline::Outline;
@@ -114,7 +114,7 @@ struct Missed {
 }
 
 impl<'a> Search<'a> {
-    fn first_place(&mut self) -> Result<Option<Place>, TooIntricate> {
+    fn first_place(&mut self) -> Result<Option<RootPlace>, TooIntricate> {
         let missed = Missed { count: 0, width: 0 };
         let mut ahead =
             vec![self.candidate(Part::whole(), Source::whole(self.whole), self.few_digits(), missed)];
@@ -296,7 +296,7 @@ impl<'a> Search<'a> {
         &mut self,
         front: &Candidate<'a>,
         curvature: BigInt,
-    ) -> Result<Option<Place>, TooIntricate> {
+    ) -> Result<Option<RootPlace>, TooIntricate> {
         let minimum = Minimum::new(&front.part, &front.source, curvature, front.digits);
         match minimum.roots(front.local.lowest(), &mut self.enough, MAXIMUM_DIGITS) {
             Err(Undecided) => Err(TooIntricate),
@@ -309,14 +309,14 @@ impl<'a> Search<'a> {
     }
 
     /// At offset/2^bits of the interval.
-    fn at(&self, offset: &BigInt, bits: u64) -> Place {
-        Place::At { offset: offset.clone(), exponent: self.whole.exponent - bits as i64 }
+    fn at(&self, offset: &BigInt, bits: u64) -> RootPlace {
+        RootPlace::At { offset: offset.clone(), exponent: self.whole.exponent - bits as i64 }
     }
 
     /// From the beginning of a part to upper/2^bits.
-    fn between(&self, part: &Part, upper: &BigInt, bits: u64) -> Place {
+    fn between(&self, part: &Part, upper: &BigInt, bits: u64) -> RootPlace {
         let lower = part.end(0) << (bits - part.bits);
-        Place::Between { lower, upper: upper.clone(), exponent: self.whole.exponent - bits as i64 }
+        RootPlace::Between { lower, upper: upper.clone(), exponent: self.whole.exponent - bits as i64 }
     }
 }
 

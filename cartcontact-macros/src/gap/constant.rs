@@ -17,14 +17,14 @@ pub(crate) struct WrittenConstant {
 /// The only term without r of the outermost sum.
 struct OnlyTerm {
     value: Coefficient,
-    place: Place,
+    place: PlaceInSum,
     /// Whether it is written as a number or a name, and so just as it is shown.
     is_plain: bool,
 }
 
 /// Where a term stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum PlaceInSum {
     First,
     Behind,
     /// It is a whole body, of which nothing would be left without it.
@@ -39,11 +39,14 @@ impl WrittenConstant {
             Kind::Sum(bodies) if is_of_bodies => {
                 for Summand { expression, .. } in bodies {
                     let is_sum = matches!(expression.kind, Kind::Sum(_));
-                    let place = if is_sum { Place::First } else { Place::Alone };
+                    let place = if is_sum { PlaceInSum::First } else { PlaceInSum::Alone };
                     collect(Term { subtracted: false, place, expression }, &mut terms);
                 }
             }
-            _ => collect(Term { subtracted: false, place: Place::First, expression: written }, &mut terms),
+            _ => {
+                let place = PlaceInSum::First;
+                collect(Term { subtracted: false, place, expression: written }, &mut terms);
+            }
         }
         let mut terms = terms.into_iter().filter_map(|term| term.evaluated(evaluator));
         let only = terms.next().filter(|_| terms.next().is_none());
@@ -54,7 +57,7 @@ impl WrittenConstant {
 /// A term of a sum, or the whole expression.
 struct Term<'a> {
     subtracted: bool,
-    place: Place,
+    place: PlaceInSum,
     expression: &'a Expression,
 }
 
@@ -73,7 +76,7 @@ fn collect<'a>(term: Term<'a>, terms: &mut Vec<Term<'a>>) {
     match &term.expression.kind {
         Kind::Sum(summands) if !term.subtracted => {
             for (index, Summand { subtracted, expression }) in summands.iter().enumerate() {
-                let place = if index == 0 { term.place } else { Place::Behind };
+                let place = if index == 0 { term.place } else { PlaceInSum::Behind };
                 collect(Term { subtracted: *subtracted, place, expression }, terms);
             }
         }
@@ -99,9 +102,9 @@ pub(super) fn message(value: &Coefficient, constant: Option<&WrittenConstant>) -
     let (sign, size) = signed(value);
     let only = constant.and_then(|constant| constant.only.as_ref()).filter(|only| only.value == *value);
     let remedy = match only {
-        Some(OnlyTerm { place: Place::Alone, .. }) => "a flat body is `0`, as in `lower = 0`".to_owned(),
+        Some(OnlyTerm { place: PlaceInSum::Alone, .. }) => "a flat body is `0`, as in `lower = 0`".to_owned(),
         Some(OnlyTerm { is_plain: false, .. }) => "remove this term".to_owned(),
-        Some(OnlyTerm { place: Place::First, .. }) if sign == '+' => format!("remove `{size}`"),
+        Some(OnlyTerm { place: PlaceInSum::First, .. }) if sign == '+' => format!("remove `{size}`"),
         Some(_) => format!("remove `{sign} {size}`"),
         None => {
             let opposite = if sign == '+' { '-' } else { '+' };

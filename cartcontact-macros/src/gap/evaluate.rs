@@ -13,14 +13,14 @@ use crate::reading::field::Field;
 use crate::reading::item::{Item, Meaning};
 use crate::reading::name::unraw;
 use crate::reading::syntax::{self, Expression, Factor, Kind, Summand};
-use crate::reading::unknown::Place;
+use crate::reading::unknown::Context;
 
 /// Reports what it cannot evaluate, and goes on with the rest.
 pub(crate) struct Evaluator<'a> {
     item: &'a Item,
     diagnostics: &'a mut Diagnostics,
     /// Where names stand, which decides what may be meant by them.
-    place: Place,
+    context: Context,
     /// Fields whose type has been reported.
     mistyped: Vec<Ident>,
 }
@@ -28,7 +28,7 @@ pub(crate) struct Evaluator<'a> {
 impl<'a> Evaluator<'a> {
     /// An evaluator that begins with the gap, in which r may be named.
     pub(crate) fn new(item: &'a Item, names_r: bool, diagnostics: &'a mut Diagnostics) -> Self {
-        Evaluator { item, diagnostics, place: Place::Gap { names_r }, mistyped: Vec::new() }
+        Evaluator { item, diagnostics, context: Context::Gap { names_r }, mistyped: Vec::new() }
     }
 
     /// The value of a gap as far as it can be evaluated, and whether that is all of it.
@@ -46,7 +46,7 @@ impl<'a> Evaluator<'a> {
 
     /// An expression without r, such as a radius.
     pub(crate) fn coefficient(&mut self, expression: &Expression, subject: &str) -> Option<Coefficient> {
-        let shape = self.shape_at(Place::Coefficient, expression)?;
+        let shape = self.shape_at(Context::Coefficient, expression)?;
         let coefficient = shape.as_coefficient();
         if coefficient.is_none() {
             let rule =
@@ -59,7 +59,7 @@ impl<'a> Evaluator<'a> {
 
     /// The value of a number; `rule` is reported if it is none.
     pub(crate) fn number(&mut self, expression: &Expression, rule: &str) -> Option<Rational> {
-        let shape = self.shape_at(Place::Number, expression)?;
+        let shape = self.shape_at(Context::Number, expression)?;
         let number = shape.as_coefficient().and_then(|value| value.as_constant());
         if number.is_none() {
             self.diagnostics.report(expression.extent, rule);
@@ -67,10 +67,10 @@ impl<'a> Evaluator<'a> {
         number
     }
 
-    fn shape_at(&mut self, place: Place, expression: &Expression) -> Option<Shape> {
-        let outside = core::mem::replace(&mut self.place, place);
+    fn shape_at(&mut self, context: Context, expression: &Expression) -> Option<Shape> {
+        let outside = core::mem::replace(&mut self.context, context);
         let value = self.shape(expression);
-        self.place = outside;
+        self.context = outside;
         value
     }
 
@@ -104,11 +104,11 @@ impl<'a> Evaluator<'a> {
             Meaning::Symbol(field) => Some(constant(Coefficient::field(field.ident.clone()), extent)),
             Meaning::Undecided => None,
             // With another type it would be no number either.
-            Meaning::WrongType(_) if matches!(self.place, Place::Number) => {
+            Meaning::WrongType(_) if matches!(self.context, Context::Number) => {
                 Some(constant(Coefficient::field(name.clone()), extent))
             }
             Meaning::Unknown => {
-                let remedy = self.item.remedy(name, self.place);
+                let remedy = self.item.remedy(name, self.context);
                 self.fault(extent, format!("`{name}` is unknown; {remedy}"))
             }
             Meaning::WrongType(place) => {

@@ -10,7 +10,7 @@ use crate::reading::unit;
 
 /// Where a name stands, which decides what can be meant by it.
 #[derive(Clone, Copy)]
-pub(crate) enum Place {
+pub(crate) enum Context {
     /// If the gap names r, a name such as `R` is no slip for it.
     Gap { names_r: bool },
     /// In an expression without r, such as a radius.
@@ -21,13 +21,13 @@ pub(crate) enum Place {
 
 impl Item {
     /// What to write in place of an unknown name.
-    pub(crate) fn remedy(&self, name: &Ident, place: Place) -> String {
+    pub(crate) fn remedy(&self, name: &Ident, context: Context) -> String {
         let written = unraw(name);
-        let knows_r = match place {
-            Place::Gap { names_r } => !(names_r && written.eq_ignore_ascii_case("r")),
-            Place::Coefficient | Place::Number => false,
+        let knows_r = match context {
+            Context::Gap { names_r } => !(names_r && written.eq_ignore_ascii_case("r")),
+            Context::Coefficient | Context::Number => false,
         };
-        let mut known = if matches!(place, Place::Number) { Vec::new() } else { self.field_names() };
+        let mut known = if matches!(context, Context::Number) { Vec::new() } else { self.field_names() };
         known.extend(knows_r.then(|| "r".to_owned()));
         let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
         let (only, known) = match power_of_r(&written) {
@@ -41,7 +41,7 @@ impl Item {
         }
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
-            None if matches!(place, Place::Number) => "write a number".to_owned(),
+            None if matches!(context, Context::Number) => "write a number".to_owned(),
             None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
             None if unit::is_unit(&written) => {
@@ -89,15 +89,15 @@ mod tests {
             }
         );
         let item = parse(input, &mut Diagnostics::default()).unwrap();
-        let remedy = |name| item.remedy(&format_ident!("{name}"), Place::Gap { names_r: false });
+        let remedy = |name| item.remedy(&format_ident!("{name}"), Context::Gap { names_r: false });
         assert_eq!(remedy("raduis"), "did you mean `radius`?");
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("r4"), "write `r^4` or a field of `Ball`");
         assert_eq!(remedy("true"), "write `r` or a field");
-        let remedy = |place| item.remedy(&format_ident!("R"), place);
-        assert_eq!(remedy(Place::Gap { names_r: true }), remedy(Place::Coefficient));
-        assert_eq!(remedy(Place::Coefficient), "write a number or a field of `Ball`");
-        assert_eq!(remedy(Place::Number), "write a number");
+        let remedy = |context| item.remedy(&format_ident!("R"), context);
+        assert_eq!(remedy(Context::Gap { names_r: true }), remedy(Context::Coefficient));
+        assert_eq!(remedy(Context::Coefficient), "write a number or a field of `Ball`");
+        assert_eq!(remedy(Context::Number), "write a number");
     }
 }

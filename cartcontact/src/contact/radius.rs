@@ -1,4 +1,14 @@
 //! The contact radius at a time, and why there may be none.
+//!
+//! | method | from | the edge |
+//! |---|---|---|
+//! | `radius_at` | a time | is looked at |
+//! | `radius_if_advancing` | a time, and when the edge recedes | is looked at from then on |
+//! | `advancing_radius_at` | a time | is known to advance |
+//!
+//! All three first try `common_radius_at`, which checks that numbers are of common size, and then `checked_radius_under`,
+//! which looks for faults one by one. `radius_under_loading`, `radius_under_hereditary` and `radius_of_integral` of
+//! [`Contact`] check nothing but the range of the geometry.
 
 use super::common_sizes::CommonSizes;
 use super::loading::Loading;

@@ -59,7 +59,7 @@ pub fn positive_terms<T: Scalar>(
 
 /// Solves J(a) = `target` on (0, `limit`].
 ///
-/// `positive` lists the terms with positive coefficients in any order, `negative` tells whether there are
+/// `positive` lists the terms with positive coefficients in any order, `has_negative_terms` tells whether there are
 /// others. `evaluate` gives J(a) and a J′(a), and `load_integral` J(a) rounded once.
 ///
 /// # Errors
@@ -70,7 +70,7 @@ pub fn invert<T: Scalar>(
     mut target: T,
     limit: T,
     positive: impl Iterator<Item = PositiveTerm<T>>,
-    negative: bool,
+    has_negative_terms: bool,
     evaluate: impl Fn(T) -> (T, T),
     load_integral: impl Fn(T) -> T,
 ) -> Result<T, RadiusError> {
@@ -79,7 +79,7 @@ pub fn invert<T: Scalar>(
     }
     let seed = Seed::of(target, positive);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
-    if limit.is_finite() && (negative || limit <= seed.high) {
+    if limit.is_finite() && (has_negative_terms || limit <= seed.high) {
         // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
         // fields, whose coefficients are rounded here, even this may be less by some roundings.
         let largest = load_integral(limit);
@@ -88,13 +88,13 @@ pub fn invert<T: Scalar>(
         }
         target = lesser(target, largest);
         bracket.high = limit;
-    } else if negative {
+    } else if has_negative_terms {
         while evaluate(bracket.high).0 < target {
             bracket.high += bracket.high;
         }
     }
     bracket.low = bracket.low.min(bracket.high);
-    let close = close_enough(negative, seed.highest_power);
+    let close = close_enough(has_negative_terms, seed.highest_power);
     let (_, exponent) = split(target);
     // The derivative of 1/y has a factor 1/y², which a small y makes leave the format: all is divided by a power of two
     // near y.
@@ -212,9 +212,9 @@ fn iterate<T: Scalar>(
 /// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. If the
 /// condition number is above ε^(−1/4), rounding of J keeps steps from becoming that short, and the bracket is halved to
 /// its end instead.
-fn close_enough<T: Scalar>(negative: bool, highest_power: T) -> T {
+fn close_enough<T: Scalar>(has_negative_terms: bool, highest_power: T) -> T {
     let share = (T::constant(68.0) / highest_power).min(T::one());
-    if negative {
+    if has_negative_terms {
         let root = T::default_epsilon().sqrt();
         root * root.sqrt()
     } else if is_same::<T, f64>() {
