@@ -1,4 +1,4 @@
-//! What people write after a number as its unit: `mm`, `mm^-1`, `1/mm`, `(1/mm)`, `[mm]`.
+//! What people write after a number as its unit: `mm`, `mm^-1`, `1/mm`, `(1/mm)`, `[mm]`, `in mm`.
 
 use proc_macro2::TokenTree;
 
@@ -31,7 +31,7 @@ impl Parser<'_> {
     pub(super) fn reads_unit(&mut self) -> bool {
         let Some(length) = length(self.rest) else { return false };
         let number = self.previous;
-        let written: String = self.rest.iter().take(length).map(ToString::to_string).collect();
+        let written = written(&self.rest[..length]);
         (0..length).for_each(|_| self.take_token());
         let unit = if written.contains("mm") { "mm" } else { &written };
         let message = no_units(
@@ -45,10 +45,22 @@ impl Parser<'_> {
     }
 }
 
+/// A unit as it is written.
+fn written(tokens: &[TokenTree]) -> String {
+    match tokens {
+        [word, unit @ ..] if length(unit).is_some() => format!("{word} {}", written(unit)),
+        _ => tokens.iter().map(ToString::to_string).collect(),
+    }
+}
+
 /// The number of next tokens that form a unit; nothing if there is none.
 fn length(tokens: &[TokenTree]) -> Option<usize> {
     match tokens {
-        [TokenTree::Ident(name), rest @ ..] if is_unit(&name.to_string()) => Some(1 + exponent(rest)),
+        [TokenTree::Ident(name), rest @ ..] if is_unit(&name.to_string()) => {
+            // Not inches, if a unit follows.
+            let unit = if *name == "in" { length(rest) } else { None };
+            Some(1 + unit.unwrap_or_else(|| exponent(rest)))
+        }
         [TokenTree::Literal(one), slash, rest @ ..] if one.to_string() == "1" && is_punct(slash, '/') => {
             Some(2 + length(rest)?)
         }

@@ -44,6 +44,7 @@ fn likely_slips_are_understood() {
         ("0.025 cm^-1 * r^2", "convert the number to that of the others, and remove `cm^-1`"),
         ("sphere(1cm), order = 4", "convert the number to that of the others, and write it alone"),
         ("r^2 / cm", "convert the number to that of the others, and remove it and the operator before it"),
+        ("0.025 * r^2 in mm", "remove `in mm`"),
         ("0.025 * r^2 mm", "numbers have no units"),
         ("0.025/mm * r^2", "remove it and the operator before it"),
         ("0.025 * pow(r, 2)", "write `r^2`"),
