@@ -176,12 +176,12 @@ impl<T: Scalar, L: Load<T>> Load<T> for Unannounced<L> {
 
 /// A load that counts how often its history is searched.
 #[derive(Debug)]
-pub struct Counted<L> {
+pub struct CountingSearches<L> {
     load: L,
     searches: Cell<usize>,
 }
 
-impl<L> Counted<L> {
+impl<L> CountingSearches<L> {
     /// A load that has not been searched yet.
     pub fn new(load: L) -> Self {
         Self { load, searches: Cell::new(0) }
@@ -193,7 +193,7 @@ impl<L> Counted<L> {
     }
 }
 
-impl<L: Load<f64>> Load<f64> for Counted<L> {
+impl<L: Load<f64>> Load<f64> for CountingSearches<L> {
     fn force(&self, t: f64) -> f64 {
         self.load.force(t)
     }
@@ -217,5 +217,52 @@ impl<L: Load<f64>> Load<f64> for Counted<L> {
     fn recession(&self, chi: f64, t: f64) -> Option<f64> {
         self.searches.set(self.searches.get() + 1);
         self.load.recession(chi, t)
+    }
+}
+
+/// A load that counts how often it is asked for a force.
+#[derive(Debug)]
+pub struct CountingForces<L> {
+    load: L,
+    forces: Cell<usize>,
+}
+
+impl<L> CountingForces<L> {
+    /// A load that has not been asked yet.
+    pub fn new(load: L) -> Self {
+        Self { load, forces: Cell::new(0) }
+    }
+
+    /// How often it was asked since the last call.
+    pub fn forces(&self) -> usize {
+        self.forces.take()
+    }
+
+    fn count(&self) {
+        self.forces.set(self.forces.get() + 1);
+    }
+}
+
+impl<T: Scalar, L: Load<T>> Load<T> for CountingForces<L> {
+    fn force(&self, t: T) -> T {
+        self.count();
+        self.load.force(t)
+    }
+
+    fn impulse(&self, t: T) -> T {
+        self.load.impulse(t)
+    }
+
+    fn force_before(&self, t: T) -> T {
+        self.count();
+        self.load.force_before(t)
+    }
+
+    fn next_knot(&self, t: T) -> Option<T> {
+        self.load.next_knot(t)
+    }
+
+    fn is_linear_between_knots(&self) -> bool {
+        self.load.is_linear_between_knots()
     }
 }

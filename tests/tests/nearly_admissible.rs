@@ -2,13 +2,13 @@
 //! load integral moves the radius by a hundred thousand of its own roundings, and this must not shorten the steps of
 //! the load.
 
-use core::cell::Cell;
 use core::f64::consts::PI;
 
-use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, ContactError, GapProfile, Medium, gap_profile};
 use tests::budget;
 use tests::condition::{edge, of_radius, of_sizes};
+use tests::loads::{CountingForces, Unannounced};
 use tests::measure::Errors;
 
 /// δ₀′ = a (1 − 2 (a/7) + 1.000001 (a/7)²).
@@ -18,25 +18,8 @@ struct NearlyFlat;
 /// Where δ₀′/a is least.
 const FLATTEST: f64 = 7.0;
 
-/// A straight rise that does not say that it is straight.
-struct Rise {
-    last: f64,
-    forces: Cell<usize>,
-}
-
 /// The time at which the last force is reached and the pressure is taken.
 const END: f64 = 200.0;
-
-impl Load<f64> for Rise {
-    fn force(&self, t: f64) -> f64 {
-        self.forces.set(self.forces.get() + 1);
-        self.last * (0.5 + 0.5 * t / END)
-    }
-
-    fn impulse(&self, t: f64) -> f64 {
-        self.last * t * (0.5 + 0.25 * t / END)
-    }
-}
 
 #[test]
 fn pressures_are_those_of_a_straight_load_and_take_few_forces() -> Result<(), ContactError> {
@@ -45,18 +28,19 @@ fn pressures_are_those_of_a_straight_load_and_take_few_forces() -> Result<(), Co
     for end in [6.5, 6.9, 6.99, 6.998, 6.999, 7.0, 7.001, 7.01, 7.5] {
         // Y at the end is 1.225 times the force.
         let last = PI * medium.m() / 4.0 * NearlyFlat.load_integral(end) / 1.225;
-        let straight = PiecewiseLinear::new([(0.0, 0.5 * last), (END, last)])?;
-        let straight = Contact::new(NearlyFlat, medium, straight)?;
-        let curved = Contact::new(NearlyFlat, medium, Rise { last, forces: Cell::new(0) })?;
+        let load = PiecewiseLinear::new([(0.0, 0.5 * last), (END, last)])?;
+        let straight = Contact::new(NearlyFlat, medium, &load)?;
+        // Followed like a load that is not straight.
+        let curved = Contact::new(NearlyFlat, medium, CountingForces::new(Unannounced(&load)))?;
         let (expected, found) = (straight.at(END)?, curved.at(END)?);
         let a = expected.radius();
         // Radii that the contact has passed count too: the condition is that at the flattest of them.
         let condition = of_radius(&NearlyFlat, &of_sizes(&NearlyFlat::TERMS), a.min(FLATTEST));
         for share in [0.0, 0.5, 0.9, 0.99, 0.999, 0.99999] {
-            curved.load().forces.set(0);
+            curved.load().forces();
             let r = share * a;
             errors.add(found.pressure(r), expected.pressure(r), condition * edge(a, r), &(end, share));
-            let forces = curved.load().forces.get();
+            let forces = curved.load().forces();
             assert!(forces < 5000, "{end}, {share}: {forces} forces");
         }
     }

@@ -3,7 +3,7 @@
 use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Scalar};
 use tests::joint::joint;
-use tests::loads::{Counted, Rise, histories};
+use tests::loads::{CountingSearches, Rise, histories};
 use tests::profiles::{MixedSign, Oblate, Patellofemoral, RealPowers, SixTerm};
 
 const CHI: f64 = 0.0015;
@@ -37,7 +37,7 @@ fn radii_under_every_history() {
 #[test]
 fn a_history_is_searched_once_for_all_times() {
     for (name, load) in histories(CHI) {
-        let load = Counted::new(load);
+        let load = CountingSearches::new(load);
         let contact = joint(Patellofemoral, CHI, &load);
         let times: Vec<f64> = (0..6400).map(|k| f64::from(k) * 0.3).collect();
         assert_eq!(contact.radii(&times, &mut vec![0.0; times.len()]), Ok(()), "{name}");
@@ -49,7 +49,7 @@ fn a_history_is_searched_once_for_all_times() {
 #[test]
 fn a_history_is_searched_once_for_all_rows_of_a_field() {
     for force in [100.0, 1e-200] {
-        let load = Counted::new(Rise { start: force, rise: force, rate: 0.01 });
+        let load = CountingSearches::new(Rise { start: force, rise: force, rate: 0.01 });
         let contact = joint(Patellofemoral, CHI, &load);
         let times: Vec<f64> = (0..64).map(|k| f64::from(k) * 3.0).collect();
         assert_eq!(contact.pressure_field(&times, &[0.0], &mut vec![0.0; times.len()]), Ok(()), "{force}");

@@ -1,13 +1,11 @@
 //! Loads that are straight between their knots are refused if they fall faster than the contact can follow, in however
 //! many pieces, and no others are.
 
-use core::cell::Cell;
-
 use cartcontact::load::{Load, PiecewiseLinear};
-use cartcontact::{ContactError, Scalar};
+use cartcontact::ContactError;
 use tests::budget;
 use tests::joint::joint;
-use tests::loads::{Announced, through};
+use tests::loads::{Announced, CountingForces, through};
 use tests::profiles::Paraboloid;
 use tests::random::Stream;
 
@@ -186,36 +184,6 @@ fn a_load_at_the_bound_may_have_any_number_of_knots() {
     }
 }
 
-/// A user-defined load that says that it is straight, and counts how often it is asked for a force.
-struct Straight<L> {
-    load: L,
-    asked: Cell<usize>,
-}
-
-impl<T: Scalar, L: Load<T>> Load<T> for Straight<L> {
-    fn force(&self, t: T) -> T {
-        self.asked.set(self.asked.get() + 1);
-        self.load.force(t)
-    }
-
-    fn impulse(&self, t: T) -> T {
-        self.load.impulse(t)
-    }
-
-    fn force_before(&self, t: T) -> T {
-        self.asked.set(self.asked.get() + 1);
-        self.load.force_before(t)
-    }
-
-    fn next_knot(&self, t: T) -> Option<T> {
-        self.load.next_knot(t)
-    }
-
-    fn is_linear_between_knots(&self) -> bool {
-        true
-    }
-}
-
 #[test]
 fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
     let mut stream = Stream::of_case(14, 1);
@@ -236,7 +204,7 @@ fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
             }
         }
         let load = through(&knots);
-        let own = Straight { load: &load, asked: Cell::new(0) };
+        let own = CountingForces::new(&load);
         for t in [0.0, 0.3 * time, 0.77 * time, time, 2.0 * time + 1.0] {
             let (expected, found) = (load.recession(CHI, t), own.recession(CHI, t));
             assert_eq!(expected.is_some(), found.is_some(), "{case}, {t}: {knots:?}");
@@ -246,12 +214,13 @@ fn straight_loads_of_a_users_own_are_judged_by_their_pieces() {
         }
     }
     let single = sampled(1.5e-3, 20_000, |force, folds| force / (1.0 + 1.5 * folds));
-    let own = Straight { load: &single, asked: Cell::new(0) };
+    let own = CountingForces::new(&single);
     assert_eq!(own.recession(1.5e-3, 19.0), single.recession(1.5e-3, 19.0));
     let clamped = sampled(1.5e-3, 20_000, |force, folds| force / (1.0 + folds));
-    let own = Straight { load: &clamped, asked: Cell::new(0) };
+    let own = CountingForces::new(&clamped);
     assert_eq!(own.recession(1.5e-3, 30.0), None);
-    assert!(own.asked.get() < 50_000, "{}", own.asked.get());
+    let forces = own.forces();
+    assert!(forces < 50_000, "{forces}");
 }
 
 /// P = P₀ F/F₀ where the edge stands still; the roundings of its place must not add up.

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::{Counted, Rise, histories, through};
+use tests::loads::{CountingSearches, Rise, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, Patellofemoral, cases};
@@ -85,7 +85,7 @@ fn the_edge_carries_nothing() -> Result<(), ContactError> {
 fn a_history_is_searched_twice_for_any_number_of_rows() -> Result<(), ContactError> {
     let times: Vec<f64> = (0..1000).map(|k| f64::from(k) * 0.1 / CHI).collect();
     for (name, load) in histories(CHI) {
-        let (load, radii) = (Counted::new(load), grid(4));
+        let (load, radii) = (CountingSearches::new(load), grid(4));
         let contact = joint(Patellofemoral, CHI, &load);
         contact.pressure_field(&times, &radii, &mut vec![0.0; times.len() * radii.len()])?;
         assert_eq!(load.searches(), 2, "{name}");
