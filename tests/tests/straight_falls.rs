@@ -1,8 +1,8 @@
 //! Loads that are straight between their knots are refused if they fall faster than the contact can follow, in however
 //! many pieces, and no others are.
 
-use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::ContactError;
+use cartcontact::load::{Load, PiecewiseLinear};
 use tests::budget;
 use tests::joint::joint;
 use tests::loads::{Announced, CountingForces, through};
