@@ -11,9 +11,10 @@
 //! Iliman, T. de Wolff, Res. Math. Sci. 3 (2016), doi 10.1186/s40687-016-0052-2, call the right-hand side the circuit
 //! number).
 //!
-//! **Bounds.** Below x₀, where each of the N−1 other terms is less than 1/N of the first, f > 0. Above x₁, where each
-//! is less than 1/N of the last, f has the sign of the last term. So the march runs from x₀ to x₁, or without end if
-//! the last coefficient is negative: then there is a zero.
+//! **Bounds.** Below x₀, where each of the N negative terms is less than 1/(N+1) of the first term, f > 0; so it is above
+//! x₁, where each is less than 1/(N+1) of the last term, if that is positive. So the march runs from x₀ to x₁, or
+//! without end if the last coefficient is negative: then there is a zero. Positive terms do not count here: one whose
+//! exponent is next to the first may outweigh it down to radii that no format has.
 //!
 //! **Termination.** Near a simple zero h is a Newton step; near a double zero, or a minimum just above zero, the
 //! distance shrinks by a constant factor; elsewhere f is bounded below on the compact interval and so is h. The march
@@ -149,21 +150,29 @@ impl<T: Scalar> Slope<'_, T> {
         })
     }
 
-    /// x₀: every other term is below 1/N of the first.
-    fn first_term_dominates_up_to(&self, first: T) -> T {
-        let count = self.count();
-        self.exponentials()
-            .filter(|&(_, k)| k > T::zero())
-            .fold(T::infinity(), |x, (d, k)| x.min((first.ln() - count.ln() - d.abs().ln()) / k))
+    /// The negative exponentials, and the logarithm of one more than their number.
+    fn negative_exponentials(&self) -> (impl Iterator<Item = (T, T)> + Clone + '_, T) {
+        let negative = self.exponentials().filter(|&(d, _)| d < T::zero());
+        let count: T = from_single((negative.clone().count() + 1) as f32);
+        (negative, count.ln())
     }
 
-    /// x₁: every other term is below 1/N of the last; none if the last coefficient is not positive.
+    /// x₀: every negative term is below 1/(N+1) of the first.
+    fn first_term_dominates_up_to(&self, first: T) -> T {
+        let (negative, log_count) = self.negative_exponentials();
+        negative
+            .filter(|&(_, k)| k > T::zero())
+            .fold(T::infinity(), |x, (d, k)| x.min((first.ln() - log_count - d.abs().ln()) / k))
+    }
+
+    /// x₁: every negative term is below 1/(N+1) of the last; none if the last coefficient is not positive.
     fn last_term_dominates_from(&self, span: T) -> Option<T> {
-        let (last, count) = (self.least_coefficient(span), self.count());
+        let (negative, log_count) = self.negative_exponentials();
+        let last = self.least_coefficient(span);
         (last > T::zero()).then(|| {
-            self.exponentials()
+            negative
                 .filter(|&(_, k)| k < span)
-                .fold(-T::infinity(), |x, (d, k)| x.max((count.ln() + d.abs().ln() - last.ln()) / (span - k)))
+                .fold(-T::infinity(), |x, (d, k)| x.max((log_count + d.abs().ln() - last.ln()) / (span - k)))
         })
     }
 

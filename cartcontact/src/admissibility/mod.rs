@@ -316,6 +316,16 @@ mod tests {
         }
     }
 
+    /// r², r^(2+h) and r⁴ with 2 C n/(n+2) = 1/50, 1 and −51/50: the second term outweighs the first down to 50^(−1/h).
+    #[test]
+    fn exponents_next_to_the_first_do_not_shorten_the_range() {
+        for h in [0.1, 0.01, 1e-3, 1e-4, 1e-5] {
+            let terms = [(0.02, 2.0), ((4.0 + h) / (4.0 + 2.0 * h), 2.0 + h), (-0.75 * 1.02, 4.0)];
+            // The rounding of the coefficients moves the zero.
+            assert_ends_at(&terms, 1.0 + 1e-15, 1e-13);
+        }
+    }
+
     #[test]
     fn powers_below_the_format_are_not_taken_for_nothing() {
         // The zero is at 1e-300, and at 1e-25.
