@@ -91,6 +91,19 @@ def behind_a_rest(r):
     return pressure(mpf(99), force, lambda s: mpf("1.5") * s ** mpf("0.5"), impulse, borders, r=r)
 
 
+def two_rises(t):
+    """(t − 1)^1.5, and 50 N more in some hundredths around 2 s, in the time since the knot."""
+    t, width = mpf(t) - 1, mpf("0.005")
+    share = lambda s: 1 / (1 + exp((1 - s) / width))
+    force = lambda s: s ** mpf("1.5") + 50 * share(s)
+    rate = lambda s: mpf("1.5") * s ** mpf("0.5") + 50 / width * share(s) * (1 - share(s))
+    softplus = lambda x: log1p(exp(x)) if x < 0 else x + log1p(exp(-x))
+    impulse = lambda s: s ** mpf("2.5") / mpf("2.5") + 50 * width * (softplus((s - 1) / width) - softplus(-1 / width))
+    borders = [0, 0.1, 0.5, 0.8] + [1 + k * width for k in (-20, -12, -7, -4, -2, -1, 0, 1, 2, 4, 7, 12, 20)]
+    borders = [border for border in borders if border < t] + [t]
+    return pressure(t, force, rate, impulse, borders, power=2)
+
+
 for time in ["0.5", "1", "3"]:
     show(f"half a cosine, {time} s", half_a_cosine(time))
 for time in ["50", "300", "1000", "1100"]:
@@ -103,3 +116,5 @@ for exponent in [20, 30]:
     show(f"t^{exponent}, 1 s", high_power(exponent))
 for distance in [1, 3]:
     show(f"behind a rest, 100 s, {distance} mm", behind_a_rest(distance))
+for time in ["2.1", "3"]:
+    show(f"two rises, {time} s", two_rises(time))

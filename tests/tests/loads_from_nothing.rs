@@ -10,7 +10,7 @@ use cartcontact::load::Load;
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::CountingForces;
+use tests::loads::{CountingForces, Unannounced, through};
 use tests::profiles::Patellofemoral;
 
 const CHI: f64 = 0.02;
@@ -181,6 +181,36 @@ fn rises_behind_a_rest_take_few_forces_off_the_axis() -> Result<(), ContactError
         assert_near(now.pressure(r), expected, allowed);
         // The limit is four times the number that it takes.
         assert!(contact.load().forces.get() < 5000, "{r}: {}", contact.load().forces.get());
+    }
+    Ok(())
+}
+
+/// What happens after a load has begun is followed as closely as if it were all: short steps behind the beginning, which
+/// only see how times are rounded, do not make later steps longer.
+#[test]
+fn a_late_beginning_hides_nothing_behind_it() -> Result<(), ContactError> {
+    let since = |t: f64| (t - 1.0).max(0.0);
+    let softplus = |x: f64| x.max(0.0) + (-x.abs()).exp().ln_1p();
+    let force = move |t: f64| since(t).powf(1.5) + 50.0 / (1.0 + ((2.0 - t) / 0.005).exp());
+    let impulse = move |t: f64| since(t).powf(2.5) / 2.5 + 0.25 * softplus((t - 2.0) / 0.005);
+    for (t, expected) in [(2.1, 1.160_287_103_504_665_5), (3.0, 1.179_098_243_805_098_6)] {
+        assert_near(peak(t, CHI, (force, impulse), 1.0)?, expected, 16.0 * f64::EPSILON);
+    }
+    // Two kinks that no knot reports, the first of them at a force of zero.
+    for start in [0.1, 1.0, 33.3] {
+        let ramp = through(&[(0.0, 0.0), (start, 0.0), (2.0 * start, 100.0 * start)]);
+        for chi in [CHI, 1.5e-3, 0.1, 1.0].map(|chi| chi / start) {
+            let (told, untold) =
+                (joint(Patellofemoral, chi, &ramp), joint(Patellofemoral, chi, Unannounced(&ramp)));
+            for t in [1.5, 2.01, 3.0, 7.0, 30.0].map(|share| share * start) {
+                let (told, untold) = (told.at(t)?, untold.at(t)?);
+                for share in [0.0, 0.01, 0.5] {
+                    let r = share * told.radius();
+                    let allowed = 2.0 * budget::PRESSURE.double * edge(1.0, share) * f64::EPSILON;
+                    assert_near(untold.pressure(r), told.pressure(r), allowed);
+                }
+            }
+        }
     }
     Ok(())
 }

@@ -7,7 +7,9 @@
 //! march ends; where forces near zero are rounding, the first bound [grows](Shortest).
 //!
 //! **Jumps and kinks that no knot reports** are polynomials in no step. Because of them a limited number of steps is
-//! halved further, down to roundings of the time; a force that is still no polynomial then has a jump.
+//! halved further, down to roundings of the time; a force that is still no polynomial then has a jump. Behind it steps
+//! grow again, resolved or not, up to the length that any number of steps may have: next to an instant at which a load
+//! rises from zero, short ones only see how times are rounded.
 //!
 //! Drainage follows from the force wherever a step resolves it, so that the two results agree in the end even if the
 //! impulse is that of another load.
@@ -37,13 +39,15 @@ struct Pace<T> {
     least: T,
     /// How many more steps may be shorter than `shortest`.
     halvings: u32,
+    /// Whether the step before could not be shortened enough.
+    follows_given_up: bool,
 }
 
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
         let least = least_step(end);
         let shortest = Shortest::of((duration * T::constant(SHORTEST_SHARE)).max(least));
-        Self { step: duration, shortest, least, halvings: MOST_HALVINGS }
+        Self { step: duration, shortest, least, halvings: MOST_HALVINGS, follows_given_up: false }
     }
 
     /// The end of a step that begins at `start`; no rest that is too short to divide may be left before `end`.
@@ -59,7 +63,8 @@ impl<T: Scalar> Pace<T> {
     /// False if the step may not be shortened.
     fn halve(&mut self) -> bool {
         let is_long = self.is_long();
-        if !is_long && (self.step <= self.least || self.halvings == 0) {
+        let is_last = self.step <= self.least || self.halvings == 0 || self.follows_given_up;
+        if !is_long && is_last {
             return false;
         }
         self.halvings -= u32::from(!is_long);
@@ -68,14 +73,22 @@ impl<T: Scalar> Pace<T> {
         true
     }
 
+    /// Goes on after a step that is resolved.
     fn double(&mut self) {
         self.step += self.step;
+        self.follows_given_up = false;
     }
 
     /// Goes on after a step that could not be shortened.
+    ///
+    /// The next one may not be much shorter. After a jump it is resolved. But behind an instant at which a load rises
+    /// from zero, all that short steps see is how times are rounded: they have to grow beyond that.
     fn give_up(&mut self) {
-        self.shortest.give_up();
+        if self.step >= self.shortest.length() {
+            self.shortest.give_up();
+        }
         self.double();
+        self.follows_given_up = true;
     }
 }
 
