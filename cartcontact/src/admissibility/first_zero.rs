@@ -22,8 +22,8 @@
 //! the march stands: never too long, at worst too short.
 //!
 //! **Rounding.** Each d has three roundings, each k one. What these and all others may add to a result is subtracted
-//! from it, so that a range never ends beyond the zero; terms that cancel may leave no range. Every rounding counts ε, of
-//! which it has half, so that the rounding of these bounds themselves is covered.
+//! from it, so that a range never ends beyond the zero; terms that cancel may leave no range. Every rounding, of ε/2,
+//! counts ε: that covers the roundings of these bounds themselves.
 
 use crate::Scalar;
 use crate::scalar::{from_single, smallest_normal};

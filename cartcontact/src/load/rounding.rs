@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | 8 ε | a fall of the force along a piece, or of the hereditary load in a panel | forces, impulses and their sum are each rounded once or twice when a record is made and when it is followed |
 //! | 64 ε | a force or an impulse that a user-defined load computes | its formula may have a dozen roundings, and lose some bits by cancellation |
-//! | √ε | impulses, and the sum of allowed falls | an impulse may be the result of a quadrature; what is less than half of the digits of a pressure off is no other load |
+//! | √ε | impulses, and the sum of allowed falls | an impulse may be the result of a quadrature; falls add up along a record, and such a share of the force still changes pressures little |
 
 use crate::Scalar;
 use crate::scalar::{from_single, smallest_normal};

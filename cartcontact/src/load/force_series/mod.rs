@@ -15,8 +15,8 @@
 //!
 //! | it is | if it leaves out | a step of pressures |
 //! |---|---|---|
-//! | loose | more than rounding | is shortened as long as it is long |
-//! | rough | more than √ε of the force | is shortened down to roundings of the time |
+//! | loose | more than rounding | is shortened, down to 2⁻²⁰ of the time between knots |
+//! | rough | more than √ε of the force | is shortened further, down to roundings of the time |
 //! | unresolved | as much as it has: the coefficients do not fall | is taken for a jump, if it can be no shorter |
 
 mod chebyshev;
