@@ -88,6 +88,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::four_terms(FourTerm)]
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
 #[bench::two_terms_with_a_field(Ball { radius: 20.0 })]
+#[bench::two_terms_with_a_field_outside_the_table(Ball { radius: 2e4 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
 #[bench::three_halves_with_three_fields(ThreeFieldsOfHalves { b: 0.02, c: 1e-4, d: 2e-6 })]

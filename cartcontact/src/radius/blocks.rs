@@ -43,8 +43,8 @@ impl Table {
     }
 }
 
-/// Fills the radii of many load integrals. `leading` solves as many as it can, in vector code; `general` then solves
-/// the next `block` one by one, and so on. Fewer than `least` are left to `general`.
+/// Fills the radii of many load integrals. `leading` solves as many as it can, in vector code, and is asked again for the
+/// rest; where it solves none, `general` solves the next `block` one by one. Fewer than `least` are left to `general`.
 ///
 /// # Errors
 ///
@@ -68,11 +68,12 @@ pub(super) fn fill<T: Scalar>(
         } else {
             0
         };
-        let end = radii.len().min(found + block);
-        for (radius, &load_integral) in radii[found..end].iter_mut().zip(&load_integrals[found..end]) {
-            *radius = general(load_integral)?;
+        if found == 0 {
+            for (radius, &load_integral) in radii.iter_mut().zip(load_integrals).take(block) {
+                *radius = general(load_integral)?;
+            }
         }
-        start += end;
+        start += if found == 0 { block } else { found };
     }
     Ok(())
 }
