@@ -181,3 +181,37 @@ fn take_steps<'a, T: Scalar, S: Step<T>, const N: usize>(
         *radius = step.radius(row, start, load_integral);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+
+    use super::*;
+
+    /// How many of 100 numbers are solved one by one if a block of 16 at a time is solved, unless it holds one of these.
+    fn solved_one_by_one(unsolvable: &[f64]) -> usize {
+        let targets: Vec<f64> = (0..100).map(f64::from).collect();
+        let (mut radii, count) = (vec![-1.0; 100], Cell::new(0));
+        let leading = |targets: &[f64], radii: &mut [f64]| {
+            leading_blocks::<_, 16>(&targets[..16], radii, |targets, radii| {
+                *radii = *targets;
+                !targets.iter().any(|target| unsolvable.contains(target))
+            })
+        };
+        let general = |target| {
+            count.set(count.get() + 1);
+            Ok(target)
+        };
+        assert_eq!(fill((&targets, &mut radii), (16, 16), leading, general), Ok(()));
+        assert_eq!(radii, targets);
+        count.get()
+    }
+
+    #[test]
+    fn only_blocks_that_fail_are_solved_one_by_one() {
+        // The last four are no block.
+        assert_eq!(solved_one_by_one(&[]), 4);
+        assert_eq!(solved_one_by_one(&[20.0]), 20);
+        assert_eq!(solved_one_by_one(&[0.0, 50.0, 51.0]), 36);
+    }
+}
