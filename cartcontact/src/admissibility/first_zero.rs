@@ -54,8 +54,18 @@ impl<T: Scalar> Slope<'_, T> {
         self.terms.iter().map(shifted).filter(|(d, _)| !d.is_zero())
     }
 
+    fn negative_exponentials(&self) -> impl Iterator<Item = (T, T)> + Clone + '_ {
+        self.exponentials().filter(|&(d, _)| d < T::zero())
+    }
+
     fn count(&self) -> T {
         from_single(self.exponentials().count() as f32)
+    }
+
+    /// ln N, and ln (N+1).
+    fn logarithms_of_negative_count(&self) -> [T; 2] {
+        let count = self.negative_exponentials().count();
+        [count, count + 1].map(|count| from_single::<T>(count as f32).ln())
     }
 
     /// A lower bound of the coefficient d of an exponent: terms of the same exponent may cancel.
@@ -74,7 +84,7 @@ impl<T: Scalar> Slope<'_, T> {
         // The rounding of k, in the power.
         let per_exponent = T::default_epsilon() * radius.ln().abs();
         let negative =
-            self.exponentials().filter(|&(d, k)| d < zero && !k.is_zero()).fold(zero, |sum, (d, k)| {
+            self.negative_exponentials().filter(|&(_, k)| !k.is_zero()).fold(zero, |sum, (d, k)| {
                 // The power may be too small for its format.
                 sum - d * radius.powf(k).max(smallest_normal()) * (one + rounding + per_exponent * k)
             });
@@ -136,11 +146,11 @@ impl<T: Scalar> Slope<'_, T> {
         if last <= zero {
             return false;
         }
-        let count: T = from_single(self.exponentials().filter(|&(d, _)| d < zero).count() as f32);
-        let (log_first, log_last, log_count) = (first.ln(), last.ln(), count.ln());
+        let (log_first, log_last) = (first.ln(), last.ln());
+        let [log_count, _] = self.logarithms_of_negative_count();
         // Six logarithms, and some ten operations with numbers no larger than `size`.
         let rounding = T::default_epsilon() * T::constant(16.0);
-        self.exponentials().filter(|&(d, _)| d < zero).all(|(d, k)| {
+        self.negative_exponentials().all(|(d, k)| {
             let weight = k / span;
             let rest = one - weight;
             let (of_first, of_last) = (rest * (log_first - rest.ln()), weight * (log_last - weight.ln()));
@@ -150,27 +160,20 @@ impl<T: Scalar> Slope<'_, T> {
         })
     }
 
-    /// The negative exponentials, and the logarithm of one more than their number.
-    fn negative_exponentials(&self) -> (impl Iterator<Item = (T, T)> + Clone + '_, T) {
-        let negative = self.exponentials().filter(|&(d, _)| d < T::zero());
-        let count: T = from_single((negative.clone().count() + 1) as f32);
-        (negative, count.ln())
-    }
-
     /// x₀: every negative term is below 1/(N+1) of the first.
     fn first_term_dominates_up_to(&self, first: T) -> T {
-        let (negative, log_count) = self.negative_exponentials();
-        negative
+        let [_, log_count] = self.logarithms_of_negative_count();
+        self.negative_exponentials()
             .filter(|&(_, k)| k > T::zero())
             .fold(T::infinity(), |x, (d, k)| x.min((first.ln() - log_count - d.abs().ln()) / k))
     }
 
     /// x₁: every negative term is below 1/(N+1) of the last; none if the last coefficient is not positive.
     fn last_term_dominates_from(&self, span: T) -> Option<T> {
-        let (negative, log_count) = self.negative_exponentials();
+        let [_, log_count] = self.logarithms_of_negative_count();
         let last = self.least_coefficient(span);
         (last > T::zero()).then(|| {
-            negative
+            self.negative_exponentials()
                 .filter(|&(_, k)| k < span)
                 .fold(-T::infinity(), |x, (d, k)| x.max((log_count + d.abs().ln() - last.ln()) / (span - k)))
         })

@@ -60,7 +60,7 @@ pub(super) fn fill<T: Scalar>(
     let mut start = 0;
     while start < radii.len() {
         let (load_integrals, radii) = (&load_integrals[start..], &mut radii[start..]);
-        let found = if radii.len() >= least {
+        let mut found = if radii.len() >= least {
             wide(
                 #[inline(always)]
                 || leading(load_integrals, radii),
@@ -72,8 +72,9 @@ pub(super) fn fill<T: Scalar>(
             for (radius, &load_integral) in radii.iter_mut().zip(load_integrals).take(block) {
                 *radius = general(load_integral)?;
             }
+            found = block;
         }
-        start += if found == 0 { block } else { found };
+        start += found;
     }
     Ok(())
 }

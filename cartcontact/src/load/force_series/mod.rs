@@ -19,6 +19,7 @@
 //! | rough | more than √ε of the force | is shortened further, down to roundings of the time |
 //! | unresolved | as much as it has: the coefficients do not fall | is taken for a jump, if it can be no shorter |
 
+mod age;
 mod chebyshev;
 
 use super::Load;
@@ -274,48 +275,6 @@ impl<T: Scalar> ForceSeries<T> {
         rounding_within_load(self.size) + change * (end / self.duration) * T::default_epsilon()
     }
 
-    /// How much smaller the hereditary load was some e-foldings before the end than at the end, and how much it grew
-    /// per e-folding then.
-    pub(crate) fn shortfall(&self, folds: T) -> (T, T) {
-        let per_fold = T::constant(2.0) / self.folds;
-        let before_end = folds * per_fold;
-        let here = self.at(T::one() - before_end);
-        (before_end * here.mean_growth, here.growth * per_fold)
-    }
-
-    /// How long before the end the hereditary load was smaller by `deficit`.
-    pub(crate) fn age(&self, deficit: T) -> T {
-        self.folds_since(deficit) / self.folds * self.duration
-    }
-
-    /// Newton's method in a bracket, which is halved where a step would leave it. It ends with the step after which
-    /// only rounding is left, so that derivatives are those of the root, and after 60 steps at the latest.
-    ///
-    /// A rounded radius may belong to a time just outside the step.
-    fn folds_since(&self, deficit: T) -> T {
-        let margin = self.folds * T::constant(1.0 / 64.0);
-        let (mut low, mut high) = (-margin, self.folds + margin);
-        let gain = self.gain();
-        let noise = (gain.abs() + deficit.abs()) * T::default_epsilon();
-        let mut folds = if gain > T::zero() { self.folds * (deficit / gain) } else { T::zero() };
-        folds = folds.max(low).min(high);
-        for _ in 0..60 {
-            let (found, rate) = self.shortfall(folds);
-            let excess = found - deficit;
-            if excess < T::zero() {
-                low = folds;
-            } else {
-                high = folds;
-            }
-            let next = folds - excess / rate;
-            folds = if low <= next && next <= high { next } else { (low + high) * T::constant(0.5) };
-            if excess.abs() <= noise || high - low <= high * T::default_epsilon() {
-                break;
-            }
-        }
-        folds
-    }
-
     fn at(&self, x: T) -> Local<T> {
         let mut local = Local { growth: self.growth[0], mean_growth: self.mean_growth[0] };
         let (mut before, mut value) = (T::one(), x);
@@ -336,54 +295,6 @@ fn largest<T: Scalar>(numbers: &[T]) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// F = e^(−t): Y at the age z before the end is larger by F(end) (1 − χ) (e^z − 1).
-    struct Fall;
-
-    impl Load<f64> for Fall {
-        fn force(&self, t: f64) -> f64 {
-            (-t).exp()
-        }
-
-        fn impulse(&self, t: f64) -> f64 {
-            -(-t).exp_m1()
-        }
-    }
-
-    #[test]
-    fn ages_are_right_to_the_rounding_of_the_force() {
-        for chi in [1.5, 4.0, 1000.0] {
-            let (start, end) = (2.0, 2.5);
-            let series = ForceSeries::between(&Fall, (start, end), chi);
-            assert!(!series.is_rough());
-            for age in [0.0, 1e-12, 1e-6, 1e-3, 0.1, 0.37, 0.5] {
-                let deficit = Fall.force(end) * (chi - 1.0) * f64::exp_m1(age);
-                let (found, rate) = series.shortfall(chi * age);
-                let scale = Fall.force(end - age) * (1.0 + chi * age) * f64::EPSILON;
-                assert!((found - deficit).abs() < 8.0 * scale, "{chi}, {age}: {found:e}, {deficit:e}");
-                let exact_rate = Fall.force(end - age) * (chi - 1.0) / chi;
-                assert!((rate / exact_rate - 1.0).abs() < 1e-12, "{chi}, {age}: {rate:e}, {exact_rate:e}");
-                let error = chi * (series.age(deficit) - age) * rate;
-                assert!(error.abs() < 8.0 * scale, "{chi}, {age}: {error:e}");
-            }
-            let (impulse, uncertainty) = series.impulse();
-            let exact = Fall.force(end) * f64::exp_m1(end - start);
-            assert!(
-                (impulse / exact - 1.0).abs() < 1e-15 && uncertainty < 1e-15 * exact,
-                "{impulse:e}, {exact:e}"
-            );
-        }
-    }
-
-    #[test]
-    fn a_held_force_has_ages_to_the_last_digit() {
-        let load = crate::load::Constant(70.0);
-        let series = ForceSeries::between(&load, (1e6, 1.5e6), 0.02);
-        for age in [1e-9, 0.3, 1e3, 4e5] {
-            let found: f64 = series.age(0.02 * age * 70.0);
-            assert!((found / age - 1.0).abs() < 4.0 * f64::EPSILON, "{age}: {found}");
-        }
-    }
 
     #[test]
     fn a_kink_is_rough() {
