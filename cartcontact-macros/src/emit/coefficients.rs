@@ -10,8 +10,8 @@ use super::operations::Operations;
 use super::power_sum::exponent;
 use super::{Names, bounded_generics, local};
 use crate::closed_forms::{Factor, PowerSum, Summand};
-use crate::gap::Term;
 use crate::gap::coefficient::{Coefficient, Sign};
+use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
 use crate::number::{self, Rational};
 use crate::reading::field::{Field, FieldKind};
@@ -41,6 +41,10 @@ pub(super) struct Coefficients<'a> {
 impl<'a> Coefficients<'a> {
     pub(super) fn new(item: &'a Item, geometry: &'a Geometry, names: &'a Names) -> Self {
         Self { item, geometry, names, digits: Digits::OfAWord }
+    }
+
+    pub(super) fn gap(&self) -> &'a Gap {
+        &self.geometry.gap
     }
 
     /// The same for sums that are rounded once: with twice the digits, unless all their factors are constants or fields

@@ -21,18 +21,16 @@ const HIGHEST_DENSE_POWER: u32 = 80;
 
 /// The methods that invert J.
 pub(super) fn methods(
-    geometry: &Geometry,
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
 ) -> TokenStream {
-    let names = coefficients.names;
-    let (gap, preamble) = (&geometry.gap, coefficients.preamble());
+    let (names, gap, preamble) = (coefficients.names, coefficients.gap(), coefficients.preamble());
     let Names { krate, scalar, load_integral, limit, .. } = names;
-    let general = outside_table(gap, forms, start, coefficients);
-    let (found, radii) = start.map(|start| from_start(gap, forms, start, coefficients)).unzip();
-    let unlimited = found.as_ref().filter(|_| is_admissible_in_table(geometry, start));
-    let unlimited = unlimited.map(|found| unlimited_radius(found, gap, forms, coefficients));
+    let general = outside_table(forms, start, coefficients);
+    let (found, radii) = start.map(|start| from_start(forms, start, coefficients)).unzip();
+    let unlimited = found.as_ref().filter(|_| is_admissible_in_table(coefficients.geometry, start));
+    let unlimited = unlimited.map(|found| unlimited_radius(found, forms, coefficients));
     let radius = match found {
         Some(found) => found_or_general(&found, &general, names),
         None => general,
@@ -81,7 +79,6 @@ fn quick_radii(gap: &Gap, forms: &ClosedForms, start: Option<&Start>, names: &Na
 
 /// The radius from its start, and the radii of a slice if they are found in a way of their own.
 fn from_start(
-    gap: &Gap,
     forms: &ClosedForms,
     start: &Start,
     coefficients: &Coefficients<'_>,
@@ -92,7 +89,7 @@ fn from_start(
             (radius, Some(radii))
         }
         Start::Seeds(found) => {
-            let is_beside = has_leading_term_beside_seeds(gap);
+            let is_beside = has_leading_term_beside_seeds(coefficients.gap());
             let solve = is_beside.then(|| leading_term::solve(forms, coefficients)).flatten();
             let [radius, radii] =
                 seeds::radius_and_radii(found, &forms.stepped, solve.as_ref(), coefficients);
@@ -129,14 +126,13 @@ fn is_admissible_in_table(geometry: &Geometry, start: Option<&Start>) -> bool {
 /// The radius without a requested limit, from the table before the end of the range is searched for.
 fn unlimited_radius(
     found: &TokenStream,
-    gap: &Gap,
     forms: &ClosedForms,
     coefficients: &Coefficients<'_>,
 ) -> TokenStream {
     let names = coefficients.names;
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
     let within = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
-    let (anew, within) = if has_leading_term_beside_seeds(gap) {
+    let (anew, within) = if has_leading_term_beside_seeds(coefficients.gap()) {
         // Before the table is tried again. The coefficients are computed anew: what the cold call sees is kept in memory,
         // and all that the table needs would be computed again for each of many radii.
         let found = leading_term::radius(forms, coefficients);
@@ -162,17 +158,12 @@ fn unlimited_radius(
 
 /// The radius where the start does not lead to it: outside the rows of a table of seeds, from the leading term if there
 /// may be one.
-fn outside_table(
-    gap: &Gap,
-    forms: &ClosedForms,
-    start: Option<&Start>,
-    coefficients: &Coefficients<'_>,
-) -> TokenStream {
-    let general = general(gap, forms, coefficients);
-    if !(matches!(start, Some(Start::Seeds(_))) && may_have_leading_term(gap)) {
+fn outside_table(forms: &ClosedForms, start: Option<&Start>, coefficients: &Coefficients<'_>) -> TokenStream {
+    let general = general(forms, coefficients);
+    if !(matches!(start, Some(Start::Seeds(_))) && may_have_leading_term(coefficients.gap())) {
         return general;
     }
-    let found = if has_leading_term_beside_seeds(gap) {
+    let found = if has_leading_term_beside_seeds(coefficients.gap()) {
         leading_term::radius(forms, coefficients)
     } else {
         leading_term::radius_of_real_powers(forms, coefficients)
@@ -181,15 +172,15 @@ fn outside_table(
 }
 
 /// The radius of any load integral, whatever the geometry.
-fn general(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+fn general(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    match gap.terms.as_slice() {
+    match coefficients.gap().terms.as_slice() {
         [only] if (&only.exponent * integer(4)).is_integer() => {
             let Names { load_integral, limit, .. } = names;
             let (invert, terms) = (names.generated("invert_one_term"), coefficients.terms());
             quote!(#invert(#load_integral, #(#terms)*, #limit))
         }
-        _ => newton(gap, forms, coefficients),
+        _ => newton(forms, coefficients),
     }
 }
 
@@ -221,11 +212,11 @@ fn radii_within(radii: &TokenStream, coefficients: &Coefficients<'_>) -> TokenSt
     }
 }
 
-fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+fn newton(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
     let (invert, zero) = (names.generated("invert"), names.number(&Rational::zero()));
     let evaluate = value_and_log_slope(forms, coefficients);
-    let positive = positive_terms(gap, coefficients);
+    let positive = positive_terms(coefficients);
     let has_negative = match coefficients.of_uncertain_sign() {
         None => quote!(true),
         Some(none) if none.is_empty() => quote!(false),
@@ -248,10 +239,10 @@ fn newton(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> To
 }
 
 /// The positive terms to iterate over.
-fn positive_terms(gap: &Gap, coefficients: &Coefficients<'_>) -> TokenStream {
+fn positive_terms(coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    let terms = gap.terms.iter().zip(coefficients.terms());
-    if !gap.is_constant() {
+    let terms = coefficients.gap().terms.iter().zip(coefficients.terms());
+    if !coefficients.gap().is_constant() {
         let (of, terms) = (names.generated("positive_terms"), terms.map(|(_, pair)| pair));
         return quote!(#of([#(#terms),*]));
     }

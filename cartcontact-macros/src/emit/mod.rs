@@ -20,7 +20,6 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::closed_forms::{ClosedForms, PowerSum};
-use crate::gap::Gap;
 use crate::geometry::Geometry;
 use crate::number::{Rational, literal};
 use crate::reading::field::FieldKind;
@@ -115,11 +114,11 @@ pub(crate) fn solver(
     let import = import(krate, &names);
     let forms = ClosedForms::of(&geometry.gap);
     let coefficients = Coefficients::new(item, geometry, &names);
-    let (evaluators, operations) = evaluators(geometry, &forms, &coefficients);
+    let (evaluators, operations) = evaluators(&forms, &coefficients);
     let start = Start::of(geometry, &forms);
-    let inversion = inversion::methods(geometry, &forms, start.as_ref(), &coefficients);
+    let inversion = inversion::methods(&forms, start.as_ref(), &coefficients);
     let drops = drops::methods(&forms, &coefficients);
-    let beside_inversion = beside_inversion(&geometry.gap, &forms, start.as_ref(), &coefficients);
+    let beside_inversion = beside_inversion(&forms, start.as_ref(), &coefficients);
     let range = range::methods(&coefficients);
     let inherent = inherent::block(&coefficients);
     let quadrature_hints = quadrature_hints(&coefficients);
@@ -161,11 +160,7 @@ fn scope(item: &Item, content: &TokenStream) -> TokenStream {
 }
 
 /// The methods that evaluate closed forms, and the operation counts of those that belong to the interface.
-fn evaluators(
-    geometry: &Geometry,
-    forms: &ClosedForms,
-    coefficients: &Coefficients<'_>,
-) -> (TokenStream, Vec<Operations>) {
+fn evaluators(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> (TokenStream, Vec<Operations>) {
     let names = coefficients.names;
     let scalar = &names.scalar;
     let method = |name: &str, variable: &Ident, body: TokenStream| {
@@ -195,8 +190,8 @@ fn evaluators(
         methods.push(method(name, &a, quote!(#preamble #code)));
     }
     methods.extend(approach_and_load_integral(forms, coefficients));
-    let pressure_kernels = pressure_kernel::methods(&geometry.gap, forms, coefficients);
-    operations.push(pressure_kernel::operations(&geometry.gap));
+    let pressure_kernels = pressure_kernel::methods(forms, coefficients);
+    operations.push(pressure_kernel::operations(coefficients.gap()));
     (quote!(#(#methods)* #(#pressure_kernels)*), operations)
 }
 
@@ -218,7 +213,6 @@ fn approach_and_load_integral(forms: &ClosedForms, coefficients: &Coefficients<'
 
 /// What the inversion uses besides methods: a table and the step from it, and the steps from a leading term.
 fn beside_inversion(
-    gap: &Gap,
     forms: &ClosedForms,
     start: Option<&Start>,
     coefficients: &Coefficients<'_>,
@@ -228,7 +222,7 @@ fn beside_inversion(
         Start::Roots(roots) => Some(roots::item(roots, names)),
         Start::Seeds(found) => {
             let from_table = seeds::items(found, &forms.stepped, coefficients);
-            let is_beside = has_leading_term_beside_seeds(gap);
+            let is_beside = has_leading_term_beside_seeds(coefficients.gap());
             let from_leading_term = is_beside.then(|| leading_term::items(forms, names)).flatten();
             Some(quote!(#from_table #from_leading_term))
         }
@@ -342,7 +336,7 @@ fn bounded_generics(item: &Item, names: &Names) -> Generics {
 
 /// What quadrature has to know about the terms.
 fn quadrature_hints(coefficients: &Coefficients<'_>) -> TokenStream {
-    let (terms, names) = (&coefficients.geometry.gap.terms, coefficients.names);
+    let (terms, names) = (&coefficients.gap().terms, coefficients.names);
     let (scalar, constant) = (&names.scalar, names.constant());
     let highest = terms.last().map(|term| literal(&term.exponent));
     let truth = quote!(::core::primitive::bool);

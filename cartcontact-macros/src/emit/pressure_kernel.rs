@@ -25,11 +25,11 @@ const HIGHEST_QUICK_QUARTER: u32 = 6;
 const HIGHEST_ALONE: u32 = 8;
 
 /// The kernel for callers, and the quick one that pressures are summed from.
-pub(super) fn methods(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> [TokenStream; 2] {
+pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> [TokenStream; 2] {
     let names = coefficients.names;
     let (scalar, [a, r]) = (&names.scalar, ["a", "r"].map(local));
-    let (kernel, precise) = precise_kernel(gap, forms, coefficients);
-    let quick_kernel = quick_kernel(gap, forms, coefficients);
+    let (kernel, precise) = precise_kernel(forms, coefficients);
+    let quick_kernel = quick_kernel(forms, coefficients);
     let method = |method, kernel, inline| {
         let method = Ident::new(method, Span::call_site());
         quote! {
@@ -51,7 +51,8 @@ fn call(function: &TokenStream, terms: &TokenStream) -> TokenStream {
     quote!(#function(#a, #r, #terms))
 }
 
-fn quick_kernel(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+fn quick_kernel(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
+    let gap = coefficients.gap();
     let names = coefficients.names;
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
     let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
@@ -70,10 +71,10 @@ fn quick_kernel(gap: &Gap, forms: &ClosedForms, coefficients: &Coefficients<'_>)
 
 /// The kernel that is rounded once, and its coefficients.
 fn precise_kernel<'a>(
-    gap: &Gap,
     forms: &ClosedForms,
     coefficients: &Coefficients<'a>,
 ) -> (TokenStream, Coefficients<'a>) {
+    let gap = coefficients.gap();
     let names = coefficients.names;
     let fused = &names.fused;
     if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
