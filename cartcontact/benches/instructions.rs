@@ -153,6 +153,7 @@ fn assert_positive(pressure: f64) {
 #[bench::a_field(contact(Ball { radius: 20.0 }))]
 #[bench::polynomial(contact(run_time()))]
 #[bench::hundred_knots(scenes::hundred_knots(RATE))]
+#[bench::fifty_steps(scenes::fifty_steps(RATE))]
 #[bench::curved_load(scenes::loaded(Patellofemoral, RATE, Settling))]
 fn cold_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
     contact.at(black_box(200.0)).map_or(0.0, |now| now.pressure(black_box(3.0)))

@@ -102,19 +102,25 @@ pub(crate) fn loaded<P: GapProfile<f64>, L: Load<f64>>(profile: P, rate: f64, lo
     Contact::new(profile, medium, load).expect("a valid contact")
 }
 
-/// The paper's joint under a load that rises through 100 knots; every second piece is level.
-pub(crate) type HundredKnots = Contact<f64, Patellofemoral, PiecewiseLinear<f64, Vec<(f64, f64)>>>;
+/// The paper's joint under a load with knots.
+pub(crate) type Knotted = Contact<f64, Patellofemoral, PiecewiseLinear<f64, Vec<(f64, f64)>>>;
 
-/// The [`HundredKnots`] in a medium with a rate of the memory.
-///
-/// # Panics
-///
-/// Never with rates of up to 2: the other numbers are valid too.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-pub(crate) fn hundred_knots(rate: f64) -> HundredKnots {
-    let knots =
-        (0..100).map(|k| (2.0 * f64::from(k), FORCE * (0.2 + f64::from(k + k % 2) / 100.0))).collect();
-    loaded(Patellofemoral, rate, PiecewiseLinear::new(knots).expect("a valid load"))
+fn knotted(rate: f64, knots: impl Iterator<Item = (f64, f64)>) -> Knotted {
+    loaded(Patellofemoral, rate, PiecewiseLinear::new(knots.collect()).expect("a valid load"))
+}
+
+/// A load that rises through 100 knots, every second piece of which is level, in a medium with a rate of the memory.
+pub(crate) fn hundred_knots(rate: f64) -> Knotted {
+    knotted(rate, (0..100).map(|k| (2.0 * f64::from(k), FORCE * (0.2 + f64::from(k + k % 2) / 100.0))))
+}
+
+/// The same rise in fifty steps.
+pub(crate) fn fifty_steps(rate: f64) -> Knotted {
+    knotted(
+        rate,
+        (0..100).map(|k| (2.0 * f64::from(k + k % 2), FORCE * (0.2 + f64::from(k - k % 2) / 100.0))),
+    )
 }
 
 /// A user-defined load that settles: 100 N − 80 N/(1 + t/40 s)².

@@ -36,6 +36,11 @@ impl<T: Scalar> Piece<T> {
         self.end.0 - self.start.0
     }
 
+    /// Whether it takes no time.
+    pub(crate) fn is_step(&self) -> bool {
+        self.duration().is_zero()
+    }
+
     /// By how much the force rises.
     pub(crate) fn rise(&self) -> T {
         self.end.1 - self.start.1
@@ -43,7 +48,7 @@ impl<T: Scalar> Piece<T> {
 
     /// The force at a time within the piece; after it, if it is a step.
     pub(crate) fn force(&self, t: T) -> T {
-        if self.duration().is_zero() {
+        if self.is_step() {
             return self.end.1;
         }
         // Starting from the smaller force, so that the addend loses none of its digits.
@@ -84,7 +89,7 @@ impl<T: Scalar> Piece<T> {
     /// Whether it is a step, or F′ and F′ + χ F can be finite.
     pub(super) fn has_slope(&self) -> bool {
         let slope = self.rise() / self.duration();
-        self.duration().is_zero() || (slope + slope).is_finite()
+        self.is_step() || (slope + slope).is_finite()
     }
 
     /// −F′/F at the end of the piece, where it is largest; 0 only if the load does not fall.

@@ -190,7 +190,7 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
             && start.0 < until
         {
             let end = ends.next().copied().unwrap_or((until, start.1));
-            if start.0 < end.0 {
+            if start != end {
                 pieces[count] = Piece { start, end };
                 count += 1;
             }
@@ -287,20 +287,24 @@ mod tests {
     }
 
     #[test]
-    fn straight_pieces_pass_steps_and_end_in_time() -> Result<(), LoadError> {
+    fn straight_pieces_include_steps_and_end_in_time() -> Result<(), LoadError> {
         let load = PiecewiseLinear::new([(0.0, 10.0), (5.0, 20.0), (5.0, 30.0), (7.0, 50.0)])?;
         let piece = |start, end| Piece { start, end };
         let expected = [
             piece((2.5, 15.0), (5.0, 20.0)),
+            piece((5.0, 20.0), (5.0, 30.0)),
             piece((5.0, 30.0), (7.0, 50.0)),
             piece((7.0, 50.0), (9.0, 50.0)),
         ];
-        let mut pieces = [Piece::none(); 4];
+        let mut pieces = [Piece::none(); 5];
         let provided: &dyn Load<f64> = &Searched(&load);
         for load in [&load as &dyn Load<f64>, provided] {
-            assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces), 3);
-            assert_eq!(pieces[..3], expected);
-            assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces[..2]), 2);
+            assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces), 4);
+            assert_eq!(pieces[..4], expected);
+            for room in [1, 2, 3] {
+                assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces[..room]), room);
+                assert_eq!(pieces[..room], expected[..room]);
+            }
             assert_eq!(load.straight_pieces((2.5, 5.0), &mut pieces), 1);
             assert_eq!(pieces[0], expected[0]);
             assert_eq!(load.straight_pieces((5.0, 6.0), &mut pieces), 1);

@@ -9,7 +9,8 @@
 //!
 //! Let v be the share of a piece that lies after a time in it. Then Y falls short of its final value by R v − B v²/2,
 //! where R − B v is Y′ times the duration. The radii at all nodes of a run of pieces are solved for together, in a
-//! fraction of the time that one after the other takes, and summed; nothing else is done for each piece.
+//! fraction of the time that one after the other takes, and summed; nothing else is done for each piece. A step is a
+//! piece that takes no time.
 //!
 //! **Which rule.** e^(−χ age) changes by the piece's e-foldings. w(Y) = a⁻⁴ is nearly a power of Y; its singularity is
 //! where Y, continued, is zero, further away than the root of |R| v + |B| v²/2 = Y. For every rule, [`RULES`] holds the
@@ -35,6 +36,9 @@ use crate::{GapProfile, Scalar};
 pub(super) const MOST_PIECES: usize = 16;
 /// The most nodes of all pieces.
 const MOST_NODES_OF_RUN: usize = 96;
+
+/// A step that takes more nodes costs less over the radius: with quick radii, and without them.
+const MOST_NODES_OF_STEP: [usize; 2] = [8, 6];
 
 /// A number for every piece.
 type Pieces<T> = [T; MOST_PIECES];
@@ -62,7 +66,7 @@ const RULES: [ShortRule; 5] = [
     ShortRule::of(Rule::TWELVE, 7.6, 0.82),
 ];
 
-/// Consecutive short pieces, without a step between them.
+/// Consecutive short pieces.
 pub(super) struct Run<T> {
     count: usize,
     rule: &'static Rule,
@@ -102,10 +106,11 @@ impl<T: Scalar> Run<T> {
     pub(super) fn of(
         pieces: &[Piece<T>],
         chi: T,
-        impulse: CompensatedSum<T>,
+        (impulse, has_quick_radii): (CompensatedSum<T>, bool),
         faded: impl Fn(&Piece<T>) -> T,
     ) -> Self {
         let mut run = Self::none(impulse);
+        let most_nodes_of_step = MOST_NODES_OF_STEP[usize::from(!has_quick_radii)];
         // The logarithm of how much larger the rounding of T is than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
         let mut rules = RULES.iter();
@@ -122,11 +127,12 @@ impl<T: Scalar> Run<T> {
             while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
             }
-            let Some(rule) = rule.filter(|rule| (run.count + 1) * rule.rule.len() <= MOST_NODES_OF_RUN)
-            else {
+            let most = if piece.is_step() { most_nodes_of_step } else { MOST_NODES_OF_RUN };
+            let Some(ShortRule { rule, .. }) = rule else { break };
+            if rule.len() > most || rule.len() * (run.count + 1) > MOST_NODES_OF_RUN {
                 break;
-            };
-            run.rule = rule.rule;
+            }
+            run.rule = rule;
             run.push(&growth, begin + gain);
             run.gain = gain;
             run.impulse.add(piece.impulse());

@@ -118,11 +118,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let start = self.now.time;
             let count = self.contact.load().straight_pieces((start, self.time), &mut pieces);
             let mut ahead = &pieces[..count.min(MOST_PIECES)];
-            while let Some(first) = ahead.first() {
-                let (done, rest) = ahead.split_at(self.advance_run(ahead).max(1));
-                if self.now.time < first.end.0 {
-                    done.iter().for_each(|piece| self.advance_straight(*piece));
-                }
+            while !ahead.is_empty() {
+                let (done, rest) = ahead.split_at(self.advance_along_first(ahead));
                 let last = done.last().map_or(self.force, |piece| piece.end.1);
                 let next = rest.first().map_or_else(|| self.force_now(), |piece| piece.start.1);
                 self.jump(last, next);
@@ -155,35 +152,57 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         }
     }
 
-    /// Continues along the short pieces that come first, and returns how many there are; continues along none if one of
-    /// them turns out not to be short.
-    fn advance_run(&mut self, pieces: &[Piece<T>]) -> usize {
-        let (contact, chi) = (self.contact, self.contact.medium().chi());
+    /// Continues along the short pieces that come first, or else along the first piece and the step behind it, and
+    /// returns how many these are.
+    fn advance_along_first(&mut self, pieces: &[Piece<T>]) -> usize {
+        let mut count = 1 + usize::from(pieces.get(1).is_some_and(Piece::is_step));
         // A single piece costs less over the radius, and between two pieces there may be a step that only derivatives
         // show.
-        if pieces.len() < 2 || !has_no_derivatives::<T>() || !self.is_covered() {
-            return 0;
-        }
-        let run = Run::of(pieces, chi, self.now.impulse, |piece| self.faded_since(piece));
-        let [first, .., last] = pieces[..run.len()] else { return 0 };
-        let (end, force) = last.end;
-        let share = (-self.faded_since(&last)).exp();
-        let radius = self.radius_after(run.impulse, last.end);
-        if let Some(mut increment) = run.increment(contact, (self.transition.reach, radius), share) {
-            let fading = Fading::over(chi * (end - self.now.time));
-            let (kept, sizes) = fading.kept_of((first.start.1, force));
-            if is_well_conditioned(kept, sizes) {
-                let load = kept * contact.integral_per_load();
-                increment = increment.scaled_to_load(load, self.transition.reach);
+        if pieces.len() > 1 && has_no_derivatives::<T>() && self.is_covered() {
+            let (chi, has_quick_radii) =
+                (self.contact.medium().chi(), self.contact.profile().has_quick_radii());
+            let before = (self.now.impulse, has_quick_radii);
+            let run = Run::of(pieces, chi, before, |piece| self.faded_since(piece));
+            if run.len() > 1 {
+                count = run.len();
+                if self.advance_run(&run, &pieces[..count]) {
+                    return count;
+                }
             }
-            // Integrals over time do not use rounded radii: they include the strips.
-            self.add_strip();
-            self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);
-            self.now.impulse = run.impulse;
-            let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
-            self.now = Stage { time: end, radius, surplus, ..self.now };
         }
-        run.len()
+        for piece in &pieces[..count] {
+            if piece.is_step() {
+                self.jump(piece.start.1, piece.end.1);
+            } else {
+                self.advance_straight(*piece);
+            }
+        }
+        count
+    }
+
+    /// Continues along a run of pieces; along none if one of them turns out not to be short.
+    fn advance_run(&mut self, run: &Run<T>, pieces: &[Piece<T>]) -> bool {
+        let [first, .., last] = pieces else { return false };
+        let (contact, chi) = (self.contact, self.contact.medium().chi());
+        let (end, force) = last.end;
+        let share = (-self.faded_since(last)).exp();
+        let radius = self.radius_after(run.impulse, last.end);
+        let Some(mut increment) = run.increment(contact, (self.transition.reach, radius), share) else {
+            return false;
+        };
+        let fading = Fading::over(chi * (end - self.now.time));
+        let (kept, sizes) = fading.kept_of((first.start.1, force));
+        if is_well_conditioned(kept, sizes) {
+            let load = kept * contact.integral_per_load();
+            increment = increment.scaled_to_load(load, self.transition.reach);
+        }
+        // Integrals over time do not use rounded radii: they include the strips.
+        self.add_strip();
+        self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);
+        self.now.impulse = run.impulse;
+        let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
+        self.now = Stage { time: end, radius, surplus, ..self.now };
+        true
     }
 
     /// The least number of e-foldings by which a piece's share in the pressures at the end has faded.
