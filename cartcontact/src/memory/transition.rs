@@ -37,16 +37,16 @@ impl<T: Scalar> Transition<T> {
         self.offset.value
     }
 
-    /// Whether two computations of the same transition, at whose end the contact has a `radius`, differ by little more
-    /// than rounding. Rounding counts the more, the narrower the ring beyond the reach is. The radius is off by
+    /// Whether two computations of the same transition, at whose end the contact has a `radius`, differ by no more than
+    /// some `roundings`. These count the more, the narrower the ring beyond the reach is. The radius is off by
     /// `condition` roundings.
-    pub(super) fn agrees_with(&self, other: &Self, radius: T, condition: T) -> bool {
+    pub(super) fn agrees_with(&self, other: &Self, (radius, condition): (T, T), roundings: T) -> bool {
         if radius <= self.reach {
             // Nothing was covered.
             return true;
         }
         let edge = radius * condition / (radius - self.reach).max(radius * T::default_epsilon());
-        let tolerance = T::default_epsilon() * T::constant(64.0) * (T::constant(8.0) + edge);
+        let tolerance = T::default_epsilon() * roundings * (T::constant(8.0) + edge);
         let agree = |x: T, y: T| (x - y).abs() <= tolerance * x.abs().max(y.abs());
         agree(self.offset.value, other.offset.value) && agree(self.slope.value, other.slope.value)
     }
