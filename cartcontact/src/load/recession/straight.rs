@@ -8,11 +8,8 @@ use super::descent::Descent;
 use super::fault::{Fault, tolerances};
 use crate::Scalar;
 use crate::load::rounding::is_force;
-use crate::load::{Load, Piece};
+use crate::load::{Load, MOST_PIECES, Piece, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
-
-/// How many pieces are asked for at once.
-const PIECES: usize = 16;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
@@ -24,11 +21,9 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         end: (T::zero(), load.force(T::zero())),
         integral: T::zero().into(),
     };
-    let mut pieces = [Piece::none(); PIECES];
+    let mut pieces = [Piece::none(); MOST_PIECES];
     while walk.end.0 < t {
-        let start = walk.end.0;
-        let count = load.straight_pieces((start, t), &mut pieces);
-        for piece in &pieces[..count.min(PIECES)] {
+        for piece in pieces_between(load, (walk.end.0, t), &mut pieces) {
             let step = Piece { start: walk.end, end: piece.start };
             let fault = walk.pass(&step).or_else(|| walk.pass(piece));
             if fault.is_some() {
@@ -39,10 +34,6 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         let fault = walk.fault_of_impulse(impulse, tolerance);
         if fault.is_some() {
             return fault;
-        }
-        // The load may give no more pieces.
-        if walk.end.0 <= start {
-            break;
         }
     }
     walk.pass(&Piece { start: walk.end, end: (t, load.force(t)) })

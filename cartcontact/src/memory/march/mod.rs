@@ -24,11 +24,11 @@
 mod steps;
 
 use super::fading::{Fading, faded_folds};
-use super::run::{MOST_PIECES, Run};
+use super::run::Run;
 use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
-use crate::load::{Load, Piece, knot_between};
+use crate::load::{Load, MOST_PIECES, Piece, knot_between, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::{has_no_derivatives, spacing_of_times};
 use crate::{GapProfile, Scalar};
@@ -115,19 +115,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     fn advance_in_pieces(&mut self) {
         let mut pieces = [Piece::none(); MOST_PIECES];
         while self.now.time < self.time {
-            let start = self.now.time;
-            let count = self.contact.load().straight_pieces((start, self.time), &mut pieces);
-            let mut ahead = &pieces[..count.min(MOST_PIECES)];
+            let times = (self.now.time, self.time);
+            let mut ahead = pieces_between(self.contact.load(), times, &mut pieces);
             while !ahead.is_empty() {
                 let (done, rest) = ahead.split_at(self.advance_along_first(ahead));
                 let last = done.last().map_or(self.force, |piece| piece.end.1);
                 let next = rest.first().map_or_else(|| self.force_now(), |piece| piece.start.1);
                 self.jump(last, next);
                 ahead = rest;
-            }
-            // A user-defined load may give no more pieces.
-            if self.now.time <= start {
-                break;
             }
         }
     }
