@@ -70,30 +70,41 @@ pub(crate) use shortest::{Shortest, least_step};
 /// ```
 ///
 /// In a control loop forces come one by one. A load that clamps each of them, so that none falls too fast, need not be
-/// searched, and one that thins out its samples when there is no more room does not allocate. The time
+/// searched, and one that keeps its samples twice as far apart when there is no more room does not allocate. The time
 /// for a pressure grows with the number of samples, which bounds how often a loop can ask for one; that for a radius
 /// does not:
 ///
 /// ```
-/// use cartcontact::{Contact, Medium, Polynomial, load::Load};
+/// use cartcontact::load::{Load, PiecewiseLinear};
+/// use cartcontact::{Contact, Medium, Polynomial};
 ///
 /// struct Live {
 ///     chi: f64,
 ///     /// Times and forces, and the impulses up to then.
 ///     samples: [(f64, f64, f64); 256],
 ///     count: usize,
+///     /// How far apart samples are, all but the last.
+///     interval: f64,
 /// }
 ///
 /// impl Live {
 ///     fn push(&mut self, time: f64, force: f64) {
+///         let [.., before, last] = &self.samples[..self.count] else { return self.append(time, force) };
+///         // The last sample stays once it is far enough from the one before it.
+///         if last.0 - before.0 < 0.999 * self.interval {
+///             self.count -= 1;
+///         }
 ///         if self.count == self.samples.len() {
-///             // Every other sample, clamped anew, with the impulses of what is left.
-///             let count = std::mem::replace(&mut self.count, 1);
+///             self.interval *= 2.0;
+///             let count = core::mem::replace(&mut self.count, 1);
 ///             for k in (2..count).step_by(2) {
 ///                 let (time, force, _) = self.samples[k];
-///                 self.push(time, force);
+///                 self.append(time, force);
 ///             }
 ///         }
+///         self.append(time, force);
+///     }
+///     fn append(&mut self, time: f64, force: f64) {
 ///         let (before, last, impulse) = self.samples[self.count - 1];
 ///         let force = force.max(last / (1.0 + self.chi * (time - before)));
 ///         self.samples[self.count] = (time, force, impulse + 0.5 * (last + force) * (time - before));
@@ -130,13 +141,20 @@ pub(crate) use shortest::{Shortest, least_step};
 /// }
 ///
 /// let (gap, medium) = (Polynomial::new([(0.025, 2.0)])?, Medium::from_constants(0.375, 0.0015)?);
-/// let mut load = Live { chi: medium.chi(), samples: [(0.0, 80.0, 0.0); 256], count: 1 };
-/// for k in 1..1000 {
+/// let mut load = Live { chi: medium.chi(), samples: [(0.0, 0.0, 0.0); 256], count: 1, interval: 1e-3 };
+/// // 100 N within a second, and held for a minute.
+/// for k in 1..=60_000 {
 ///     let time = f64::from(k) * 1e-3;
-///     load.push(time, 80.0 + (0.3 * f64::from(k)).sin());
-///     let now = Contact::new(&gap, medium, &load)?;
-///     assert!(now.at(time)?.peak_pressure() > 1.0);
+///     load.push(time, 100.0 * time.min(1.0));
+///     if k % 1000 == 0 {
+///         assert!(Contact::new(&gap, medium, &load)?.at(time)?.radius() > 7.0);
+///     }
 /// }
+/// let exact = PiecewiseLinear::new([(0.0, 0.0), (1.0, 100.0)])?;
+/// assert!((load.impulse(60.0) / exact.impulse(60.0) - 1.0).abs() < 2e-3);
+/// let found = Contact::new(&gap, medium, &load)?.at(60.0)?.peak_pressure();
+/// let expected = Contact::new(&gap, medium, &exact)?.at(60.0)?.peak_pressure();
+/// assert!((found / expected - 1.0).abs() < 2e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(
