@@ -154,7 +154,7 @@ pub fn checked_range<T: Scalar>(
     let end = admissible_range(terms, requested)?;
     match requested {
         None => Ok(end),
-        Some(max_radius) if max_radius >= end => Err(ProfileError::NotAdmissible {
+        Some(max_radius) if max_radius > end => Err(ProfileError::NotAdmissible {
             max_radius: max_radius.value(),
             fails_at: end.value(),
             parameters: Parameters::default(),
@@ -255,9 +255,9 @@ mod tests {
         ] {
             let end = range(terms);
             assert!(end.is_finite(), "{terms:?}");
-            for share in [1e-3, 0.5, 0.9, 0.999, 1.0 - 1e-12, 1.0 + 1e-12, 1.001, 2.0, 1e3] {
+            for share in [1e-3, 0.5, 0.9, 0.999, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.001, 2.0, 1e3] {
                 let found = checked_range(terms, Some(share * end));
-                assert_eq!(found.is_ok(), share < 1.0, "{terms:?} up to {share} of {end}: {found:?}");
+                assert_eq!(found.is_ok(), share <= 1.0, "{terms:?} up to {share} of {end}: {found:?}");
             }
         }
     }
