@@ -69,6 +69,26 @@ const _: () = {
             per_unit: <T as __cartcontact::Scalar>::constant(13714.285714285714f64),
         }
     }
+    #[inline(always)]
+    fn __quick_steepness<T: __cartcontact::Scalar>(
+        __a: T,
+        [__j0,
+        __j1,
+        ]: [T; 2usize],
+    ) -> __cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        let __value = __j0 + (__j1) * __s;
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __value,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
+            first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(8.0f64) * __j1) * __s,
+            half_second: <T as __cartcontact::Scalar>::constant(15.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(28.0f64) * __j1) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
     #[automatically_derived]
     impl<T> __cartcontact::GapProfile<T> for Patellofemoral
     where
@@ -179,59 +199,29 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::radius_of_real_powers(
-                            __load_integral,
-                            __limit,
-                            ::core::iter::IntoIterator::into_iter([
-                                (
+                        match __cartcontact::generated::WholePowers::radius(
+                            &__cartcontact::generated::WholePowers::<
+                                _,
+                                _,
+                                _,
+                                2usize,
+                                1,
+                            > {
+                                coefficients: [
                                     <T as __cartcontact::Scalar>::constant(
                                         0.0020833333333333333f64,
                                     ),
-                                    __cartcontact::generated::Exponent::whole(6),
-                                ),
-                                (
                                     <T as __cartcontact::Scalar>::constant(
                                         9.114583333333334e-6f64,
                                     ),
-                                    __cartcontact::generated::Exponent::whole(8),
-                                ),
-                            ]),
-                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
-                                __a,
-                                __scale,
-                                [
-                                    (
-                                        <T as __cartcontact::Scalar>::constant(
-                                            0.0020833333333333333f64,
-                                        ),
-                                        __cartcontact::generated::Exponent::whole(6),
-                                    ),
-                                    (
-                                        <T as __cartcontact::Scalar>::constant(
-                                            9.114583333333334e-6f64,
-                                        ),
-                                        __cartcontact::generated::Exponent::whole(8),
-                                    ),
                                 ],
-                            ),
-                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
-                                __a,
-                                __scale,
-                                [
-                                    (
-                                        <T as __cartcontact::Scalar>::constant(
-                                            0.0020833333333333333f64,
-                                        ),
-                                        __cartcontact::generated::Exponent::whole(6),
-                                    ),
-                                    (
-                                        <T as __cartcontact::Scalar>::constant(
-                                            9.114583333333334e-6f64,
-                                        ),
-                                        __cartcontact::generated::Exponent::whole(8),
-                                    ),
-                                ],
-                            ),
+                                powers: [6, 8],
+                                steepness: __quick_steepness,
+                                last_steepness: __quick_steepness,
+                                per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+                            },
+                            __load_integral,
+                            __limit,
                         ) {
                             ::core::option::Option::Some(__a) => {
                                 ::core::result::Result::Ok(__a)
@@ -296,13 +286,32 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let __units = __cartcontact::generated::OwnUnits;
-            __cartcontact::generated::Table::radii(
+            __cartcontact::generated::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
                 __units,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
+                #[inline(always)]
+                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
+                    &__cartcontact::generated::WholePowers::<_, _, _, 2usize, 1> {
+                        coefficients: [
+                            <T as __cartcontact::Scalar>::constant(
+                                0.0020833333333333333f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                9.114583333333334e-6f64,
+                            ),
+                        ],
+                        powers: [6, 8],
+                        steepness: __quick_steepness,
+                        last_steepness: __quick_steepness,
+                        per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+                    },
+                    __load_integral,
+                    __more,
+                ),
                 |__load_integral| __cartcontact::GapProfile::radius_within(
                     self,
                     __load_integral,

@@ -149,6 +149,128 @@ const _: () = {
             per_unit: <T as __cartcontact::Scalar>::constant(1.545888065752639e25f64),
         }
     }
+    #[inline(always)]
+    fn __quick_steepness<T: __cartcontact::Scalar>(
+        __a: T,
+        [__j0,
+        __j1,
+        __j2,
+        __j3,
+        __j4,
+        __j5,
+        __j6,
+        __j7,
+        __j8,
+        __j9,
+        __j10,
+        __j11,
+        ]: [T; 12usize],
+    ) -> __cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        let __value = (__j0 + (__j1) * __s)
+            + ((__j2 + (__j3) * __s)
+                + ((__j4 + (__j5) * __s)
+                    + ((__j6 + (__j7) * __s)
+                        + ((__j8 + (__j9) * __s) + (__j10 + (__j11) * __s) * (__s * __s))
+                            * (__s * __s)) * (__s * __s)) * (__s * __s)) * (__s * __s);
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __value,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
+            first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(8.0f64) * __j1
+                    + (<T as __cartcontact::Scalar>::constant(10.0f64) * __j2
+                        + (<T as __cartcontact::Scalar>::constant(12.0f64) * __j3
+                            + (<T as __cartcontact::Scalar>::constant(14.0f64) * __j4
+                                + (<T as __cartcontact::Scalar>::constant(16.0f64) * __j5
+                                    + (<T as __cartcontact::Scalar>::constant(18.0f64) * __j6
+                                        + (<T as __cartcontact::Scalar>::constant(20.0f64) * __j7
+                                            + (<T as __cartcontact::Scalar>::constant(22.0f64) * __j8
+                                                + (<T as __cartcontact::Scalar>::constant(24.0f64) * __j9
+                                                    + (<T as __cartcontact::Scalar>::constant(26.0f64) * __j10
+                                                        + (<T as __cartcontact::Scalar>::constant(28.0f64) * __j11)
+                                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s)
+                            * __s) * __s) * __s,
+            half_second: <T as __cartcontact::Scalar>::constant(15.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(28.0f64) * __j1
+                    + (<T as __cartcontact::Scalar>::constant(45.0f64) * __j2
+                        + (<T as __cartcontact::Scalar>::constant(66.0f64) * __j3
+                            + (<T as __cartcontact::Scalar>::constant(91.0f64) * __j4
+                                + (<T as __cartcontact::Scalar>::constant(120.0f64) * __j5
+                                    + (<T as __cartcontact::Scalar>::constant(153.0f64) * __j6
+                                        + (<T as __cartcontact::Scalar>::constant(190.0f64) * __j7
+                                            + (<T as __cartcontact::Scalar>::constant(231.0f64) * __j8
+                                                + (<T as __cartcontact::Scalar>::constant(276.0f64) * __j9
+                                                    + (<T as __cartcontact::Scalar>::constant(325.0f64) * __j10
+                                                        + (<T as __cartcontact::Scalar>::constant(378.0f64) * __j11)
+                                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s)
+                            * __s) * __s) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
+    #[inline(always)]
+    fn __last_steepness<T: __cartcontact::Scalar>(
+        __a: T,
+        [__j0,
+        __j1,
+        __j2,
+        __j3,
+        __j4,
+        __j5,
+        __j6,
+        __j7,
+        __j8,
+        __j9,
+        __j10,
+        __j11,
+        ]: [T; 12usize],
+    ) -> __cartcontact::generated::Steepness<T> {
+        let __s = __a * __a;
+        let __value = __j0
+            + (__j1
+                + (__j2
+                    + (__j3
+                        + (__j4
+                            + (__j5
+                                + (__j6
+                                    + (__j7
+                                        + (__j8 + (__j9 + (__j10 + (__j11) * __s) * __s) * __s)
+                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s;
+        __cartcontact::generated::Steepness {
+            power: __cartcontact::generated::integer_power(__s, 3),
+            value: __value,
+            excess: <T as __cartcontact::Scalar>::constant(0.0f64),
+            first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(8.0f64) * __j1
+                    + (<T as __cartcontact::Scalar>::constant(10.0f64) * __j2
+                        + (<T as __cartcontact::Scalar>::constant(12.0f64) * __j3
+                            + (<T as __cartcontact::Scalar>::constant(14.0f64) * __j4
+                                + (<T as __cartcontact::Scalar>::constant(16.0f64) * __j5
+                                    + (<T as __cartcontact::Scalar>::constant(18.0f64) * __j6
+                                        + (<T as __cartcontact::Scalar>::constant(20.0f64) * __j7
+                                            + (<T as __cartcontact::Scalar>::constant(22.0f64) * __j8
+                                                + (<T as __cartcontact::Scalar>::constant(24.0f64) * __j9
+                                                    + (<T as __cartcontact::Scalar>::constant(26.0f64) * __j10
+                                                        + (<T as __cartcontact::Scalar>::constant(28.0f64) * __j11)
+                                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s)
+                            * __s) * __s) * __s,
+            half_second: <T as __cartcontact::Scalar>::constant(15.0f64) * __j0
+                + (<T as __cartcontact::Scalar>::constant(28.0f64) * __j1
+                    + (<T as __cartcontact::Scalar>::constant(45.0f64) * __j2
+                        + (<T as __cartcontact::Scalar>::constant(66.0f64) * __j3
+                            + (<T as __cartcontact::Scalar>::constant(91.0f64) * __j4
+                                + (<T as __cartcontact::Scalar>::constant(120.0f64) * __j5
+                                    + (<T as __cartcontact::Scalar>::constant(153.0f64) * __j6
+                                        + (<T as __cartcontact::Scalar>::constant(190.0f64) * __j7
+                                            + (<T as __cartcontact::Scalar>::constant(231.0f64) * __j8
+                                                + (<T as __cartcontact::Scalar>::constant(276.0f64) * __j9
+                                                    + (<T as __cartcontact::Scalar>::constant(325.0f64) * __j10
+                                                        + (<T as __cartcontact::Scalar>::constant(378.0f64) * __j11)
+                                                            * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s)
+                            * __s) * __s) * __s,
+            per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+        }
+    }
     #[automatically_derived]
     impl<T> __cartcontact::GapProfile<T> for Spheres
     where
@@ -338,67 +460,53 @@ const _: () = {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::radius_of_real_powers(
+                        match __cartcontact::generated::WholePowers::radius(
+                            &__cartcontact::generated::WholePowers::<
+                                _,
+                                _,
+                                _,
+                                12usize,
+                                1,
+                            > {
+                                coefficients: [
+                                    <T as __cartcontact::Scalar>::constant(0.00625f64),
+                                    <T as __cartcontact::Scalar>::constant(1.171875e-5f64),
+                                    <T as __cartcontact::Scalar>::constant(4.833984375e-8f64),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        2.62451171875e-10f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        1.6307830810546874e-12f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        1.0991692543029785e-14f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        7.833801209926605e-17f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        5.818862468004227e-19f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        4.4632298522628844e-21f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        3.512707098707324e-23f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        2.82367205159062e-25f64,
+                                    ),
+                                    <T as __cartcontact::Scalar>::constant(
+                                        2.310276306900505e-27f64,
+                                    ),
+                                ],
+                                powers: [6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28],
+                                steepness: __quick_steepness,
+                                last_steepness: __last_steepness,
+                                per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+                            },
                             __load_integral,
                             __limit,
-                            ::core::iter::IntoIterator::into_iter(
-                                __cartcontact::generated::whole_terms(
-                                    &[
-                                        (0.00625, 6),
-                                        (1.171875e-5, 8),
-                                        (4.833984375e-8, 10),
-                                        (2.62451171875e-10, 12),
-                                        (1.6307830810546874e-12, 14),
-                                        (1.0991692543029785e-14, 16),
-                                        (7.833801209926605e-17, 18),
-                                        (5.818862468004227e-19, 20),
-                                        (4.4632298522628844e-21, 22),
-                                        (3.512707098707324e-23, 24),
-                                        (2.82367205159062e-25, 26),
-                                        (2.310276306900505e-27, 28),
-                                    ],
-                                ),
-                            ),
-                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
-                                __a,
-                                __scale,
-                                __cartcontact::generated::whole_terms(
-                                    &[
-                                        (0.00625, 6),
-                                        (1.171875e-5, 8),
-                                        (4.833984375e-8, 10),
-                                        (2.62451171875e-10, 12),
-                                        (1.6307830810546874e-12, 14),
-                                        (1.0991692543029785e-14, 16),
-                                        (7.833801209926605e-17, 18),
-                                        (5.818862468004227e-19, 20),
-                                        (4.4632298522628844e-21, 22),
-                                        (3.512707098707324e-23, 24),
-                                        (2.82367205159062e-25, 26),
-                                        (2.310276306900505e-27, 28),
-                                    ],
-                                ),
-                            ),
-                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
-                                __a,
-                                __scale,
-                                __cartcontact::generated::whole_terms(
-                                    &[
-                                        (0.00625, 6),
-                                        (1.171875e-5, 8),
-                                        (4.833984375e-8, 10),
-                                        (2.62451171875e-10, 12),
-                                        (1.6307830810546874e-12, 14),
-                                        (1.0991692543029785e-14, 16),
-                                        (7.833801209926605e-17, 18),
-                                        (5.818862468004227e-19, 20),
-                                        (4.4632298522628844e-21, 22),
-                                        (3.512707098707324e-23, 24),
-                                        (2.82367205159062e-25, 26),
-                                        (2.310276306900505e-27, 28),
-                                    ],
-                                ),
-                            ),
                         ) {
                             ::core::option::Option::Some(__a) => {
                                 ::core::result::Result::Ok(__a)
@@ -533,13 +641,54 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let __units = __cartcontact::generated::OwnUnits;
-            __cartcontact::generated::Table::radii(
+            __cartcontact::generated::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
                 __units,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
+                #[inline(always)]
+                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
+                    &__cartcontact::generated::WholePowers::<_, _, _, 12usize, 1> {
+                        coefficients: [
+                            <T as __cartcontact::Scalar>::constant(0.00625f64),
+                            <T as __cartcontact::Scalar>::constant(1.171875e-5f64),
+                            <T as __cartcontact::Scalar>::constant(4.833984375e-8f64),
+                            <T as __cartcontact::Scalar>::constant(2.62451171875e-10f64),
+                            <T as __cartcontact::Scalar>::constant(
+                                1.6307830810546874e-12f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                1.0991692543029785e-14f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                7.833801209926605e-17f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                5.818862468004227e-19f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                4.4632298522628844e-21f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                3.512707098707324e-23f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                2.82367205159062e-25f64,
+                            ),
+                            <T as __cartcontact::Scalar>::constant(
+                                2.310276306900505e-27f64,
+                            ),
+                        ],
+                        powers: [6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28],
+                        steepness: __quick_steepness,
+                        last_steepness: __last_steepness,
+                        per_unit: <T as __cartcontact::Scalar>::constant(1.0f64),
+                    },
+                    __load_integral,
+                    __more,
+                ),
                 |__load_integral| __cartcontact::GapProfile::radius_within(
                     self,
                     __load_integral,

@@ -43,7 +43,9 @@ pub(crate) fn may_have_leading_term(gap: &Gap) -> bool {
 }
 
 /// Whether a geometry with a table of seeds has functions for the steps from a leading term, too. With fields a term may
-/// be zero, or so small that usual load integrals lie outside the table; with constants only unusual ones do.
+/// be zero, or so small that usual load integrals lie outside the table. With constants only unusual ones do, and
+/// functions for whole powers are short.
 pub(crate) fn has_leading_term_beside_seeds(gap: &Gap) -> bool {
-    !gap.is_constant() && may_have_leading_term(gap)
+    let are_whole = || gap.terms.iter().all(|term| term.exponent.is_integer());
+    may_have_leading_term(gap) && (!gap.is_constant() || are_whole())
 }
