@@ -160,15 +160,10 @@ fn report(
     let share = last / layer.diffusion_time(0.0)?;
     writeln!(
         out,
-        "\nThese errors are those of the noise alone. At {thicknesses:.1} thicknesses the approach of the model is too"
+        "\nThese errors are those of the noise alone. At {thicknesses:.1} thicknesses the approach\n\
+         of the model is too large by some per cent, see the README, and a fitted shear"
     )?;
-    writeln!(
-        out,
-        "large by some per cent, see the README, and a fitted shear modulus by three times as many. The last"
-    )?;
-    writeln!(
-        out,
-        "measurement is at {share:.2} of the diffusion time, against which times should be short."
-    )?;
+    writeln!(out, "modulus by three times as many. The last measurement is at {share:.2} of the")?;
+    writeln!(out, "diffusion time, against which times should be short.")?;
     Ok(())
 }

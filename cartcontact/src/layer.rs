@@ -23,9 +23,10 @@ use crate::scalar::{is_finite_and_not_negative, is_finite_and_positive};
 pub struct Layer<T> {
     /// Thickness h, in mm.
     pub thickness: T,
-    /// Shear modulus μ of the solid matrix, in MPa.
+    /// Shear modulus μ of the solid matrix, in MPa: H (1 − 2 ν)/(2 (1 − ν)) from an aggregate modulus H and Poisson's
+    /// ratio ν, E/(2 (1 + ν)) from Young's modulus.
     pub shear_modulus: T,
-    /// Permeability k, in mm⁴/(N s).
+    /// Permeability k, in mm⁴/(N s): 1e-15 m⁴/(N s), as it is often given, is 1e-3 mm⁴/(N s).
     pub permeability: T,
 }
 

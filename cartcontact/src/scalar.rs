@@ -10,7 +10,9 @@ use crate::numbers::bits::nearest_integer;
 ///
 /// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its
 /// derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
-/// `sensitivities` does. Exceptions are these derivatives, of pressures unless others are named:
+/// `sensitivities` does; `num_dual::jacobian` takes such a function as it is. In it `use nalgebra::ComplexField` for
+/// functions such as `exp`. A release of `num-dual` fits if it is made for the same `simba`: 0.15 for 0.10, with
+/// `nalgebra` 0.35. Exceptions are these derivatives, of pressures unless others are named:
 ///
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;
@@ -36,7 +38,8 @@ use crate::numbers::bits::nearest_integer;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a real number type",
     label = "not a real number",
-    note = "write a number with a decimal point, as in `100.0`, and types as `f64` or `f32`"
+    note = "write a number with a decimal point, as in `100.0`, and types as `f64` or `f32`",
+    note = "dual numbers are those of `num-dual` 0.15, which is made for the same `simba`"
 )]
 pub trait Scalar: RealField + Copy {
     /// The number nearest to a literal; exact whenever `Self` holds it.

@@ -106,14 +106,14 @@ impl fmt::Display for ContactError {
             Self::BeyondRange { leaves_at: 0.0, max_radius, .. } => write!(
                 f,
                 "the contact exceeds the admissible range of the geometry, radii up to {}, as soon as the load is \
-                 applied; lower the load, or extend `max_radius` if the geometry allows it",
+                 applied; lower the load, or extend `max_radius` if one was given",
                 Shown(max_radius)
             ),
             Self::BeyondRange { time, leaves_at, max_radius } => write!(
                 f,
                 "at time {} the contact has left the admissible range of the geometry: its radius reaches {} \
-                 at time {}; ask for earlier times, lower the load, or extend `max_radius` if the geometry \
-                 allows it",
+                 at time {}; ask for earlier times, lower the load, or extend `max_radius` if one was \
+                 given",
                 Shown(time),
                 Shown(max_radius),
                 Shown(leaves_at)
@@ -121,8 +121,8 @@ impl fmt::Display for ContactError {
             Self::Receding { time, since } => write!(
                 f,
                 "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
-                 receded, which this solution does not cover; {}clamp the load, as the documentation of \
-                 `PiecewiseLinear` shows: a force may fall as fast as e^(-chi t), and from one knot to the next, \
+                 receded, which this solution does not cover; {}if the fall is noise, clamp the load, as the \
+                 documentation of `PiecewiseLinear` shows: a force may fall as fast as e^(-chi t), and from one knot to the next, \
                  dt later, to 1/(1 + chi dt) of itself",
                 Shown(since),
                 Shown(time),

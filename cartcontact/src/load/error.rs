@@ -86,17 +86,22 @@ impl fmt::Display for LoadError {
                 Shown(time),
                 Shown(force),
                 if force < 0.0 {
-                    ", as tension would pull the surfaces apart; give compression as a positive force"
+                    ", as tension would pull the surfaces apart; give compression as a positive force, and \
+                     noise around zero as zero"
                 } else {
                     "; check how it is computed"
                 }
             ),
             Self::InvalidImpulse { time, impulse } => write!(
                 f,
-                "the impulse up to time {} is {}, but it must be finite and not negative; check `impulse`, the \
-                 integral of the force from 0",
+                "the impulse up to time {} is {}, but it must be finite and not negative; {}",
                 Shown(time),
-                Shown(impulse)
+                Shown(impulse),
+                if impulse > 0.0 {
+                    "use units of time and force in which it is not so large"
+                } else {
+                    "check `impulse`, the integral of the force from 0"
+                }
             ),
             Self::ContradictoryImpulse { from, to, impulse, integral } => write!(
                 f,

@@ -51,7 +51,7 @@ impl fmt::Display for RadiusError {
             Self::BeyondRange { load_integral, largest, max_radius } => write!(
                 f,
                 "the load integral {} exceeds {}, which the contact reaches at the end of the admissible \
-                 range, radius {}; lower the load, or extend `max_radius` if the geometry allows it",
+                 range, radius {}; lower the load, or extend `max_radius` if one was given",
                 Shown(load_integral),
                 Shown(largest),
                 Shown(max_radius)
@@ -156,7 +156,7 @@ impl fmt::Display for ProfileError {
             Self::Vanishing { parameters } => write!(
                 f,
                 "{parameters}all coefficients of the gap are 0, so that the surfaces touch everywhere; choose values \
-                 that leave one of them"
+                 with which at least one is not"
             ),
             Self::NotPositive { field, value } => write!(
                 f,

@@ -50,7 +50,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
     refused(
         contact.at(55.0),
         is_receding,
-        "ask for earlier times, or clamp the load, as the documentation of",
+        "ask for earlier times, or if the fall is noise, clamp the load, as the",
     );
     Ok(())
 }
@@ -60,7 +60,7 @@ fn a_load_that_falls_too_fast_says_since_when() -> Result<(), LoadError> {
 fn a_load_that_falls_from_the_start_is_to_be_smoothed() -> Result<(), LoadError> {
     let contact = contact(Paraboloid, PiecewiseLinear::new([(0.0, 80.3), (0.01, 79.9), (0.02, 80.1)])?);
     let is_receding = |e: &ContactError| matches!(e, ContactError::Receding { since: 0.0, .. });
-    refused(contact.at(0.02), is_receding, "does not cover; clamp the load, as the documentation of");
+    refused(contact.at(0.02), is_receding, "does not cover; if the fall is noise, clamp the load, as the");
     Ok(())
 }
 
