@@ -122,8 +122,8 @@ impl fmt::Display for ContactError {
                 f,
                 "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
                  receded, which this solution does not cover; {}if the fall is noise, clamp the load, as the \
-                 documentation of `PiecewiseLinear` shows: a force may fall as fast as e^(-chi t), and from one knot to the next, \
-                 dt later, to 1/(1 + chi dt) of itself",
+                 documentation of `PiecewiseLinear` shows: a force may fall as fast as e^(-chi t), and from one knot \
+                 to the next, dt later, to 1/(1 + chi dt) of itself",
                 Shown(since),
                 Shown(time),
                 if since > 0.0 { "ask for earlier times, or " } else { "" }

@@ -199,7 +199,8 @@ pub trait Load<T: Scalar> {
     }
 
     /// Fills `pieces` with the straight pieces between two times, in order and as many as there is room for, and
-    /// returns how many there are, at least one; for loads that are [linear between knots](Self::is_linear_between_knots).
+    /// returns how many there are, at least one; for loads that are
+    /// [linear between knots](Self::is_linear_between_knots).
     ///
     /// The first begins at `from`, with the force after a step there; the last ends at `until` at the latest. A step
     /// between two pieces is a piece that takes no time. It may be left out: a piece then begins with another force than

@@ -36,8 +36,10 @@ use crate::{GapProfile, Scalar};
 /// a third more time with a third fewer.
 const MOST_NODES_OF_RUN: usize = 6 * MOST_PIECES;
 
-/// A step that takes more nodes costs less over the radius: with quick radii, and without them.
-const MOST_NODES_OF_STEP: [usize; 2] = [8, 6];
+/// The most nodes of a step: one that takes more costs less over the radius.
+const fn most_nodes_of_step(has_quick_radii: bool) -> usize {
+    if has_quick_radii { 8 } else { 6 }
+}
 
 /// A number for every piece.
 type Pieces<T> = [T; MOST_PIECES];
@@ -109,7 +111,6 @@ impl<T: Scalar> Run<T> {
         faded: impl Fn(&Piece<T>) -> T,
     ) -> Self {
         let mut run = Self::none(impulse);
-        let most_nodes_of_step = MOST_NODES_OF_STEP[usize::from(!has_quick_radii)];
         // The logarithm of how much larger the rounding of T is than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
         let mut rules = RULES.iter();
@@ -126,7 +127,7 @@ impl<T: Scalar> Run<T> {
             while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
             }
-            let most = if piece.is_step() { most_nodes_of_step } else { MOST_NODES_OF_RUN };
+            let most = if piece.is_step() { most_nodes_of_step(has_quick_radii) } else { MOST_NODES_OF_RUN };
             let Some(ShortRule { rule, .. }) = rule else { break };
             if rule.len() > most || rule.len() * (run.count + 1) > MOST_NODES_OF_RUN {
                 break;

@@ -172,6 +172,8 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// Whether the coefficients do not decrease, so that the series meets the force only at the nodes.
+    ///
+    /// Any share from 2⁻⁶ to 2⁻¹⁴ would do, and 2 ε as well; with 128 ε rises from zero take more than twice as many forces.
     pub(crate) fn is_unresolved(&self) -> bool {
         let varying = self.variation[1..].iter().fold(T::zero(), |sum, c| sum + c.abs());
         let rounding = self.size * T::default_epsilon() * T::constant(16.0);

@@ -27,7 +27,7 @@ use crate::load::rounding::{rounding_of_hereditary, rounding_within_load, tolera
 use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between, least_step};
 
 /// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
-/// are short already.
+/// are short already. From 16 to 1024 no test tells a difference but in time.
 const MOST_DOUBTS: u32 = 128;
 
 /// 2⁻¹⁷ of the time between knots: panels that miss something are no shorter. Steps of pressures go down to
