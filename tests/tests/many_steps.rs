@@ -106,29 +106,20 @@ impl Load<f64> for Handing<'_> {
         true
     }
 
-    fn straight_pieces(&self, (from, until): (f64, f64), pieces: &mut [Piece<f64>]) -> usize {
-        let most = self.most.min(pieces.len());
-        if most == 0 {
-            return 0;
+    fn straight_pieces(&self, times: (f64, f64), pieces: &mut [Piece<f64>]) -> usize {
+        let room = self.most.min(pieces.len());
+        let count = self.load.straight_pieces(times, &mut pieces[..room]);
+        if self.gives_steps {
+            return count;
         }
-        let (mut count, mut start) = (0, (from, self.force(from)));
-        let mut put = |piece| {
-            pieces[count] = piece;
-            count += 1;
-            count < most
-        };
-        while start.0 < until {
-            let time = self.next_knot(start.0).map_or(until, |knot| knot.min(until));
-            let end = (time, self.force_before(time));
-            if !put(Piece { start, end }) {
-                break;
-            }
-            start = (time, self.force(time));
-            if self.gives_steps && time < until && !put(Piece { start: end, end: start }) {
-                break;
+        let mut kept = 0;
+        for place in 0..count {
+            if pieces[place].start.0 < pieces[place].end.0 {
+                pieces[kept] = pieces[place];
+                kept += 1;
             }
         }
-        count
+        kept
     }
 }
 

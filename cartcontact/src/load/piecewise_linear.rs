@@ -301,11 +301,10 @@ mod tests {
         let mut pieces = [Piece::none(); 5];
         let provided: &dyn Load<f64> = &Searched(&load);
         for load in [&load as &dyn Load<f64>, provided] {
-            assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces), 4);
-            assert_eq!(pieces[..4], expected);
-            for room in [1, 2, 3] {
-                assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces[..room]), room);
-                assert_eq!(pieces[..room], expected[..room]);
+            for room in 1..=pieces.len() {
+                let count = room.min(expected.len());
+                assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces[..room]), count);
+                assert_eq!(pieces[..count], expected[..count]);
             }
             assert_eq!(load.straight_pieces((2.5, 5.0), &mut pieces), 1);
             assert_eq!(pieces[0], expected[0]);

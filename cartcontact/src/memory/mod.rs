@@ -16,7 +16,7 @@
 //! |---|---|
 //! | `stage`, `transition`, `increment` | a time with its radius; how pressures change from one to another; what a stretch adds to them |
 //! | `march` | goes from one time to another, knot by knot; `march::steps`: where the load is not straight |
-//! | `run`, `radii_below` | many short straight pieces of the load at once; their radii, where a profile has no quick way to many |
+//! | `run`, `radii_below` | many short straight pieces of the load at once (`run::rule`: which are short enough); their radii, where a profile has no quick way to many |
 //! | `late` | radii that are reached late, one section of time after the other |
 //! | `stretch` | one stretch without a knot: by `radius_form` (held or rising loads) or `time_form` (all others) |
 //! | `held` | the integral over the radius of a held load, in one panel |

@@ -154,9 +154,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // A single piece costs less over the radius, and between two pieces there may be a step that only derivatives
         // show.
         if pieces.len() > 1 && has_no_derivatives::<T>() && self.is_covered() {
-            let (chi, profile) = (self.contact.medium().chi(), self.contact.profile());
-            let before = (self.now.impulse, profile.has_quick_radii());
-            let run = Run::of(pieces, chi, before, |piece| self.faded_since(piece));
+            let run = Run::of(self.contact, pieces, self.now.impulse, |piece| self.faded_since(piece));
             if run.len() > 1 {
                 count = run.len();
                 if self.advance_run(&run, &pieces[..count]) {
