@@ -31,6 +31,7 @@ pub use crate::profile::with_parameters;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;
 pub use crate::radius::real_powers::radius_of_real_powers;
+pub use crate::radius::table::curves::{Curves, DoubleCurves, SingleCurves};
 pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
 pub use crate::radius::table::spans::{AnyPower, Spans};
 pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};

@@ -95,8 +95,8 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 );
 /// The inverse of J, in any form.
 ///
-/// Of sums of whole powers, up to 11 radii in a million are off by more than 1 ulp, by 1.07 at the most
-/// (`cargo run --release -p tests --bin radii`). Of one term, none; with the `powf` of `libm`, 1 in ten thousand of
+/// Of sums of whole powers, about ten radii in a million are off by more than 1 ulp
+/// (`cargo run --release -p tests --bin radii` counts them). Of one term, none; with the `powf` of `libm`, 1 in ten thousand of
 /// r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
@@ -113,9 +113,9 @@ pub const RADIUS_OF_SUMS: Allowance = allow(
 );
 /// a(t), which is thus within 2 ε.
 ///
-/// A few radii are off by more than 1 ulp, because J is rounded before it is inverted: under held loads up to 361 in a
-/// million in `f64` and 412 in `f32` (`cargo run --release -p tests --bin radii`), by 1.32 at the most. The worst in
-/// `f32` under any load was off by 1.6.
+/// A few radii are off by more than 1 ulp, because J is rounded before it is inverted: under held loads some hundred in
+/// a million (`cargo run --release -p tests --bin radii` counts them), by 1.4 at the most. The worst in `f32` under any
+/// load was off by 1.6.
 pub const CONTACT_RADIUS: Allowance = allow(
     "contact radius",
     [2.0, 2.0],

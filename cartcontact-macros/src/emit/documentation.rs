@@ -13,6 +13,7 @@ use crate::number::{Rational, decimal, integer, operand};
 use crate::proof::Proof;
 use crate::reading::item::Item;
 use crate::start::Start;
+use crate::start::curves::Curves;
 use crate::start::roots::{Reach, Roots, Spans};
 use crate::start::table::Table;
 
@@ -216,24 +217,38 @@ fn truncation(geometry: &Geometry) -> String {
     format!("\n\nSurfaces are expanded in powers of r up to r{}. {bound}", power("", &integer(*order)))
 }
 
+/// The bytes of a table of four numbers per row.
+const SIZE_OF_TABLE: usize = <Table>::size_in_bytes();
+
 /// How the contact radius is found.
 fn solution(start: Option<&Start>, gap: &Gap) -> String {
     let Some(start) = start else { return String::new() };
     let step_from =
         |bytes: usize| format!("\n\nThe contact radius takes one step from a table of {bytes} bytes");
-    let step = step_from(Table::size_in_bytes());
+    let step = step_from(SIZE_OF_TABLE);
     let table = match start {
         Start::Roots(Roots { reach: Reach::Window, table, .. }) => table,
         Start::Roots(Roots { reach: Reach::Periods(..), .. }) => return format!("{step}."),
         Start::Roots(Roots { reach: Reach::Spans(_), .. }) => {
-            return format!("{}.", step_from(Table::size_in_bytes() + Spans::size_in_bytes()));
+            return format!("{}.", step_from(SIZE_OF_TABLE + Spans::size_in_bytes()));
         }
+        Start::Curves(curves) => return by_curves(curves),
         Start::Seeds(seeds) => &seeds.table,
         Start::LeadingTerm => return String::new(),
     };
     let [from, to] = table.range();
     let unit = if gap.is_constant() { "" } else { " in units of the geometry's own" };
     format!("{step} where J{unit} is between {from:.1e} and {to:.1e}; elsewhere it is iterated.")
+}
+
+/// Where the contact radius is a polynomial of the load integral.
+fn by_curves(curves: &Curves) -> String {
+    let [from, to] = curves.double.range();
+    let [double, single] = Curves::SIZES_IN_BYTES;
+    format!(
+        "\n\nThe contact radius is a polynomial from a table of {double} bytes, in single precision of {single}, where \
+         J is between {from:.1e} and {to:.1e}; elsewhere it is iterated."
+    )
 }
 
 /// The operations of one call of each evaluator, unless all are left to the run-time crate.

@@ -6,14 +6,14 @@ use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::power_sum::{self, Whole, terms};
-use super::{Names, leading_term, local, roots, seeds};
+use super::{Names, curves, leading_term, local, roots, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::range::Range;
 use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
 use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
-use crate::start::{Start, has_leading_term_beside_seeds, may_have_leading_term};
+use crate::start::{Start, has_leading_term_beside_table, may_have_leading_term};
 
 /// The highest power of a dense polynomial; beyond it, powers are formed term by term. Two sums of eighty constants are
 /// 1300 bytes.
@@ -62,7 +62,7 @@ fn quick_radii(gap: &Gap, forms: &ClosedForms, start: Option<&Start>, names: &Na
     let Names { krate, scalar, .. } = names;
     let of_positive_terms = quote!(#krate::GapProfile::<#scalar>::has_only_positive_terms(self));
     let truth = match start? {
-        Start::Roots(_) => quote!(true),
+        Start::Curves(_) | Start::Roots(_) => quote!(true),
         Start::Seeds(_) if Whole::of(&forms.stepped.scaled.load_integral).is_none() => return None,
         // Values of other signs than those of the table are rare.
         Start::Seeds(seeds) if gap.is_constant() || seeds.factors.iter().any(|&factor| factor < 0.0) => {
@@ -83,23 +83,18 @@ fn from_start(
     start: &Start,
     coefficients: &Coefficients<'_>,
 ) -> (TokenStream, Option<TokenStream>) {
-    match start {
-        Start::Roots(table) => {
-            let [radius, radii] = roots::radius_and_radii(table, &forms.load_integral, coefficients);
-            (radius, Some(radii))
-        }
-        Start::Seeds(found) => {
-            let is_beside = has_leading_term_beside_seeds(coefficients.gap());
-            let solve = is_beside.then(|| leading_term::solve(forms, coefficients)).flatten();
-            let [radius, radii] =
-                seeds::radius_and_radii(found, &forms.stepped, solve.as_ref(), coefficients);
-            (radius, Some(radii))
-        }
+    let is_beside = has_leading_term_beside_table(coefficients.gap());
+    let solve = || is_beside.then(|| leading_term::solve(forms, coefficients)).flatten();
+    let [radius, radii] = match start {
+        Start::Curves(_) => curves::radius_and_radii(solve().as_ref(), coefficients.names),
+        Start::Roots(table) => roots::radius_and_radii(table, &forms.load_integral, coefficients),
+        Start::Seeds(found) => seeds::radius_and_radii(found, &forms.stepped, solve().as_ref(), coefficients),
         Start::LeadingTerm => {
             let radii = leading_term::radii(forms, coefficients);
-            (leading_term::radius(forms, coefficients), radii)
+            return (leading_term::radius(forms, coefficients), radii);
         }
-    }
+    };
+    (radius, Some(radii))
 }
 
 /// How a radius is compiled into its callers. A radius from a table, or from a leading term with whole powers, is just
@@ -107,7 +102,7 @@ fn from_start(
 /// in the next, which makes up to half of its time.
 fn inlining(gap: &Gap, forms: &ClosedForms, start: Option<&Start>) -> TokenStream {
     match start {
-        Some(Start::Roots(_)) => quote!(#[inline(always)]),
+        Some(Start::Curves(_) | Start::Roots(_)) => quote!(#[inline(always)]),
         Some(Start::LeadingTerm) if leading_term::has_whole_powers(forms) => quote!(#[inline(always)]),
         Some(Start::Seeds(_)) if !gap.is_constant() => quote!(#[inline(always)]),
         _ => quote!(#[inline]),
@@ -132,7 +127,7 @@ fn unlimited_radius(
     let names = coefficients.names;
     let (Names { krate, scalar, load_integral, limit, .. }, preamble) = (names, coefficients.preamble());
     let within = quote!(#krate::GapProfile::radius_within(self, #load_integral, #limit));
-    let (anew, within) = if has_leading_term_beside_seeds(coefficients.gap()) {
+    let (anew, within) = if has_leading_term_beside_table(coefficients.gap()) {
         // Before the table is tried again. The coefficients are computed anew: what the cold call sees is kept in memory,
         // and all that the table needs would be computed again for each of many radii.
         let found = leading_term::radius(forms, coefficients);
@@ -156,14 +151,15 @@ fn unlimited_radius(
     }
 }
 
-/// The radius where the start does not lead to it: outside the rows of a table of seeds, from the leading term if there
-/// may be one.
+/// The radius where the start does not lead to it: outside the rows of a table, from the leading term if there may be one.
 fn outside_table(forms: &ClosedForms, start: Option<&Start>, coefficients: &Coefficients<'_>) -> TokenStream {
     let general = general(forms, coefficients);
-    if !(matches!(start, Some(Start::Seeds(_))) && may_have_leading_term(coefficients.gap())) {
+    if !(matches!(start, Some(Start::Curves(_) | Start::Seeds(_)))
+        && may_have_leading_term(coefficients.gap()))
+    {
         return general;
     }
-    let found = if has_leading_term_beside_seeds(coefficients.gap()) {
+    let found = if has_leading_term_beside_table(coefficients.gap()) {
         leading_term::radius(forms, coefficients)
     } else {
         leading_term::radius_of_real_powers(forms, coefficients)

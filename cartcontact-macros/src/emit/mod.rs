@@ -1,6 +1,7 @@
 //! [`Geometry`] -> Rust code: an implementation of `GapProfile` specialised for it, with documentation.
 
 mod coefficients;
+mod curves;
 mod documentation;
 mod drops;
 mod expression;
@@ -26,7 +27,7 @@ use crate::reading::field::FieldKind;
 use crate::reading::generics::Generics;
 use crate::reading::item::Item;
 use crate::reading::name::unraw;
-use crate::start::{Start, has_leading_term_beside_seeds};
+use crate::start::{Start, has_leading_term_beside_table};
 use coefficients::Coefficients;
 use operations::{Counted, Operations};
 
@@ -218,16 +219,15 @@ fn beside_inversion(
     coefficients: &Coefficients<'_>,
 ) -> Option<TokenStream> {
     let names = coefficients.names;
-    match start? {
-        Start::Roots(roots) => Some(roots::item(roots, names)),
-        Start::Seeds(found) => {
-            let from_table = seeds::items(found, &forms.stepped, coefficients);
-            let is_beside = has_leading_term_beside_seeds(coefficients.gap());
-            let from_leading_term = is_beside.then(|| leading_term::items(forms, names)).flatten();
-            Some(quote!(#from_table #from_leading_term))
-        }
-        Start::LeadingTerm => leading_term::items(forms, names),
-    }
+    let table = match start? {
+        Start::Roots(roots) => return Some(roots::item(roots, names)),
+        Start::LeadingTerm => return leading_term::items(forms, names),
+        Start::Curves(curves) => curves::items(curves, names),
+        Start::Seeds(found) => seeds::items(found, &forms.stepped, coefficients),
+    };
+    let is_beside = has_leading_term_beside_table(coefficients.gap());
+    let from_leading_term = is_beside.then(|| leading_term::items(forms, names)).flatten();
+    Some(quote!(#table #from_leading_term))
 }
 
 /// The run-time crate under the name that generated code has for it.

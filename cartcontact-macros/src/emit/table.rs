@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::{Names, local};
-use crate::start::table::Table;
+use crate::start::table::{Bytes, Table};
 
 pub(super) fn name() -> Ident {
     local("TABLE")
@@ -16,7 +16,7 @@ pub(super) fn item(table: &Table, names: &Names) -> TokenStream {
     quote!(static #name: #kind = #value;)
 }
 
-pub(super) fn value(table: &Table, names: &Names) -> TokenStream {
+pub(super) fn value<R: Bytes>(table: &Table<R>, names: &Names) -> TokenStream {
     let (kind, rows) = (names.generated("Table"), names.generated("Rows"));
     let quarters = |(first, count): (i32, usize)| {
         let (kind, first) = (names.generated("Quarters"), Literal::i32_unsuffixed(first));

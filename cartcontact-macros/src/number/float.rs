@@ -13,7 +13,7 @@ pub(crate) struct Float {
 }
 
 /// Unity in fixed point.
-const ONE: i128 = 1 << 126;
+pub(crate) const ONE: i128 = 1 << 126;
 /// Half of the last of 48 digits, in a number of 80 digits.
 const HALF_UNIT: i128 = 1 << 31;
 
@@ -50,8 +50,8 @@ impl Float {
         Self { mantissa, exponent: self.exponent + other.exponent + 128 }.normal()
     }
 
-    /// A power with an exponent of at least 1.
-    fn power(self, exponent: u32) -> Self {
+    /// A power with an exponent of at least 1, with an error within that exponent times 2⁻¹²⁴ of it.
+    pub(crate) fn power(self, exponent: u32) -> Self {
         let bits = exponent.checked_ilog2().unwrap_or(0);
         (0..bits).rev().fold(self, |power, bit| {
             let square = power.times(power);
@@ -94,14 +94,14 @@ impl Float {
         (Self { exponent: -127, ..self }, self.exponent + 127)
     }
 
-    /// A number below 2 in fixed point.
-    fn fixed(self) -> i128 {
+    /// A number below 2 in fixed point, of which [`ONE`] is the unit.
+    pub(crate) fn fixed(self) -> i128 {
         let shift = u32::try_from(-126 - self.exponent).unwrap_or(u32::MAX);
         self.mantissa.checked_shr(shift).unwrap_or(0) as i128
     }
 
     /// The number minus a small share of itself, in fixed point.
-    fn less(self, share: i128) -> Self {
+    pub(crate) fn less(self, share: i128) -> Self {
         let part = upper_half(self.mantissa, share.unsigned_abs() << 2);
         // Leaves room for a sum.
         let (whole, part) = (self.mantissa >> 1, part >> 1);

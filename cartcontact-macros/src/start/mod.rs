@@ -1,5 +1,7 @@
 //! [`Geometry`] -> [`Start`]: what leads to the contact radius before the general solution has to be used.
 
+pub(crate) mod curves;
+mod load_integral;
 pub(crate) mod own_units;
 pub(crate) mod roots;
 pub(crate) mod seeds;
@@ -9,10 +11,19 @@ use crate::closed_forms::ClosedForms;
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
+use crate::number::{Rational, integer};
+use curves::Curves;
 use roots::Roots;
 use seeds::Seeds;
 
+/// Powers of a square root take little longer than those of the radius.
+const HIGHEST_ROOT_OF_STEPS: i32 = 2;
+/// A step with more takes longer than a curve, for one radius by half, and for one of many a little.
+const MOST_TERMS_OF_STEPS: usize = 8;
+
 pub(crate) enum Start {
+    /// A polynomial in each row of a table, for constants whose powers are not whole.
+    Curves(Curves),
     /// A step from the radius to six digits, which is in a table.
     Seeds(Seeds),
     /// A series from the radius in the middle of a row, for a gap of one term.
@@ -30,10 +41,24 @@ impl Start {
             [only] if !(roots::has_window(only) && only.exponent.is_integer()) => {
                 roots::roots(geometry, only).map(Start::Roots)
             }
-            _ => seeds::seeds(geometry, &forms.stepped).map(Start::Seeds),
+            _ => curves_or_seeds(geometry, forms),
         };
         table.or_else(|| may_have_leading_term(&geometry.gap).then_some(Start::LeadingTerm))
     }
+}
+
+/// Curves instead of steps that would form powers that are not whole, high powers of a root, or many. Where two powers
+/// are so far apart that curves are too short, there may be more seeds.
+fn curves_or_seeds(geometry: &Geometry, forms: &ClosedForms) -> Option<Start> {
+    let seeds = seeds::seeds(geometry, &forms.stepped);
+    let powers = &forms.load_integral.summands;
+    let is_quick = |power: &Rational| (power * integer(HIGHEST_ROOT_OF_STEPS)).is_integer();
+    let has_quick_steps =
+        powers.len() <= MOST_TERMS_OF_STEPS && powers.iter().all(|summand| is_quick(&summand.exponent));
+    let curves = if has_quick_steps { None } else { curves::curves(geometry, &forms.load_integral) };
+    let most = seeds.as_ref().map_or(0, |seeds| seeds.table.rows.len());
+    let curves = curves.filter(|curves| curves.double.rows.len() >= most);
+    curves.map(Start::Curves).or(seeds.map(Start::Seeds))
 }
 
 /// Steps from a leading term cannot use a negative coefficient.
@@ -42,10 +67,10 @@ pub(crate) fn may_have_leading_term(gap: &Gap) -> bool {
     gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
 }
 
-/// Whether a geometry with a table of seeds has functions for the steps from a leading term, too. With fields a term may
+/// Whether a geometry with a table of seeds or curves has functions for the steps from a leading term, too. With fields a term may
 /// be zero, or so small that usual load integrals lie outside the table. With constants only unusual ones do, and
 /// functions for whole powers are short.
-pub(crate) fn has_leading_term_beside_seeds(gap: &Gap) -> bool {
+pub(crate) fn has_leading_term_beside_table(gap: &Gap) -> bool {
     let are_whole = || gap.terms.iter().all(|term| term.exponent.is_integer());
     may_have_leading_term(gap) && (!gap.is_constant() || are_whole())
 }

@@ -23,9 +23,10 @@ use num_traits::{One, ToPrimitive};
 use crate::closed_forms::{PowerSum, Stepped, Summand};
 use crate::geometry::Geometry;
 use crate::number::Rational;
+use crate::start::load_integral::{Derivatives, LoadIntegral};
 use crate::start::own_units;
 use crate::start::table::{
-    LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top,
+    FEWEST_ROWS, LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top,
 };
 
 /// The octaves of a window that may lie above the load integral at which two terms are equal.
@@ -33,8 +34,6 @@ const MOST_OCTAVES_ABOVE_EQUALITY: f64 = 34.0;
 /// The octaves of y on either side of that load integral in which single precision holds what a step computes:
 /// coefficients may be as far from 1 as `EqualTerms` allows. Double precision holds a whole window.
 const LARGEST_SINGLE_OF_SYMBOLS: f64 = 44.0;
-/// A shorter table is not worth its code.
-const FEWEST_ROWS: usize = 32;
 /// ε/8.
 const ALLOWED_ERROR: f64 = f64::EPSILON / 8.0;
 const ALLOWED_ERROR_OF_SINGLE: f64 = f32::EPSILON as f64 / 8.0;
@@ -72,15 +71,15 @@ pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
     }
     let largest_single = if is_constant { LARGEST_SINGLE } else { LARGEST_SINGLE_OF_SYMBOLS };
     let unit = unit(load_integral);
-    let sum = LoadIntegral::new(terms, stepped.root, logarithm(unit.to_f64()?), largest_single);
+    let steps = Steps::new(terms, stepped.root, logarithm(unit.to_f64()?), largest_single);
     let top = if is_constant {
-        top(geometry, |a| sum.at(a.powf(sum.root.recip())).value)
+        top(geometry, |a| steps.sum.at(a.powf(steps.root.recip())).value)
     } else {
-        sum.octaves_above_equality()
+        steps.octaves_above_equality()
     };
     let top = top? * ROWS_PER_OCTAVE;
     let bottom = top - OCTAVES * ROWS_PER_OCTAVE;
-    let rows = sum.rows(bottom..top);
+    let rows = steps.rows(bottom..top);
     let table = Table::of(bottom, if is_constant { &rows } else { before_first_gap(&rows) });
     Some(Seeds { table: table.filter(|table| table.rows.len() >= FEWEST_ROWS)?, factors, unit })
 }
@@ -111,10 +110,10 @@ fn before_first_gap(rows: &[Option<Row>]) -> &[Option<Row>] {
     &rows[..count.map_or(rows.len(), |count| first + count)]
 }
 
-/// J(a) = Σ j a^p as pairs (j, p) in ascending order of p.
-struct LoadIntegral {
-    terms: Vec<(f64, f64)>,
-    /// a is the root of the radius with this index.
+/// J as a step from a row takes it.
+struct Steps {
+    sum: LoadIntegral,
+    /// The radii are roots with this index.
     root: f64,
     /// The share of a that is cut off in single precision.
     cut_off: f64,
@@ -130,15 +129,7 @@ struct LoadIntegral {
     highest_formed: f64,
 }
 
-/// J with a J′, a² J″ and a³ J‴.
-struct Derivatives {
-    value: f64,
-    first: f64,
-    second: f64,
-    third: f64,
-}
-
-impl LoadIntegral {
+impl Steps {
     fn new(terms: Vec<(f64, f64)>, root: u32, unit: f64, largest_single: f64) -> Self {
         let in_units = |&(j, _): &(f64, f64)| {
             let size = logarithm(j);
@@ -155,7 +146,8 @@ impl LoadIntegral {
         };
         let cut_off = if root > 2 { 0.0 } else { CUT_OFF };
         let root = f64::from(root);
-        Self { terms, root, cut_off, largest_single, largest_coefficient, unit, lowest, highest_formed }
+        let sum = LoadIntegral { terms };
+        Self { sum, root, cut_off, largest_single, largest_coefficient, unit, lowest, highest_formed }
     }
 
     /// The octaves of its window above the load integral at which the first two terms are equal.
@@ -164,7 +156,7 @@ impl LoadIntegral {
     /// of the radius before, and the window goes far down; if its power is much higher, both sides have radii that are
     /// 2.5 octaves away, or nearly. If the second term is negative, J turns back before.
     fn octaves_above_equality(&self) -> Option<i32> {
-        let [(_, first), (sign, second), ..] = self.terms[..] else { return None };
+        let [(_, first), (sign, second), ..] = self.sum.terms[..] else { return None };
         if sign < 0.0 {
             return Some(0);
         }
@@ -174,50 +166,15 @@ impl LoadIntegral {
 
     /// The rows with these indices that pass the check.
     fn rows(&self, indices: Range<i32>) -> Vec<Option<Row>> {
-        let mut low = self.radius(lower_end(indices.start));
+        let mut low = self.sum.radius(lower_end(indices.start));
         let rows = indices.map(move |index| {
-            let high = low.and_then(|low| self.radius_near(low, lower_end(index + 1)));
+            let high = low.and_then(|low| self.sum.radius_near(low, lower_end(index + 1)));
             let ends = core::mem::replace(&mut low, high).zip(high)?;
             let ([c0, c1, c2, c3], is_held) = self.row(index, ends)?;
             // In the order in which the solver has them.
             Some(([c0, c2, c1, c3], is_held))
         });
         rows.collect()
-    }
-
-    fn at(&self, a: f64) -> Derivatives {
-        let mut sums = Derivatives { value: 0.0, first: 0.0, second: 0.0, third: 0.0 };
-        for &(j, p) in &self.terms {
-            let term = j * a.powf(p);
-            sums.value += term;
-            sums.first += p * term;
-            sums.second += p * (p - 1.0) * term;
-            sums.third += p * (p - 1.0) * (p - 2.0) * term;
-        }
-        sums
-    }
-
-    /// The radius of `y`, from that of the positive term that is largest there.
-    fn radius(&self, y: f64) -> Option<f64> {
-        let alone = self.terms.iter().filter(|(j, _)| *j > 0.0).map(|&(j, p)| (y / j).powf(1.0 / p));
-        self.radius_near(alone.reduce(f64::min)?, y)
-    }
-
-    /// The radius of `y` by Newton's method on logarithms, in which J is nearly linear.
-    ///
-    /// Without an admissible radius it finds none, or one with which no row passes the check.
-    fn radius_near(&self, start: f64, y: f64) -> Option<f64> {
-        let mut a = start;
-        for _ in 0..50 {
-            let Derivatives { value, first, .. } = self.at(a);
-            let step = (value / y).ln() * value / first;
-            a *= (-step).exp();
-            // The method is of second order: what this step leaves is below the rounding.
-            if step.abs() < 1e-9 {
-                return Some(a);
-            }
-        }
-        None
     }
 
     /// The largest logarithm of what a step from `a` computes: coefficients, powers, J and its derivatives divided by
@@ -240,12 +197,12 @@ impl LoadIntegral {
         let unit = 2f64.powi(index.div_euclid(ROWS_PER_OCTAVE));
         let between = |share: f64| low * (high / low).powf(share);
         let radii = NODES.map(between);
-        let fractions = radii.map(|a| self.at(a).value / unit);
+        let fractions = radii.map(|a| self.sum.at(a).value / unit);
         let row = interpolate(fractions, radii).map(|coefficient| coefficient as f32);
         let mut largest = 0.0_f64;
         let mut passes = |share: f64| {
             let a = between(share);
-            let at = self.at(a);
+            let at = self.sum.at(a);
             let error = MARGIN * (f64::from(value(row, at.value)) / a - 1.0).abs();
             let (half_second, third) = (at.second / (2.0 * at.first), at.third / (6.0 * at.first));
             let next_order = if self.root > 2.0 { (at.first / at.value).powi(2) / 12.0 } else { 0.0 };
@@ -295,10 +252,10 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
 
-    impl LoadIntegral {
+    impl Steps {
         fn octave(&self, octave: i32) -> Option<Vec<[f32; 4]>> {
             let rows = octave * ROWS_PER_OCTAVE..(octave + 1) * ROWS_PER_OCTAVE;
-            let ends = |index| self.radius(lower_end(index)).zip(self.radius(lower_end(index + 1)));
+            let ends = |index| self.sum.radius(lower_end(index)).zip(self.sum.radius(lower_end(index + 1)));
             rows.map(|index| Some(self.row(index, ends(index)?)?.0)).collect()
         }
     }
@@ -307,13 +264,13 @@ mod tests {
     #[test]
     fn seeds_have_six_digits() {
         let two_terms =
-            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1, 0.0, LARGEST_SINGLE);
+            Steps::new(vec![(0.025 / 12.0, 6.0), (1.09375e-4 / 12.0, 8.0)], 1, 0.0, LARGEST_SINGLE);
         for octave in -20..30 {
             let rows = two_terms.octave(octave).unwrap();
             for k in 0..1000 {
                 let y = 2f64.powi(octave) * (1.0 + f64::from(k) / 1000.0);
                 let seed = f64::from(value(rows[k as usize / 250], y));
-                let error = seed / two_terms.radius(y).unwrap() - 1.0;
+                let error = seed / two_terms.sum.radius(y).unwrap() - 1.0;
                 assert!(error.abs() < 1e-6, "{y}: {error:e}");
             }
         }
@@ -322,10 +279,9 @@ mod tests {
     /// Where J has a maximum, as at the end of an admissible range, no step leads to the radius.
     #[test]
     fn rows_that_are_too_coarse_are_left_out() {
-        let oblate =
-            LoadIntegral::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1, 0.0, LARGEST_SINGLE);
+        let oblate = Steps::new(vec![(0.025 / 12.0, 6.0), (-1e-4 / 12.0, 8.0)], 1, 0.0, LARGEST_SINGLE);
         let end = 187.5_f64.sqrt();
-        let last = oblate.at(end).value.log2().floor() as i32;
+        let last = oblate.sum.at(end).value.log2().floor() as i32;
         assert!(oblate.octave(last).is_none());
         assert!(oblate.octave(last - 3).is_some());
     }

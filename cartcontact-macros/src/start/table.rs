@@ -1,6 +1,7 @@
 //! [`Geometry`] -> [`Table`]: rows by octaves of the load integral, from which one step leads to the contact radius.
 //!
-//! Rows of four numbers in single precision stand for quarters of octaves; 256 rows, 4 KiB, span 64 octaves.
+//! Rows stand for quarters of octaves; 256 rows span 64 octaves. A row is four numbers in single precision, 4 KiB in
+//! all, or more for [curves](crate::start::curves).
 //!
 //! **The window.** Where the gap is as wide as the radius, Φ(ℓ) = ℓ, a layer is no longer thin; where it is a
 //! thousandth of the radius, the surfaces hardly part. For a sphere the contacts between these are y from 2⁻⁶⁰ J(ℓ) to
@@ -21,6 +22,8 @@ use crate::geometry::Geometry;
 /// Rows per octave of the load integral.
 pub(crate) const ROWS_PER_OCTAVE: i32 = 4;
 pub(crate) const OCTAVES: i32 = 64;
+/// A shorter table is not worth its code.
+pub(crate) const FEWEST_ROWS: usize = 32;
 const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
 /// The octaves of the window above J(ℓ), at least.
 const OCTAVES_ABOVE: f64 = 4.0;
@@ -32,25 +35,42 @@ pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
 pub(crate) const LARGEST_SINGLE: f64 = 100.0;
 
 /// Rows for y = u · 2^e, 1 ≤ u < 2, by k = 4 e + ⌊4 (u − 1)⌋ − first.
-pub(crate) struct Table {
+pub(crate) struct Table<R = [f32; 4]> {
     pub(crate) first: i32,
-    pub(crate) rows: Vec<[f32; 4]>,
+    pub(crate) rows: Vec<R>,
     /// The first row for which single precision holds all that the step computes, and the number of such rows.
     pub(crate) single: (i32, usize),
 }
 
 /// A row, and whether single precision holds all that a step from it computes.
-pub(crate) type Row = ([f32; 4], bool);
+pub(crate) type Row<R = [f32; 4]> = (R, bool);
 
-impl Table {
+/// A row as the solver reads it.
+pub(crate) trait Bytes: Copy {
+    /// As many as the row has in memory.
+    fn bytes(&self) -> Vec<u8>;
+}
+
+impl<const N: usize> Bytes for [f32; N] {
+    fn bytes(&self) -> Vec<u8> {
+        self.iter().flat_map(|number| number.to_le_bytes()).collect()
+    }
+}
+
+impl<R: Bytes> Table<R> {
     /// The longest run of the rows that exist; the first of `rows` has the index `first`.
-    pub(crate) fn of(first: i32, rows: &[Option<Row>]) -> Option<Self> {
+    pub(crate) fn of(first: i32, rows: &[Option<Row<R>>]) -> Option<Self> {
         let run = longest_run(rows.len(), &|index| rows[index].is_some());
         let first = first + run.start as i32;
-        let rows: Vec<Row> = rows[run].iter().copied().collect::<Option<_>>()?;
+        let rows: Vec<Row<R>> = rows[run].iter().copied().collect::<Option<_>>()?;
         let single = longest_run(rows.len(), &|index| rows[index].1);
         let single = (first + single.start as i32, single.len());
         (!rows.is_empty()).then(|| Self { first, rows: rows.iter().map(|(row, _)| *row).collect(), single })
+    }
+
+    /// A table without rows.
+    pub(crate) fn empty() -> Self {
+        Self { first: 0, rows: Vec::new(), single: (0, 0) }
     }
 
     /// The load integrals at both ends of the table.
@@ -61,16 +81,16 @@ impl Table {
     /// The bytes of the rows in the places where the solver looks for them: the row of index k is at k − 4 modulo 256,
     /// which a number has in the last six bits of its biased exponent and the first two of its fraction.
     pub(crate) fn in_places(&self) -> Vec<u8> {
-        let mut places = [[0_f32; 4]; ROWS];
-        for (&row, index) in self.rows.iter().zip(self.first..) {
-            places[(index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize] = row;
+        let mut places = vec![0; Self::size_in_bytes()];
+        for (row, index) in self.rows.iter().zip(self.first..) {
+            let place = (index - ROWS_PER_OCTAVE).rem_euclid(ROWS as i32) as usize * size_of::<R>();
+            places[place..place + size_of::<R>()].copy_from_slice(&row.bytes());
         }
-        let bytes = places.as_flattened().iter().map(|number| number.to_le_bytes());
-        bytes.collect::<Vec<_>>().into_flattened()
+        places
     }
 
     pub(crate) const fn size_in_bytes() -> usize {
-        size_of::<[[f32; 4]; ROWS]>()
+        size_of::<[R; ROWS]>()
     }
 }
 
@@ -134,6 +154,6 @@ mod tests {
         let row = |is_held: bool| Some(([0.0; 4], is_held));
         let table = Table::of(-3, &[None, row(false), row(true), row(true), row(false)]);
         assert!(table.is_some_and(|table| (table.first, table.rows.len(), table.single) == (-2, 4, (-1, 2))));
-        assert!(Table::of(0, &[None]).is_none());
+        assert!(Table::<[f32; 4]>::of(0, &[None]).is_none());
     }
 }

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
 mod admissibility;
+mod curves;
 mod documentation;
 mod effort;
 mod faults;

@@ -13,7 +13,7 @@ const BLOCK: usize = 64;
 /// Radii per block at the end of a slice. Fewer than these are quicker one by one.
 const SMALL_BLOCK: usize = 16;
 
-impl Table {
+impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
     /// [`fill`] with blocks solved by a step from the rows. Where the first block is not in the table, `others` solves as
     /// much of it as it can, in vector code: the blocks after it may be in the table.
     #[inline(always)]
@@ -21,7 +21,7 @@ impl Table {
         &self,
         values: (&[T], &mut [T]),
         limit: T,
-        step: impl Step<T>,
+        step: impl Step<T, N>,
         others: impl Fn(&[T], &mut [T]) -> usize,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
@@ -97,14 +97,17 @@ pub(super) fn leading_blocks<T, const N: usize>(
     found
 }
 
+/// Longer rows are quicker read where they are: vectors gather what they need of them.
+const LONGEST_COPIED_ROW: usize = 16;
+
 /// How the load integrals of a block are solved.
-struct Blocks<'a, T, S> {
-    table: &'a Table,
+struct Blocks<'a, T, S, const N: usize, const BYTES: usize> {
+    table: &'a Table<N, BYTES>,
     limit: T,
     step: S,
 }
 
-impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
+impl<T: Scalar, S: Step<T, LENGTH>, const LENGTH: usize, const BYTES: usize> Blocks<'_, T, S, LENGTH, BYTES> {
     /// Finds the radii before the first block that fails, or before the last few. Returns how many it has found.
     #[inline(always)]
     fn solve(&self, load_integrals: &[T], radii: &mut [T]) -> usize {
@@ -134,7 +137,7 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
     fn block<const N: usize>(
         &self,
         load_integrals: &[T; N],
-        (rows, starts): (&mut [Row; N], &mut [S::Start; N]),
+        (rows, starts): (&mut [Row<LENGTH>; N], &mut [S::Start; N]),
         radii: &mut [T; N],
     ) -> bool {
         // Copies, which cannot alias what is written: otherwise they would be read again for every radius.
@@ -154,6 +157,16 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
         let places = all_digits.iter().copied().zip(all_periods);
         if let Some(row) = table.row_of_all(&all_digits) {
             take_steps(step, iter::repeat(&row), places, starts, (load_integrals, radii));
+        } else if const { LENGTH > LONGEST_COPIED_ROW } {
+            // As far as compilers know, the table may be where `radii` are.
+            let mut here = [T::zero(); N];
+            for ((radius, &load_integral), (digits, periods)) in
+                here.iter_mut().zip(load_integrals).zip(places)
+            {
+                let row = table.row(digits);
+                *radius = step.radius(&row, step.start(&row, digits, periods), load_integral);
+            }
+            *radii = here;
         } else {
             for (row, &digits) in rows.iter_mut().zip(&all_digits) {
                 *row = table.row(digits);
@@ -167,9 +180,9 @@ impl<T: Scalar, S: Step<T>> Blocks<'_, T, S> {
 
 /// The radii by a step from each row, for load integrals with these digits and periods.
 #[inline(always)]
-fn take_steps<'a, T: Scalar, S: Step<T>, const N: usize>(
+fn take_steps<'a, T: Scalar, S: Step<T, LENGTH>, const N: usize, const LENGTH: usize>(
     step: S,
-    rows: impl Iterator<Item = &'a Row> + Clone,
+    rows: impl Iterator<Item = &'a Row<LENGTH>> + Clone,
     places: impl Iterator<Item = (u32, i32)>,
     starts: &mut [S::Start; N],
     (load_integrals, radii): (&[T; N], &mut [T; N]),

@@ -2,7 +2,8 @@
 //!
 //! | module | for | how |
 //! |---|---|---|
-//! | [`table`] | constants; fields that set units | a row of the macro's table, and one step of [`halley`] |
+//! | [`table::curves`] | constants of fractional powers, or of many | a polynomial from a row of the macro's table |
+//! | [`table`] | other constants; fields that set units | a row of the macro's table, and one step of [`halley`] |
 //! | [`table::roots`] | one term | a root from a table, and a series |
 //! | [`whole_powers`], [`real_powers`] | other sums of positive terms | [`leading_term`], and a fixed number of steps of [`halley`] |
 //! | [`one_term`] | one term, whatever the load integral | the root, Eq. (18) |

@@ -4,17 +4,19 @@
 //! A row is a cubic in the fraction of the load integral y that gives the radius to six digits, see [`cubics`]. One
 //! [step](super::halley) from there reaches the last bit. In single precision the seed is first cut to half its digits,
 //! so that its square is exact in both formats. The macro has checked the error after the step for every row: it is
-//! less than ε/8. The weights of symbols have few digits, see [`Target`](super::halley::Target), so that they are
-//! rounded no more than constants. Where the gap begins with r, p is least, and what its power loses is known. With
-//! whole powers up to 11 radii in a million are off by more than 1 ulp, by 1.07 at the most;
-//! `cargo run --release -p tests --bin radii` counts them.
+//! less than ε/8. The weights of coefficients that depend on fields have few digits, see
+//! [`Target`](super::halley::Target), so that they are rounded no more than constants. Where the gap begins with r, p is
+//! least, and what its power loses is known. With whole powers about ten radii in a million are off by more than 1 ulp;
+//! `cargo run --release -p tests --bin radii` counts them, and says by how much.
 //!
 //! Where powers are multiples of 1/2, the same is done with x, the square root of the radius, whose powers are whole.
 //! Its square less the step is as exact as the radius would be, and what x^p loses is known, as p is twice as high; so
-//! is, where the gap begins with r or √r, what its product with the rest of J loses. With multiples of 1/3 to 1/20 the
-//! powers of the root are so high that they are computed without any loss, see
-//! [`NestedPowers`](crate::evaluate::steepness::NestedPowers): of eight million radii of eight geometries none was off
-//! by more than 0.91 ulp, nor by more than 0.8 ulp in single precision.
+//! is, where the gap begins with r or √r, what its product with the rest of J loses. With fields and multiples of 1/3 to
+//! 1/20 the powers of the root are so high that they are computed without any loss, see
+//! [`NestedPowers`](crate::evaluate::steepness::NestedPowers).
+//!
+//! Where powers of constants are other fractions, or many, each row has the radius itself as a polynomial, see
+//! [`curves`].
 //!
 //! Where the gap is one term, the radius is a root. Each row of its table has the root at the middle of the quarter,
 //! see [`roots`].
@@ -23,6 +25,7 @@
 //! finds all of them.
 
 mod cubics;
+pub(crate) mod curves;
 pub(crate) mod roots;
 pub(crate) mod spans;
 pub(crate) mod units;
@@ -33,9 +36,10 @@ use crate::Scalar;
 use crate::numbers::bits::{least_of_quarter, quarter};
 use crate::scalar::is_same;
 
-/// Four numbers for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2.
+/// A row of `N` bytes for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2,
+/// `BYTES` in all.
 #[derive(Debug)]
-pub struct Table {
+pub struct Table<const N: usize = 16, const BYTES: usize = 4096> {
     /// The quarters k of the table, at most 256.
     pub quarters: Quarters,
     /// The subset of quarters in which y and all intermediates of a step fit single precision (within 2^±100).
@@ -43,7 +47,7 @@ pub struct Table {
     /// The row of k is at k − 4 modulo 256.
     ///
     /// This index is eight bits of y, six of its exponent and two of its fraction, and needs no check of bounds.
-    pub rows: Rows,
+    pub rows: Rows<BYTES>,
 }
 
 /// A range of quarters of octaves.
@@ -55,17 +59,17 @@ pub struct Quarters {
     pub count: u32,
 }
 
-/// 256 rows, as bytes: the compiler reads one literal instead of a thousand. No row straddles two cache lines.
+/// 256 rows, as bytes: the compiler reads one literal instead of a thousand. No row of 16 bytes straddles two cache lines.
 #[derive(Debug)]
 #[repr(align(16))]
-pub struct Rows(pub [u8; 4096]);
+pub struct Rows<const BYTES: usize>(pub [u8; BYTES]);
 
-/// Four numbers in single precision, the low byte first.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Row(pub(super) [u8; 16]);
+/// Numbers, the low byte first: by default four in single precision.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<const N: usize = 16>(pub(super) [u8; N]);
 
 /// How a radius follows from its row of the table.
-pub(super) trait Step<T>: Copy {
+pub(super) trait Step<T, const N: usize = 16>: Copy {
     /// What is read from all rows of a block first, if that makes quicker vector code.
     type Start: Copy + Default;
 
@@ -73,16 +77,16 @@ pub(super) trait Step<T>: Copy {
     fn in_table(self, load_integral: T) -> (T, i32);
 
     /// What a row gives for the [`digits`] of a load integral and its periods.
-    fn start(self, row: &Row, digits: u32, periods: i32) -> Self::Start;
+    fn start(self, row: &Row<N>, digits: u32, periods: i32) -> Self::Start;
 
-    fn radius(self, row: &Row, start: Self::Start, load_integral: T) -> T;
+    fn radius(self, row: &Row<N>, start: Self::Start, load_integral: T) -> T;
 }
 
-impl Table {
+impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
     /// The radius at which J is `load_integral`; none outside the table or beyond `limit`, and for scalars other than
     /// f32 and f64.
     #[inline(always)]
-    pub(super) fn find<T: Scalar, S: Step<T>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
+    pub(super) fn find<T: Scalar, S: Step<T, N>>(&self, load_integral: T, limit: T, step: S) -> Option<T> {
         let (y, periods) = step.in_table(load_integral);
         if !(self.holds::<T>() && self.contains(y)) {
             return None;
@@ -120,14 +124,14 @@ impl Table {
     }
 
     #[inline(always)]
-    pub(super) fn row(&self, digits: u32) -> Row {
+    pub(super) fn row(&self, digits: u32) -> Row<N> {
         let (rows, _) = self.rows.0.as_chunks();
         Row(rows[usize::from(row_index(digits))])
     }
 
     /// The row of all these digits, if they have the same one.
     #[inline(always)]
-    pub(super) fn row_of_all(&self, digits: &[u32]) -> Option<Row> {
+    pub(super) fn row_of_all(&self, digits: &[u32]) -> Option<Row<N>> {
         let [first, .., last] = *digits else { return None };
         // Where load integrals are in no order, a look at two of them usually settles it.
         if row_index(first ^ last) != 0 {
@@ -138,14 +142,27 @@ impl Table {
     }
 }
 
-impl Row {
-    /// The number at a place from 0 to 3.
+impl<const N: usize> Default for Row<N> {
+    fn default() -> Self {
+        Self([0; N])
+    }
+}
+
+impl<const N: usize> Row<N> {
+    /// The number in single precision at a place from 0 on.
     #[inline(always)]
     pub(super) fn at(&self, place: usize) -> f32 {
         f32::from_le_bytes(self.bytes_at(place))
     }
 
-    /// The integer at a place from 0 to 3.
+    /// The number in double precision at a place from 0 on.
+    #[inline(always)]
+    pub(super) fn word(&self, place: usize) -> f64 {
+        let (places, _) = self.0.as_chunks();
+        f64::from_le_bytes(places[place])
+    }
+
+    /// The integer at a place from 0 on.
     #[inline(always)]
     fn integer_at(&self, place: usize) -> i32 {
         i32::from_le_bytes(self.bytes_at(place))

@@ -1,0 +1,116 @@
+//! Polynomials for the contact radius, against J in 128 digits.
+
+use super::on_unit;
+use crate::closed_forms::ClosedForms;
+use crate::number::Rational;
+use crate::number::float::{Float, ONE};
+use crate::start::Start;
+use crate::start::curves::{Curves, DoubleRow, SingleRow};
+use crate::start::table::lower_end;
+
+const SUMS: [&str; 6] = [
+    "0.02 * r^(2/3) + 1e-3 * r^2",
+    "0.02 * r^0.25 + 1e-3 * r^8.75",
+    "0.02 * r^0.61 + 1e-3 * r^2.29 + 1e-5 * r^4.83",
+    "0.02 * r^2.0001 + 1e-3 * r^2.37",
+    "0.02 * r^1.8 - 1e-5 * r^4.6, max_radius = 6",
+    "sphere(10), order = 40, max_radius = 9",
+];
+
+fn start(text: &str) -> (ClosedForms, Option<Start>) {
+    let geometry = on_unit(text).unwrap();
+    let forms = ClosedForms::of(&geometry.gap);
+    let start = Start::of(&geometry, &forms);
+    (forms, start)
+}
+
+fn curves(text: &str) -> (ClosedForms, Curves) {
+    match start(text) {
+        (forms, Some(Start::Curves(curves))) => (forms, curves),
+        _ => unreachable!("{text} has no curves"),
+    }
+}
+
+/// The share of itself by which a radius of `y` is too large, from J(a)/y and from a J′(a)/y.
+fn error(forms: &ClosedForms, radius: f64, y: f64) -> f64 {
+    let [radius, inverse] = [radius, y].map(|number| Rational::from_float(number).unwrap());
+    let inverse = Float::of(&inverse.recip()).unwrap();
+    let (mut surplus, mut slope) = (-ONE, 0.0);
+    for summand in &forms.load_integral.summands {
+        let (j, p) = (summand.constant().unwrap(), &summand.exponent);
+        let power = Float::real_root(&radius, &p.recip()).unwrap();
+        let share = Float::of(&j.abs()).unwrap().times(inverse).times(power).fixed();
+        let share = if j.is_negative() { -share } else { share };
+        surplus += share;
+        slope += num_traits::ToPrimitive::to_f64(p).unwrap() * share as f64;
+    }
+    surplus as f64 / slope
+}
+
+/// The place of y in its row, as the solver computes it.
+fn from_middle(y: f64) -> f64 {
+    let fraction = y / 2f64.powf(y.log2().floor());
+    fraction - (1.125 + 0.25 * ((fraction - 1.0) * 4.0).floor())
+}
+
+fn value(DoubleRow { words, rests }: &DoubleRow, y: f64) -> f64 {
+    let w = from_middle(y);
+    let coefficients = words[1..].iter().copied().chain(rests[1..5].iter().copied().map(f64::from));
+    words[0] + (f64::from(rests[0]) + w * coefficients.rev().fold(0.0, |sum, c| sum * w + c))
+}
+
+fn value_of_single(row: &SingleRow, y: f32) -> f32 {
+    let w = from_middle(y.into()) as f32;
+    row[0] + (row[1] + w * row[2..].iter().rev().fold(0.0, |sum, c| sum * w + c))
+}
+
+/// From one end of a row to the other: half an ε for the result, and little for all else.
+#[test]
+fn radii_are_rounded_once() {
+    for text in SUMS {
+        let (forms, Curves { double, single }) = curves(text);
+        let mut largest = [0.0_f64; 2];
+        for (place, share) in
+            [0.0, 0.03, 0.2, 0.5, 0.71, 0.97, 0.999].into_iter().cycle().enumerate().take(256)
+        {
+            let at = |first: i32| {
+                let [low, high] = [0, 1].map(|above| lower_end(first + place as i32 + above));
+                low + share * (high - low)
+            };
+            if let Some(row) = double.rows.get(place) {
+                let y = at(double.first);
+                largest[0] = largest[0].max(error(&forms, value(row, y), y).abs() / f64::EPSILON);
+            }
+            if let Some(row) = single.rows.get(place) {
+                let y = at(single.first) as f32;
+                let found = error(&forms, value_of_single(row, y).into(), y.into());
+                largest[1] = largest[1].max(found.abs() / f64::from(f32::EPSILON));
+            }
+        }
+        assert!(largest.iter().all(|&error| error < 0.56), "{text}: {largest:?}");
+    }
+}
+
+#[test]
+fn curves_cover_what_seeds_cover() {
+    for text in SUMS {
+        let (_, Curves { double, single }) = curves(text);
+        assert_eq!((double.rows.len(), single.rows.len()), (256, 256), "{text}");
+    }
+    // Far apart, or of a common denominator that is too high.
+    for text in ["0.02 * r^2.1 + 1e-9 * r^30.3", "0.02 * r^2 + 1e-3 * r^2.3456789"] {
+        assert!(
+            !matches!(start(text).1, Some(Start::Curves(curves)) if curves.double.rows.len() == 256),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn low_whole_powers_take_steps() {
+    for text in
+        ["0.02 * r^2 + 1e-3 * r^4", "0.02 * r^1.5 + 1e-3 * r^2", "sphere(10), order = 16, max_radius = 5"]
+    {
+        assert!(matches!(start(text).1, Some(Start::Seeds(_))), "{text}");
+    }
+}

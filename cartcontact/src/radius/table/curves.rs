@@ -1,0 +1,161 @@
+//! The contact radius as a polynomial in each row, where powers of constants are not whole.
+//!
+//! ```text
+//! a = A + (c₁ w + c₂ w² + …),     w = y/2^e − u,  |w| ≤ 1/8
+//! ```
+//!
+//! with y = f · 2^e, 1 ≤ f < 2, and u the middle of the quarter of an octave that f lies in. Twelve terms leave less than
+//! ε/16, and six in single precision; the macro has checked that for every row. No power of a radius is formed, so
+//! that powers need not be whole, nor few.
+//!
+//! **Accuracy.** A has two parts, and w is exact. What is rounded besides the last sum is less than 1/50 of it: 1/2 ulp
+//! and little more is left.
+
+use super::{Row, Step, Table};
+use crate::Scalar;
+use crate::numbers::bits::{fraction, middle_of_part};
+use crate::profile::RadiusError;
+use crate::radius::whole_powers::find_blocks;
+use crate::scalar::{from_single, is_same};
+
+/// Rows of nine f64, A and c₁ to c₈, and five f32, what A lacks and c₉ to c₁₂; four bytes are spare.
+pub type DoubleCurves = Table<96, 24576>;
+
+/// Rows of eight f32: A, what it lacks, and c₁ to c₆.
+pub type SingleCurves = Table<32, 8192>;
+
+/// The tables of both formats. A program contains those of the formats that it uses.
+#[derive(Clone, Copy, Debug)]
+pub struct Curves {
+    /// For f64.
+    pub double: &'static DoubleCurves,
+    /// For f32.
+    pub single: &'static SingleCurves,
+}
+
+impl Curves {
+    /// `Table::find` by a polynomial.
+    #[inline(always)]
+    pub fn radius<T: Scalar>(self, load_integral: T, limit: T) -> Option<T> {
+        if is_same::<T, f32>() {
+            self.single.find(load_integral, limit, SingleCurve)
+        } else {
+            self.double.find(load_integral, limit, DoubleCurve)
+        }
+    }
+
+    /// `Table::find_all` by a polynomial.
+    ///
+    /// # Errors
+    ///
+    /// As `Table::find_all`.
+    #[inline]
+    pub fn radii<T: Scalar>(
+        self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.find_all(values, limit, |_, _| 0, general)
+    }
+
+    /// The same with a second start for load integrals outside the tables: `solve` calls
+    /// [`WholePowers::solve`](crate::radius::whole_powers::WholePowers::solve).
+    ///
+    /// # Errors
+    ///
+    /// As `Table::find_all`.
+    #[inline]
+    pub fn radii_also_outside<T: Scalar>(
+        self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        solve: impl Fn(T, u32) -> (T, bool),
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.find_all(
+            values,
+            limit,
+            #[inline(always)]
+            |load_integrals, radii| {
+                let in_table = |load_integral| self.radius(load_integral, limit);
+                find_blocks(load_integrals, radii, limit, &solve, in_table)
+            },
+            general,
+        )
+    }
+
+    #[inline(always)]
+    fn find_all<T: Scalar>(
+        self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        others: impl Fn(&[T], &mut [T]) -> usize,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        if is_same::<T, f32>() {
+            self.single.find_all(values, limit, SingleCurve, others, general)
+        } else {
+            self.double.find_all(values, limit, DoubleCurve, others, general)
+        }
+    }
+}
+
+/// The distance w from the middle of its quarter of an octave.
+#[inline(always)]
+fn from_middle<T: Scalar>(load_integral: T) -> T {
+    let fraction = fraction(load_integral);
+    fraction - middle_of_part::<_, 2>(fraction)
+}
+
+#[derive(Clone, Copy)]
+struct DoubleCurve;
+
+impl<T: Scalar> Step<T, 96> for DoubleCurve {
+    type Start = ();
+
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> (T, i32) {
+        (load_integral, 0)
+    }
+
+    #[inline(always)]
+    fn start(self, _row: &Row<96>, _digits: u32, _periods: i32) {}
+
+    #[inline(always)]
+    fn radius(self, row: &Row<96>, _start: (), load_integral: T) -> T {
+        let w = from_middle(load_integral);
+        let word = |place: usize| T::constant(row.word(place));
+        let rest = |place: usize| from_single::<T>(row.at(18 + place));
+        let square = w * w;
+        let fourth = square * square;
+        let low = (word(2) + word(3) * w) + (word(4) + word(5) * w) * square;
+        let middle = (word(6) + word(7) * w) + (word(8) + rest(1) * w) * square;
+        let high = (rest(2) + rest(3) * w) + rest(4) * square;
+        word(0) + ((rest(0) + word(1) * w) + square * (low + fourth * (middle + fourth * high)))
+    }
+}
+
+#[derive(Clone, Copy)]
+struct SingleCurve;
+
+impl<T: Scalar> Step<T, 32> for SingleCurve {
+    type Start = ();
+
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> (T, i32) {
+        (load_integral, 0)
+    }
+
+    #[inline(always)]
+    fn start(self, _row: &Row<32>, _digits: u32, _periods: i32) {}
+
+    #[inline(always)]
+    fn radius(self, row: &Row<32>, _start: (), load_integral: T) -> T {
+        let w = from_middle(load_integral);
+        let c = |place: usize| from_single::<T>(row.at(place));
+        let square = w * w;
+        let high = (c(3) + c(4) * w) + ((c(5) + c(6) * w) + c(7) * square) * square;
+        c(0) + ((c(1) + c(2) * w) + square * high)
+    }
+}
