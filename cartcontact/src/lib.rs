@@ -70,10 +70,16 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("cartcontact needs mathematical functions; enable the feature `std` or `libm`");
 
-// From a geometry (`profile`, `polynomial`, generated code by way of `generated`; `admissibility`: how far it holds), a
-// `medium` of `layer`s and a `load` to a `contact`; from there by `radius` and `memory` to a `snapshot`, a `field` of
-// pressures. All of them take sums of powers from `evaluate`. `numbers`, `quadrature`, `scalar`, `pairs` and `dispatch`
-// (to instructions) know nothing of contacts.
+// In the order in which data flow:
+//
+// | what | modules |
+// |---|---|
+// | the geometry, and how far it is admissible | `profile`, `polynomial`, `generated` (by the macro); `admissibility` |
+// | layers and load | `layer`, `medium`, `load` |
+// | a contact, its radius and its memory | `contact`, `radius`, `memory` |
+// | results at one time, and at many | `snapshot`, `field` |
+// | sums of powers and kernels, for all of these | `evaluate` |
+// | what knows nothing of contacts | `numbers`, `quadrature`, `scalar`, `pairs`, `shown`, `dispatch` (to instructions) |
 mod admissibility;
 mod contact;
 mod dispatch;

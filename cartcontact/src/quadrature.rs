@@ -101,6 +101,10 @@ impl Rule {
         RULES.into_iter().find(|rule| folds <= rule.folds()).unwrap_or(Self::FINEST)
     }
 
+    pub(crate) fn is_finest(&self) -> bool {
+        self.len() == Self::FINEST.len()
+    }
+
     /// The most e-foldings it integrates to full accuracy in the arithmetic of `T`.
     pub(crate) fn folds<T: Scalar>(&self) -> T {
         self.number(|tables| tables.folds, |tables| tables.folds)

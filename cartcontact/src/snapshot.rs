@@ -88,7 +88,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     pub fn approach(&self) -> T {
         let (approach, load_integral) = self.contact.profile().approach_and_load_integral(self.radius);
         let loading = self.contact.loading(self.time);
-        let stage = self.contact.stage_of(loading, self.time, self.radius, load_integral);
+        let stage = self.contact.stage_with_load_integral(loading, self.time, self.radius, load_integral);
         approach + stage.strip(self.contact.integral_per_load())
     }
 
@@ -246,7 +246,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     fn past_stage(&self, time: T) -> Stage<T> {
         let loading = self.contact.loading(time);
         let radius = self.contact.radius_under_loading(loading).unwrap_or(T::zero());
-        self.contact.stage_under(loading, time, radius)
+        self.contact.stage_with_loading(loading, time, radius)
     }
 }
 

@@ -1,4 +1,12 @@
 //! [`Geometry`] -> Rust code: an implementation of `GapProfile` specialised for it, with documentation.
+//!
+//! | what | modules |
+//! |---|---|
+//! | coefficients, as literals or computed from fields | `coefficients`, `expression` |
+//! | closed forms | `power_sum`, `pressure_kernel`, `drops`; `operations` counts what they take |
+//! | the contact radius | `inversion`, from one of `curves`, `roots`, `seeds` (each with a `table`) and `leading_term`; `steepness` is what steps evaluate |
+//! | the admissible range, and what the type itself tells | `range`, `inherent` |
+//! | documentation | `documentation` |
 
 mod coefficients;
 mod curves;

@@ -154,7 +154,7 @@ pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients
     match Whole::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
         Some(whole) if whole.is_low_in_square() => {
-            let (even_sum, lowest) = (names.generated("even_sum"), whole.lowest());
+            let (even_sum, lowest) = (names.generated("quick_even_sum"), whole.lowest());
             let dense = whole.dense((lowest, 2), sum, coefficients);
             quote!(#even_sum(#x, #lowest, #dense))
         }

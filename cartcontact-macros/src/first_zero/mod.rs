@@ -2,6 +2,13 @@
 //!
 //! With n_1 the lowest exponent and g the greatest common divisor of the differences n_i - n_1, the sum is
 //! r^n_1 q(r^g), where q is a polynomial of the lowest degree possible.
+//!
+//! | what | modules |
+//! |---|---|
+//! | q, and the part of it without multiple roots | `integer_polynomial`, `common_divisor` |
+//! | isolating its smallest positive root | `search`, on ever smaller parts of an interval: `source` and `part` with its digits, `bernstein` with its signs, `outline` and `minimum` where these decide nothing |
+//! | what these compute with | `fixed_point`, `horner`, `taylor`, `powers`, `interval_power` |
+//! | the root, and the end of the range | `first_root`, `end`; `power` compares it with others |
 
 mod bernstein;
 mod common_divisor;

@@ -1,6 +1,13 @@
 //! Syntax -> [`Gap`], by way of a sum of powers and surfaces: what was written, with exact coefficients.
 //!
 //! This file has the last step, [`Polynomial`] -> [`Gap`]: it checks that a sum of powers is a gap.
+//!
+//! | what | modules |
+//! |---|---|
+//! | the value of an expression | `evaluate` makes a `shape` of powers and `surface`s |
+//! | surfaces as powers | `expansion`, by the `series` of a surface up to its `rim`; `truncation` bounds what is neglected |
+//! | sums of powers | `polynomial`, `like_terms`, with a `coefficient` for each |
+//! | options, and faults of the whole gap | `options`, `range`; `constant` |
 
 pub(crate) mod coefficient;
 pub(crate) mod constant;

@@ -1,4 +1,11 @@
 //! Tokens -> what they say, with its places; nothing is evaluated.
+//!
+//! | what | modules |
+//! |---|---|
+//! | the attribute | `attribute`, `entry` by entry: options, `bodies`, `positive` |
+//! | an expression | `parse` by the grammar in `syntax`; `literal`, `call`, `divisor` |
+//! | the annotated struct | `item`: `declaration`, `field`, `generics`, `name` |
+//! | what was meant by what is wrong | `slips`, `similar`, `unit`, `unknown`, `wrong_arguments` |
 
 pub(crate) mod attribute;
 mod bodies;

@@ -29,10 +29,12 @@ use crate::start::table::{
     FEWEST_ROWS, LARGEST_DOUBLE, LARGEST_SINGLE, OCTAVES, ROWS_PER_OCTAVE, Row, Table, lower_end, top,
 };
 
-/// The octaves of a window that may lie above the load integral at which two terms are equal.
+/// The octaves of a window that may lie above the load integral at which two terms are equal; 30 are left below it, where
+/// the first term outweighs the second.
 const MOST_OCTAVES_ABOVE_EQUALITY: f64 = 34.0;
-/// The octaves of y on either side of that load integral in which single precision holds what a step computes:
-/// coefficients may be as far from 1 as `EqualTerms` allows. Double precision holds a whole window.
+/// The octaves of y on either side of that load integral in which single precision holds what a step computes: 20 fewer
+/// than the window has, as coefficients may be 36.5 octaves from 1 (10^±11), see `EqualTerms`. Double precision holds a
+/// whole window.
 const LARGEST_SINGLE_OF_SYMBOLS: f64 = 44.0;
 /// ε/8.
 const ALLOWED_ERROR: f64 = f64::EPSILON / 8.0;

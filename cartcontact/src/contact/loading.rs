@@ -18,7 +18,8 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether F, χ F, ∫F and the load integral are normal numbers, as far as they count.
+    /// Whether F, χ F, ∫F and the load integral are normal numbers. A force of zero may be one of them, χ F if χ is zero,
+    /// and an impulse that is no more than a rounding of the force.
     #[inline(always)]
     pub(super) fn has_digits(&self, chi: T, load_integral: T) -> bool {
         let (force, least) = (self.force, smallest_normal());

@@ -65,7 +65,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius, or the first of its faults.
     #[inline(never)]
     fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.checked_radius_under(self.loading_at(t)?, t)
+        self.checked_radius_under(self.loading_without_recession(t)?, t)
     }
 
     /// The contact radius under the loading at a time, or why there is none.
@@ -106,8 +106,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)
     }
 
-    /// The loading at a time up to which the edge never recedes.
-    fn loading_at(&self, t: T) -> Result<Loading<T>, ContactError> {
+    /// The [`valid_loading`](Self::valid_loading) at a time up to which the edge never recedes.
+    fn loading_without_recession(&self, t: T) -> Result<Loading<T>, ContactError> {
         let loading = self.valid_loading(t)?;
         let chi = self.medium.chi();
         if let Some(since) = self.load.recession(chi, t) {

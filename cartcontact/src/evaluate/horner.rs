@@ -26,7 +26,7 @@ pub(crate) fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coeffici
 ///
 /// Error for coefficients of one sign: at most (N + m + 2) ε, typically below 2 ε up to N = 12.
 #[inline(always)]
-pub fn even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
+pub fn quick_even_sum<T: Scalar, const N: usize>(r: T, lowest: u32, coefficients: [T; N]) -> T {
     let (exact, degree) = (<DoubleWord<T>>::product(r, r), lowest / 2);
     let square = exact.rounded();
     let (value, slope) = value_and_slope(square, coefficients);
@@ -111,8 +111,8 @@ mod tests {
 
     #[test]
     fn small_integers_are_exact() {
-        assert_eq!(even_sum(3.0, 0, [1.0, 2.0, 0.0, 5.0]), 1.0 + 18.0 + 5.0 * 729.0);
-        assert_eq!(even_sum(3.0, 5, [1.0, 2.0]), 243.0 + 2.0 * 2187.0);
+        assert_eq!(quick_even_sum(3.0, 0, [1.0, 2.0, 0.0, 5.0]), 1.0 + 18.0 + 5.0 * 729.0);
+        assert_eq!(quick_even_sum(3.0, 5, [1.0, 2.0]), 243.0 + 2.0 * 2187.0);
         assert_eq!(value_and_slope(2.0, [1.0, 0.0, 3.0]), (13.0, 12.0));
         // (x³ − y³)/(x − y) = x² + x y + y².
         assert_eq!(divided_difference(3.0, 2.0, [7.0, 0.0, 0.0, 1.0]), 19.0);
@@ -121,17 +121,18 @@ mod tests {
 
     #[test]
     fn sums_stay_finite_up_to_the_end_of_the_range() {
-        assert_eq!(even_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
+        assert_eq!(quick_even_sum(1e153, 2, [1e-10]), 1e306 * 1e-10);
         precise_sums_are_exact::<true>();
         precise_sums_are_exact::<false>();
     }
 
     fn precise_sums_are_exact<const FUSED: bool>() {
-        let even_sum = |r, lowest, coefficients| precise_even_sum::<_, _, FUSED, 2>(r, lowest, coefficients);
+        let quick_even_sum =
+            |r, lowest, coefficients| precise_even_sum::<_, _, FUSED, 2>(r, lowest, coefficients);
         let sum = |x, lowest, coefficients| precise_sum::<_, _, FUSED, 2>(x, lowest, coefficients);
-        assert_eq!(even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
+        assert_eq!(quick_even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
         assert_eq!(sum(3.0, 1, [1.0, 2.0]), 3.0 + 2.0 * 9.0);
-        assert_eq!(even_sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
+        assert_eq!(quick_even_sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
         assert_eq!(sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
     }
 }

@@ -127,7 +127,7 @@ pub(crate) fn plain_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
 pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     match quarters(x, fraction) {
         Some(0) => T::one(),
-        Some(quarters) => quarter_power(x, quarters, |x| x.sqrt(), |x, y| x * y),
+        Some(quarters) => plain_quarter_power(x, quarters),
         None => real_fractional_power(x, fraction),
     }
 }
@@ -136,10 +136,16 @@ pub(crate) fn fractional_power<T: Scalar>(x: T, fraction: T) -> T {
 #[inline(always)]
 pub fn quarter_root<T: Scalar, const QUARTERS: u8>(x: T) -> T {
     if has_no_derivatives::<T>() {
-        quarter_power(x, QUARTERS, |x| x.sqrt(), |x, y| x * y)
+        plain_quarter_power(x, QUARTERS)
     } else {
         real_fractional_power(x, T::constant(0.25 * f64::from(QUARTERS)))
     }
+}
+
+/// [`quarter_power`] with every operation rounded.
+#[inline(always)]
+fn plain_quarter_power<T: Scalar>(x: T, quarters: u8) -> T {
+    quarter_power(x, quarters, |x| x.sqrt(), |x, y| x * y)
 }
 
 /// x^(k/4) for k = 1, 2 and 3 by square roots, in any arithmetic.

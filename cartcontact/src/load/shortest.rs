@@ -3,7 +3,8 @@
 use crate::Scalar;
 use crate::scalar::{smallest_normal, spacing_of_times};
 
-/// After this many parts that are given up, the shortest length is doubled.
+/// After this many parts that are given up, the shortest length is doubled: a load may have a few jumps that no knot
+/// reports, at each of which parts are given up, and they should all be found with full sharpness.
 const GIVEN_UP_PER_DOUBLING: u32 = 16;
 
 /// The shortest step on the way to a time: it surely moves a time up to there, and is a normal number.
@@ -11,8 +12,9 @@ pub(crate) fn least_step<T: Scalar>(end: T) -> T {
     spacing_of_times(end).max(smallest_normal())
 }
 
-/// The shortest length of a part. It is doubled after every sixteen parts that are given up although they still leave
-/// something out. Otherwise the noise of a load would be followed through a whole history.
+/// The shortest length of a part, as a time or as a share of the time between knots, whichever its owner divides. It is
+/// doubled after every sixteen parts that are given up although they still leave something out. Otherwise the noise of a
+/// load would be followed through a whole history.
 pub(crate) struct Shortest<T> {
     length: T,
     given_up: u32,

@@ -5,7 +5,8 @@ use crate::numbers::compensated_sum::CompensatedSum;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::tabled::{Tabled, tabled};
 
-/// The number of e-foldings after which a pressure is below rounding, with a margin.
+/// The number of e-foldings after which a pressure is below rounding; four more make up for a history whose pressures
+/// were up to fifty times as high.
 pub(crate) fn faded_folds<T: Scalar>() -> T {
     -T::default_epsilon().ln() + T::constant(4.0)
 }
@@ -42,7 +43,8 @@ impl<T: Scalar> Fading<T> {
         Self { factor: if are_few { decay_gain(folds) } else { (-folds).exp() }, are_few }
     }
 
-    /// Over a duration at a rate. What the product of the two loses counts in full where it is of many e-foldings.
+    /// Over a duration at a rate. What the product of the two loses is an absolute error of the exponent, and so a
+    /// relative error of what is left.
     pub(super) fn over_duration(chi: T, duration: T) -> Self {
         let product = <DoubleWord<T>>::product(chi, duration);
         let (fading, lost) = (Self::over(product.high()), product.low());

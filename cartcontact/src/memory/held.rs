@@ -14,8 +14,8 @@
 //! precision: computed in 25 digits for 27 000 random sums of one to four powers p from 4.25 to 68 within the limits,
 //! and 7000 in single precision, of loads held from the beginning and after other history. Because Y ≥ F when a load
 //! begins to be held, J cannot have grown by more than the factor 1 + X since, so that s = 0, where s^(p−5) may be
-//! singular, is never near. What counts beside X is the highest power p over the length, p L/a. (The third integral of
-//! an [`Increment`] makes no pressure, and was not among them.)
+//! singular, is never near. What counts beside X is the highest power p over the length, p L/a. (The `spread` of an
+//! [`Increment`], which no pressure contains, was not examined.)
 //!
 //! With terms of both signs zeros of δ₀′ may be near. If s δ₀′ rises from node to node, the finest rule still leaves
 //! less than 0.001 ε, in 2700 random cases, some of them with zeros at a distance of a thousandth of the radius.

@@ -53,7 +53,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
             let loading = contact.loading(now);
             // An edge that stands still may seem to recede by a rounding.
             let reached = contact.radius_under_loading(loading).unwrap_or(before).max(before).min(radius);
-            stages[index] = contact.stage_under(loading, now, reached);
+            stages[index] = contact.stage_with_loading(loading, now, reached);
         }
         stages[count] = Stage { time, radius, ..start };
         Self { contact, count, stages, to_end: [None; MOST_SECTIONS] }

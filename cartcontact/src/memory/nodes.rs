@@ -45,11 +45,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let mut nodes = Nodes::none();
         nodes.take(self, rule, ends, place);
         let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
-        let error = if !is_steady && rule.len() == Rule::FINEST.len() {
-            error_of_finest(&nodes.weights.0)
-        } else {
-            T::zero()
-        };
+        let error =
+            if !is_steady && rule.is_finest() { error_of_finest(&nodes.weights.0) } else { T::zero() };
         Panel { increment: nodes.increment(self.low), is_steady, error }
     }
 }

@@ -109,7 +109,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// integrand up to there.
     fn increment_from(&self, depth: T, mut end: T, rule: &'static Rule) -> (Increment<T>, T) {
         let mut panel = self.panel(rule, (depth, end));
-        if !panel.is_steady && rule.len() < Rule::FINEST.len() {
+        if !panel.is_steady && !rule.is_finest() {
             panel = self.panel(Rule::FINEST, (depth, end));
         }
         let shortest = self.shortest_panel();

@@ -36,16 +36,22 @@ impl<T: Scalar> Stage<T> {
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// A time with its contact radius, for integrals that begin or end there.
     pub(crate) fn stage(&self, time: T, radius: T) -> Stage<T> {
-        self.stage_under(self.loading(time), time, radius)
+        self.stage_with_loading(self.loading(time), time, radius)
     }
 
     /// [`stage`](Self::stage) under a loading that the caller knows.
-    pub(crate) fn stage_under(&self, loading: Loading<T>, time: T, radius: T) -> Stage<T> {
-        self.stage_of(loading, time, radius, self.profile().quick_load_integral(radius))
+    pub(crate) fn stage_with_loading(&self, loading: Loading<T>, time: T, radius: T) -> Stage<T> {
+        self.stage_with_load_integral(loading, time, radius, self.profile().quick_load_integral(radius))
     }
 
     /// The stage with a radius whose load integral is known.
-    pub(crate) fn stage_of(&self, loading: Loading<T>, time: T, radius: T, load_integral: T) -> Stage<T> {
+    pub(crate) fn stage_with_load_integral(
+        &self,
+        loading: Loading<T>,
+        time: T,
+        radius: T,
+        load_integral: T,
+    ) -> Stage<T> {
         let surplus = loading.hereditary - self.load_per_integral() * load_integral;
         let surplus = surplus_that_counts(surplus, loading.force);
         Stage { time, radius, surplus, impulse: loading.impulse.into() }

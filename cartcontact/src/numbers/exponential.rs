@@ -11,7 +11,7 @@ use super::series::{four_terms, inverse_factorials};
 use crate::Scalar;
 use crate::scalar::{has_no_derivatives, is_same};
 
-/// e^(−x) for x above −700, or −80 in single precision, within ε. After as many e-foldings nothing is left.
+/// e^(−x) for x above −700, or −80 in single precision, within ε. Beyond 700, or 80, the result is 0.
 #[inline(always)]
 pub(crate) fn decay<T: Scalar>(x: T) -> T {
     if !has_no_derivatives::<T>() {

@@ -248,7 +248,7 @@ pub trait GapProfile<T: Scalar> {
     }
 
     /// The contact radius as [`radius`](Self::radius) gives it, for a caller who knows the end of the range:
-    /// where coefficients are symbols, [`max_radius`](Self::max_radius) has to be searched for.
+    /// where coefficients depend on fields, [`max_radius`](Self::max_radius) has to be searched for.
     ///
     /// # Errors
     ///

@@ -19,6 +19,9 @@
 //! such as the rounding of 1 − e^(−t) early on; because of these the bound [grows](Shortest).
 //!
 //! A load that is [straight](super::straight) between its knots is not searched.
+//!
+//! The steps of a pressure are chosen likewise, see `memory::march`, but by two results of an integral: there a kink that
+//! nothing falls at counts, here a fall that no integral notices.
 
 use super::contradiction::Contradiction;
 use super::fault::{Fault, tolerances};

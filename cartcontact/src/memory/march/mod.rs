@@ -236,7 +236,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             Increment::zero(),
             radius,
         );
-        self.now = self.contact.stage_under(Loading::new(force, self.now.impulse.value, chi), time, radius);
+        self.now =
+            self.contact.stage_with_loading(Loading::new(force, self.now.impulse.value, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
     }
 
@@ -270,7 +271,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (mut increment, is_over_time) = stretch.increment();
         if is_covered {
             let (kept, sizes) = fading.kept_of(forces);
-            let laid = kept - self.load_of_strips(is_over_time || is_left_out, surplus, fading);
+            let laid = kept - self.settle_strips(is_over_time || is_left_out, surplus, fading);
             let load = laid * contact.integral_per_load();
             if !is_straight {
                 increment = increment
@@ -286,9 +287,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.has_strip = is_over_time;
     }
 
-    /// The load that the strips at both ends of a stretch carry at its end, beside the integral: none if the strip
-    /// `stays`, otherwise that at the end less what is left of the one now, which is taken away.
-    fn load_of_strips(&mut self, stays: bool, surplus: T, fading: Fading<T>) -> T {
+    /// Adds the strip at the present edge to the pressures, or takes it away, and returns the load that strips carry at
+    /// the end of a stretch beside its integral: none if the strip `stays`, otherwise that of the strip at the end less
+    /// what is left of the one taken away.
+    fn settle_strips(&mut self, stays: bool, surplus: T, fading: Fading<T>) -> T {
         if stays {
             self.add_strip();
             return T::zero();

@@ -10,7 +10,7 @@
 //! Of quarters, twelve terms of the series leave 4 · 10⁻¹⁸, and eight 5 · 10⁻¹³ in single precision; of sixteenths,
 //! eight leave 3 · 10⁻¹⁸, and four 1 · 10⁻¹⁰. No power of a is formed, so that p need not be whole.
 //!
-//! **Any C.** If j = w C with a symbol C, the table is one of y/C and includes the weight w. With p = k/q in lowest
+//! **Any C.** If j = w C, where C depends on fields, the table is one of y/C and includes the weight w. With p = k/q in lowest
 //! terms, y/C multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. If k is at most
 //! 16, it has sixteenths. Powers of two are taken out of y, C and a, so that nothing leaves the format, and a change of
 //! units by a power of two changes no digit. Where k is above 64, the table has 64 octaves, and a second one has the
@@ -79,7 +79,7 @@ struct Root<D, const N: usize> {
 
 /// The term of J, or the part of it that is in the table.
 pub trait Term<T>: Copy {
-    /// What puts periods of the table back.
+    /// The factor by which radii grow over the periods of the table that were taken out of a load integral.
     type Periods: Copy + Default;
 
     /// y/j without whole periods of the table, and how many these are.
@@ -88,6 +88,7 @@ pub trait Term<T>: Copy {
     /// s.
     fn share(self, load_integral: T) -> T;
 
+    /// The factor for so many periods.
     fn periods(self, periods: i32) -> Self::Periods;
 
     /// A root in the table and what it lacks, with the periods put back.
@@ -178,7 +179,7 @@ fn share<T: Scalar, const DIGITS: u32>(ratio: T) -> T {
     (ratio - middle) / (ratio + middle)
 }
 
-/// A symbol C that load integrals are divided by.
+/// A coefficient C that depends on fields, by which load integrals are divided.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Divisor<T> {
     /// 2^`exponent`/C, above 1/2 and at most 1.
@@ -312,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_positive_normal_number_divides_nothing() {
+    fn invalid_divisors_find_no_row() {
         for c in [0.0, f64::MIN_POSITIVE / 2.0, -2.0, f64::INFINITY, f64::NAN] {
             for divisor in [Divisor::of(c), Divisor::of_inverse(c)] {
                 assert_eq!(place_and_share(divisor, 1.0).0, 0.0, "{c}");
