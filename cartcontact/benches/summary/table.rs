@@ -33,9 +33,9 @@ pub(crate) struct Table(Vec<Vec<String>>);
 
 impl Table {
     /// A row for every item; ratios that miss their target are bold.
-    pub(crate) fn of(items: &[Item]) -> Self {
+    pub(crate) fn of<'a>(items: impl IntoIterator<Item = &'a Item>) -> Self {
         let head = HEAD.iter().chain(&[processor()]).map(|&cell| cell.to_owned()).collect();
-        Self([head].into_iter().chain(items.iter().map(row)).collect())
+        Self([head].into_iter().chain(items.into_iter().map(row)).collect())
     }
 
     /// The table in a text between the two marks.
