@@ -20,7 +20,7 @@
 
 use super::power::{fractional_power, plain_whole_term, quarter_power, quarters, real_fractional_power};
 use crate::Scalar;
-use crate::numbers::bits::{exponent, power_of_two};
+use crate::numbers::bits::{exponent, power_of_two, rough_ln};
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::numbers::halved::Halved;
@@ -245,7 +245,8 @@ fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Ha
         Some(quarters) => quarter_power(x, quarters, Halved::sqrt, Halved::times),
         None => {
             let power = Halved::of(real_fractional_power(x.word(), fraction));
-            if rest.is_zero() { power } else { power.grown(rest * x.word().ln()) }
+            // The rest is below half a rounding of the fraction, and so little of its logarithm counts.
+            power.grown(rest * rough_ln(x.word()))
         }
     }
 }
