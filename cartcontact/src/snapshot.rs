@@ -86,10 +86,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Eq. (10), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn approach(&self) -> T {
-        let (approach, load_integral) = self.contact.profile().approach_and_load_integral(self.radius);
-        let loading = self.contact.loading(self.time);
-        let stage = self.contact.stage_with_load_integral(loading, self.time, self.radius, load_integral);
-        approach + stage.strip(self.contact.integral_per_load())
+        self.contact.approach(self.contact.loading(self.time), self.time, self.radius)
     }
 
     /// The load F(t), in N; it equals 2π ∫₀ᵃ P r dr.

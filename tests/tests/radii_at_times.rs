@@ -1,4 +1,4 @@
-//! Radii at many times equal those at single times to the last bit, and so do the faults.
+//! Radii and approaches at many times equal those at single times to the last bit, and so do the faults.
 
 use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Scalar};
@@ -14,11 +14,12 @@ const LENGTHS: [usize; 4] = [1, 255, 257, 1000];
 fn assert_same<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, name: &str) {
     for length in LENGTHS {
         let times: Vec<T> = (0..length).map(|k| T::constant((k * 389 % length) as f64 * 3.0)).collect();
-        let mut radii = vec![T::zero(); length];
+        let (mut radii, mut approaches) = (vec![T::zero(); length], vec![T::zero(); length]);
         assert_eq!(contact.radii(&times, &mut radii), Ok(()), "{name}, {length}");
-        for (&time, radius) in times.iter().zip(radii) {
-            let single = contact.at(time).map(|now| now.radius());
-            assert_eq!(single, Ok(radius), "{name}, {length}, time {time}");
+        assert_eq!(contact.approaches(&times, &mut approaches), Ok(()), "{name}, {length}");
+        for (&time, found) in times.iter().zip(radii.into_iter().zip(approaches)) {
+            let single = contact.at(time).map(|now| (now.radius(), now.approach()));
+            assert_eq!(single, Ok(found), "{name}, {length}, time {time}");
         }
     }
 }
@@ -84,9 +85,12 @@ fn assert_refused<P: GapProfile<f64>, L: Load<f64>>(contact: &Contact<f64, P, L>
     times[500] = -1.0;
     let expected: Option<ContactError> = contact.at(fault).err();
     assert!(expected.is_some(), "{fault}");
-    let found = contact.radii(&times, &mut [0.0; 600]).err();
+    let of_radii = contact.radii(&times, &mut [0.0; 600]).err();
+    let of_approaches = contact.approaches(&times, &mut [0.0; 600]).err();
     // Errors may hold NaN, so they are compared as text.
-    assert_eq!(format!("{found:?}"), format!("{expected:?}"));
+    for found in [of_radii, of_approaches] {
+        assert_eq!(format!("{found:?}"), format!("{expected:?}"));
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! A contact: a geometry, a medium and a load.
 
+mod approaches;
 mod common_sizes;
 mod error;
 mod loading;
@@ -173,10 +174,47 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     ///
     /// Eq. (14), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
+        self.radii_into("radii", times, radii)
+    }
+
+    /// The approaches of the bones at many times, in mm; `approaches[i]` belongs to `times[i]`, in any order.
+    ///
+    /// # Accuracy
+    ///
+    /// That of [`Snapshot::approach`].
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] as for [`radii`](Self::radii); the contents of `approaches` are then not to be used.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{Contact, Medium, Polynomial, load};
+    /// # let medium = Medium::from_constants(0.375, 0.0015)?;
+    /// let contact = Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, load::Constant(100.0))?;
+    /// let mut creep = [0.0; 3];
+    /// contact.approaches(&[0.0, 100.0, 200.0], &mut creep)?;
+    /// assert_eq!(creep[2], contact.at(200.0)?.approach());
+    /// assert!(creep[0] < creep[1] && creep[1] < creep[2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # References
+    ///
+    /// Eq. (10), doi 10.1016/j.mechrescom.2010.11.006.
+    pub fn approaches(&self, times: &[T], approaches: &mut [T]) -> Result<(), ContactError> {
+        self.radii_into("approaches", times, approaches)?;
+        approaches::replace_radii(self, times, approaches);
+        Ok(())
+    }
+
+    /// [`radii`](Self::radii) in places of that name.
+    fn radii_into(&self, name: &'static str, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         if times.is_empty() {
             return Err(ContactError::Empty { what: "times" });
         }
-        check_length("radii", radii.len(), times.len())?;
+        check_length(name, radii.len(), times.len())?;
         radii::fill(self, times, radii, recession_within(self, times))
     }
 

@@ -74,6 +74,7 @@ fn slices_fit_together() {
     refused(contact.pressure_field(&[1.0], &[], &mut []), is_empty, "radii");
     let is_length = |e: &ContactError| matches!(e, ContactError::Length { .. });
     refused(contact.radii(&[1.0, 2.0], &mut [0.0; 3]), is_length, "3 elements instead of 2");
+    refused(contact.approaches(&[1.0, 2.0], &mut [0.0; 3]), is_length, "approaches");
     refused(
         contact.pressure_field(&[1.0, 2.0], &[1.0, 2.0], &mut [0.0; 3]),
         is_length,

@@ -1,0 +1,39 @@
+//! The approach of the bones from the contact radius, at one time and at many.
+
+use super::{Contact, Loading};
+use crate::Scalar;
+use crate::load::Load;
+use crate::profile::GapProfile;
+
+/// How many impulses are summed at once.
+const BLOCK: usize = 256;
+
+/// Puts the approaches in the places of the radii at these times.
+pub(super) fn replace_radii<T: Scalar, P: GapProfile<T>, L: Load<T>>(
+    contact: &Contact<T, P, L>,
+    times: &[T],
+    radii: &mut [T],
+) {
+    let mut impulses = [T::zero(); BLOCK];
+    for (times, radii) in times.chunks(BLOCK).zip(radii.chunks_mut(BLOCK)) {
+        let impulses = &mut impulses[..times.len()];
+        let are_summed = contact.load.fill_impulses(times, impulses);
+        for ((place, &time), &impulse) in radii.iter_mut().zip(times).zip(&*impulses) {
+            let loading = if are_summed {
+                Loading::new(contact.load.force(time), impulse, contact.medium.chi())
+            } else {
+                contact.loading(time)
+            };
+            *place = contact.approach(loading, time, *place);
+        }
+    }
+}
+
+impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
+    /// δ₀ of a contact radius, and what that radius lacks under its loading.
+    pub(crate) fn approach(&self, loading: Loading<T>, time: T, radius: T) -> T {
+        let (approach, load_integral) = self.profile.approach_and_load_integral(radius);
+        let stage = self.stage_with_load_integral(loading, time, radius, load_integral);
+        approach + stage.strip(self.integral_per_load())
+    }
+}
