@@ -252,7 +252,7 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            __cartcontact::generated::even_sum(
+            __cartcontact::generated::quick_even_sum(
                 __a,
                 2u32,
                 __cartcontact::generated::constants::<
@@ -276,7 +276,7 @@ const _: () = {
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::even_sum(
+            __cartcontact::generated::quick_even_sum(
                 __a,
                 1u32,
                 __cartcontact::generated::constants::<
@@ -300,7 +300,7 @@ const _: () = {
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::even_sum(
+            __cartcontact::generated::quick_even_sum(
                 __a,
                 6u32,
                 __cartcontact::generated::constants::<
@@ -658,7 +658,7 @@ const _: () = {
                 __values,
                 #[inline(always)]
                 |__r| {
-                    __cartcontact::generated::even_sum(
+                    __cartcontact::generated::quick_even_sum(
                         __r,
                         1u32,
                         __cartcontact::generated::constants::<
