@@ -48,7 +48,7 @@ pub(crate) fn prove(gap: &Gap, wanted: &Wanted<'_>) -> Result<Proof, Fault> {
         && first.coefficient.certain_sign() == Some(Sign::NotPositive)
     {
         let message = "the gap falls from the centre on, so the surfaces would overlap; the term with the lowest power \
-                       needs a positive coefficient";
+                       needs a positive coefficient, as where a socket is wider than its ball";
         return Err(Fault::new(Rank::Opening, first.extent, message));
     }
     let Some(terms) = slope(gap) else { return Ok(of_fields(gap)) };

@@ -203,7 +203,8 @@ impl fmt::Display for ProfileError {
                     "it is no more than rounding, or others outweigh it beyond radii too small for the format; check \
                      the coefficients, or use a smaller unit of length"
                 } else {
-                    "the lowest power needs a coefficient that is positive by more than rounding"
+                    "the lowest power needs a coefficient that is positive by more than rounding, as where a socket is \
+                     wider than its ball"
                 }
             ),
             Self::BeyondSurface { max_radius, rim, parameters } => write!(
