@@ -12,9 +12,9 @@ use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
 use crate::first_zero::common_divisor::common_divisor;
+use crate::first_zero::compared_power::Power;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::part::{Part, Whole};
-use crate::first_zero::power::Power;
 use crate::first_zero::source::Source;
 use crate::number::Rational;
 

@@ -8,10 +8,11 @@
 //! | q, and the part of it without multiple roots | `integer_polynomial`, `common_divisor` |
 //! | isolating its smallest positive root | `search`, on ever smaller parts of an interval: `source` and `part` with its digits, `bernstein` with its signs, `outline` and `minimum` where these decide nothing |
 //! | what these compute with | `fixed_point`, `horner`, `taylor`, `powers`, `interval_power` |
-//! | the root, and the end of the range | `first_root`, `end`; `power` compares it with others |
+//! | the root, and the end of the range | `first_root`, `end`; `compared_power` orders it among others |
 
 mod bernstein;
 mod common_divisor;
+mod compared_power;
 mod end;
 mod first_root;
 mod fixed_point;
@@ -21,7 +22,6 @@ mod interval_power;
 mod minimum;
 mod outline;
 mod part;
-mod power;
 mod powers;
 mod search;
 mod source;

@@ -29,7 +29,7 @@ impl<T: Scalar> Row<T> {
 }
 
 /// An integral by a rule.
-pub(super) struct Panel<T> {
+pub(super) struct PanelIntegral<T> {
     pub(super) increment: Increment<T>,
     /// Whether s δ₀′ rises with the radius from node to node, as it does for positive terms.
     pub(super) is_steady: bool,
@@ -41,13 +41,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// The integral by a rule for a variable between `ends`; `place` makes a node of a value of the variable and its
     /// weight.
     #[inline(always)]
-    pub(super) fn integrate(&self, rule: &Rule, ends: (T, T), place: impl Fn(T, T) -> Node<T>) -> Panel<T> {
+    pub(super) fn integrate(
+        &self,
+        rule: &Rule,
+        ends: (T, T),
+        place: impl Fn(T, T) -> Node<T>,
+    ) -> PanelIntegral<T> {
         let mut nodes = Nodes::none();
         nodes.take(self, rule, ends, place);
         let is_steady = self.contact.profile().has_only_positive_terms() || nodes.are_steady();
         let error =
             if !is_steady && rule.is_finest() { error_of_finest(&nodes.weights.0) } else { T::zero() };
-        Panel { increment: nodes.increment(self.low), is_steady, error }
+        PanelIntegral { increment: nodes.increment(self.low), is_steady, error }
     }
 }
 

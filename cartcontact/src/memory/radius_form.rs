@@ -10,7 +10,7 @@
 //! 7; outside the core the singularity at r = 0 is far enough away for any rule.
 
 use super::Increment;
-use super::nodes::{Node, Nodes, Panel};
+use super::nodes::{Node, Nodes, PanelIntegral};
 use super::stretch::Stretch;
 use crate::dispatch::half_wide;
 use crate::load::Load;
@@ -131,7 +131,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// plane of complex radii this grows faster than any exponential that is as steep in the panel: for c = 1/2 on one
     /// side of it, 12 nodes are needed instead of 8. The finest rule leaves 1e-16 for all c that its panels allow, on
     /// either side or on both; what else the integrand may be like, its estimate of the error tells.
-    fn panel(&self, rule: &Rule, (start, end): (T, T)) -> Panel<T> {
+    fn panel(&self, rule: &Rule, (start, end): (T, T)) -> PanelIntegral<T> {
         half_wide(
             #[inline(always)]
             || {

@@ -37,7 +37,7 @@ const MOST_HALVINGS: u32 = 256;
 /// As how many e-foldings one counts; what [`FOLDS_AT_DISTANCE`] was computed with.
 const MARGIN: f64 = 1.2;
 
-/// How many e-foldings are added to a panel, because D′ may vanish at the end; computed likewise.
+/// How many e-foldings are added to a panel, because D′ may vanish at the end; computed as [`FOLDS_AT_DISTANCE`] was.
 const ADDED_FOLDS: f64 = 0.5;
 
 /// The singularity counts as this many e-foldings in a length equal to its distance.
@@ -91,7 +91,7 @@ where
             Rule::FINEST
         };
         let (increment, is_resolved) =
-            history.increment_of_panel(rule, Panel::between((start, end), distance));
+            history.increment_of_panel(rule, Substitution::between((start, end), distance));
         if is_resolved || length <= shortest || halvings >= MOST_HALVINGS {
             sum = sum.plus(increment);
             start = end;
@@ -135,20 +135,20 @@ where
         (longest + before).max(longest * (T::one() + T::default_epsilon().sqrt()))
     }
 
-    /// The increment by a rule on a panel, and whether the rule resolves the radius.
-    fn increment_of_panel(&self, rule: &Rule, panel: Panel<T>) -> (Increment<T>, bool) {
+    /// The increment by a rule over the panel of a substitution, and whether the rule resolves the radius.
+    fn increment_of_panel(&self, rule: &Rule, substitution: Substitution<T>) -> (Increment<T>, bool) {
         let mut rows = Rows::none();
         let (load_integrals, weights, radii) = rows.of(rule);
         half_wide(
             #[inline(always)]
-            || self.fill(rule, panel, load_integrals, weights),
+            || self.fill(rule, substitution, load_integrals, weights),
         );
         self.find_radii(load_integrals, radii);
         half_wide(
             #[inline(always)]
             || {
                 let increment = Increment::over_time(radii, weights, self.low);
-                (increment, rule.resolves_values(radii, (-panel.start).exp()))
+                (increment, rule.resolves_values(radii, (-substitution.start).exp()))
             },
         )
     }
@@ -156,13 +156,13 @@ where
     /// The load integrals at the nodes, and the weights 2 e^(−x) dD/(π m/4), which an [`Increment`] takes for its
     /// integrands.
     #[inline(always)]
-    fn fill(&self, rule: &Rule, panel: Panel<T>, load_integrals: &mut [T], weights: &mut [T]) {
+    fn fill(&self, rule: &Rule, substitution: Substitution<T>, load_integrals: &mut [T], weights: &mut [T]) {
         // Copies, which cannot alias what is written: otherwise they would be read again for every node.
         let (shortfall, final_integral) = (self.shortfall, self.final_integral);
         let integral_per_load = self.contact.integral_per_load();
         let doubled = integral_per_load + integral_per_load;
         for ((load_integral, weight), (x, dx)) in
-            load_integrals.iter_mut().zip(weights).zip(panel.nodes(rule))
+            load_integrals.iter_mut().zip(weights).zip(substitution.nodes(rule))
         {
             let (deficit, rate) = shortfall(x);
             *load_integral = final_integral - deficit * integral_per_load;
@@ -207,14 +207,14 @@ impl<T: Scalar> Rows<T> {
 /// x = start + y (1 − y/(4 d)),  0 ≤ y ≤ last
 /// ```
 #[derive(Clone, Copy)]
-struct Panel<T> {
+struct Substitution<T> {
     start: T,
     last: T,
     /// 1/(4 d)
     bend: T,
 }
 
-impl<T: Scalar> Panel<T> {
+impl<T: Scalar> Substitution<T> {
     fn between((start, end): (T, T), distance: T) -> Self {
         let (length, one, two) = (end - start, T::one(), T::constant(2.0));
         let last = two * length / (one + (one - length / distance).sqrt());
