@@ -1,4 +1,4 @@
-//! Derivatives next to the axis, and under very small loads.
+//! Derivatives next to the axis, under very small loads, and far from the end of the range.
 //!
 //! For the gap C r², similarity gives a ∝ F^(1/6), δ₀ ∝ F^(1/3) and P(0, t) ∝ F^(2/3) under a held load F.
 
@@ -119,6 +119,39 @@ fn derivatives_under_small_loads_are_those_of_similarity() -> Result<(), Failure
         let [found @ .., _] = results(&polynomial, given, (dual(0.0), 200.0))?;
         for (result, degree) in found.into_iter().zip([1.0 / 6.0, 1.0 / 3.0, 2.0 / 3.0]) {
             assert_close(result.eps, result.re / force * degree, f64::EPSILON, &(force, degree));
+        }
+    }
+    Ok(())
+}
+
+/// Where the range ends far beyond the radius, what is computed at its end leaves the format, and more so what
+/// derivatives are quotients by.
+#[test]
+fn a_distant_end_of_the_range_leaves_derivatives_alone() -> Result<(), Failure> {
+    for (n, p) in [(2.37_f32, 4.11_f32), (2.0, 4.0), (3.0, 9.0)] {
+        for d in [1.5e-6_f32, 1e-7, 1e-10, 1e-15] {
+            let constant = Dual32::from;
+            let terms = [(constant(0.97).derivative(), constant(n)), (constant(-d), constant(p))];
+            let profile = Polynomial::new(terms)?;
+            let largest = profile.load_integral(profile.max_radius()).re;
+            for k in 0..500 {
+                let load_integral = 10_f32.powf(-5.0 + 0.02 * k as f32);
+                if load_integral > 0.5 * largest {
+                    break;
+                }
+                let a = profile.radius(constant(load_integral))?;
+                // da/dc = −(∂J/∂c)/J′
+                let [re, n, p] = [a.re, n, p].map(f64::from);
+                let of_term = |n: f64| n * re.powf(n + 4.0) / (n + 2.0);
+                let log_slope = f64::from(0.97_f32) * of_term(n) - f64::from(d) * of_term(p);
+                let expected = -re * of_term(n) / (n + 4.0) / log_slope;
+                let error = (f64::from(a.eps) / expected - 1.0).abs() / f64::from(f32::EPSILON);
+                // The power n + 4 of the radius, and half of the range is left.
+                assert!(
+                    error < 16.0,
+                    "r^{n} − {d:e} r^{p}, {load_integral:e}: {a}, not {expected}: {error} ε"
+                );
+            }
         }
     }
     Ok(())

@@ -16,7 +16,7 @@
 //! the end of the admissible range, or is found by doubling.
 //!
 //! **Termination.** Every evaluation replaces one end of the bracket by the point evaluated. A step that would
-//! leave the bracket, and every second step after the eighth, is replaced by the geometric mean of the ends,
+//! leave the bracket by more than rounding, and every second step after the eighth, is replaced by the geometric mean of the ends,
 //! which halves the bracket in ln a. Its width is below ln 2^2100 at the start and the iteration ends when it
 //! is below ε, so there are at most 8 + 2 · 63 evaluations; 3 or 4 are usual.
 //!
@@ -144,8 +144,10 @@ struct Bracket<T> {
 }
 
 impl<T: Scalar> Bracket<T> {
+    /// Next to the root a step may leave by a rounding, which is no reason to begin again in the middle.
     fn contains(&self, a: T) -> bool {
-        self.low <= a && a <= self.high
+        let rounding = a * T::default_epsilon() * T::constant(4.0);
+        self.low - rounding <= a && a <= self.high + rounding
     }
 
     fn middle(&self) -> T {
@@ -162,6 +164,16 @@ const FREE_STEPS: usize = 8;
 
 /// Halvings of ln a that make the widest bracket narrow; beside each there is one more free step.
 const HALVINGS: usize = 63;
+
+/// The relative change up to which a step keeps the derivatives of dual numbers.
+///
+/// They follow from the last steps alone, each of which gains an order. Far from the root they need not be numbers: they
+/// are quotients whose divisor is a square, and what is not a number once would remain so.
+const NEAR: f64 = 0.1;
+
+fn without_derivatives<T: Scalar>(a: T) -> T {
+    T::constant(a.value())
+}
 
 fn iterate<T: Scalar>(
     target: T,
@@ -185,12 +197,12 @@ fn iterate<T: Scalar>(
         let next = a * ((far - near) / (far + near));
         // Also false for NaN, which a slope of zero can cause.
         if bracket.contains(next) && !(step > FREE_STEPS && step % 2 == 1) {
-            a = next;
+            a = if near.abs() <= far * T::constant(NEAR) { next } else { without_derivatives(next) };
             if near.abs() <= close * far {
                 break;
             }
-        } else {
-            a = bracket.middle();
+        } else if !bracket.is_narrow() {
+            a = without_derivatives(bracket.middle());
         }
         if bracket.is_narrow() {
             break;
