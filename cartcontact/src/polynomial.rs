@@ -159,15 +159,17 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
     fn approach_slope(&self, a: T) -> T {
         let two = T::constant(2.0);
         in_double_words!(FUSED => {
-            self.sum::<FUSED>(a, -1, |c, n| DoubleWord::product(two * c, n).over(DoubleWord::sum(n, two)))
+            // Not the product of c and n first, which may overflow.
+            let share = |n| DoubleWord::of(n).over(DoubleWord::sum(n, two));
+            self.sum::<FUSED>(a, -1, |c, n| share(n).times_word(two * c))
         })
     }
 
     fn load_integral(&self, a: T) -> T {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
         in_double_words!(FUSED => {
-            let divisor = |n| DoubleWord::sum(n, two).times(DoubleWord::sum(n, four));
-            self.sum::<FUSED>(a, 4, |c, n| DoubleWord::product(c, n).over(divisor(n)))
+            let share = |n| DoubleWord::of(n).over(DoubleWord::sum(n, two).times(DoubleWord::sum(n, four)));
+            self.sum::<FUSED>(a, 4, |c, n| share(n).times_word(c))
         })
     }
 

@@ -1,7 +1,7 @@
 //! Scenes at the ends of a format or of time, with the results that they have all the same.
 
 use cartcontact::load::Constant;
-use cartcontact::{Contact, Medium, Polynomial};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial};
 use tests::budget;
 
 /// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
@@ -58,5 +58,29 @@ fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
         let allowed = rounding * f64::from(f32::EPSILON) + 1.0 / (3.0 * f64::from(time));
         assert!((found / drained - 1.0).abs() <= allowed, "{time:e}: {found:e}, {drained:e}");
     }
+    Ok(())
+}
+
+/// The largest coefficients times their exponents are out of range, and what follows from them is not.
+#[test]
+fn coefficients_times_exponents_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
+    let (c, n) = (8e307, 30.0);
+    let profile = Polynomial::new([(c, n)])?;
+    let a = 1e-10_f64;
+    let load_integral = profile.load_integral(a);
+    // 1e-10 is rounded, and 34 times that counts.
+    let expected = c * 1e-300 * (n / (32.0 * 34.0)) * 1e-40;
+    assert!(
+        (load_integral / expected - 1.0).abs() < 34.0 * f64::EPSILON,
+        "{load_integral:e}, not {expected:e}"
+    );
+    let slope = profile.approach_slope(a);
+    assert!((slope / (2.0 * c * (n / 32.0) * 1e-290) - 1.0).abs() < 29.0 * f64::EPSILON, "{slope:e}");
+    let limited = Contact::new(
+        Polynomial::with_max_radius([(1e37_f32, 38.0)], 0.1)?,
+        Medium::from_constants(1.0, 0.1)?,
+        Constant(1.0),
+    )?;
+    assert!(matches!(limited.at(0.0), Err(ContactError::BeyondRange { .. })));
     Ok(())
 }
