@@ -56,6 +56,10 @@ impl<T: Scalar> Piece<T> {
             if self.end.1 < self.start.1 { (self.end, self.start) } else { (self.start, self.end) };
         let (elapsed, rise) = ((t - from.0).abs(), to.1 - from.1);
         let share = elapsed / self.duration();
+        // The sum may round to a neighbour of the force that was given.
+        if share == T::one() {
+            return to.1;
+        }
         // So small a share has lost digits, but the slope has not.
         from.1 + if share < smallest_normal() { rise / self.duration() * elapsed } else { rise * share }
     }
@@ -179,6 +183,17 @@ mod tests {
             (piece((1.0, 4.0), (2.0, 2.0)), 1.0 - f64::EPSILON / 2.0),
         ] {
             assert_eq!(piece.least_rate(0.25), rate, "{piece:?}");
+        }
+    }
+
+    /// The sum of the smaller force and the difference of both may be the larger one's neighbour.
+    #[test]
+    fn forces_at_the_ends_are_those_that_were_given() {
+        let (small, large) = (9.313_970_874_327_678, 26.472_158_698_259_218);
+        assert!(small + (large - small) != large);
+        for forces in [(small, large), (large, small)] {
+            let piece = Piece { start: (0.5, forces.0), end: (1.25, forces.1) };
+            assert_eq!((piece.force(0.5), piece.force(1.25)), forces);
         }
     }
 }
