@@ -199,7 +199,9 @@ impl fmt::Display for ProfileError {
                 "{parameters}the gap does not open at r = 0: its leading term is {} r^{}; {}",
                 Shown(coefficient),
                 Shown(exponent),
-                if coefficient > 0.0 {
+                if coefficient == 0.0 {
+                    "its coefficients cancel; leave these terms out"
+                } else if coefficient > 0.0 {
                     "it is no more than rounding, or others outweigh it beyond radii too small for the format; check \
                      the coefficients, or use a smaller unit of length"
                 } else {
