@@ -162,6 +162,17 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         }
     }
 
+    /// How many of its own roundings the radius at the end is off by, at least 1, because the load integral is rounded:
+    /// many where terms of both signs make the degree of the load integral nearly vanish.
+    pub(super) fn condition_at_edge(&self) -> T {
+        let profile = self.contact.profile();
+        if profile.has_only_positive_terms() {
+            return T::one();
+        }
+        let load_integral = profile.quick_load_integral(self.high);
+        degree_of_load_integral(profile, self.high, load_integral).recip().max(T::one())
+    }
+
     /// Whether the hereditary load is well above zero throughout.
     fn begins_loaded(&self) -> bool {
         let profile = self.contact.profile();

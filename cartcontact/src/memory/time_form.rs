@@ -66,7 +66,8 @@ where
     let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
     let final_integral =
         contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.integral_per_load();
-    let history = History { contact, final_integral, low, shortfall };
+    let condition = stretch.condition_at_edge();
+    let history = History { contact, final_integral, low, condition, shortfall };
     let longest =
         if stretch.is_whole { stretch.course.folds(chi) } else { chi * stretch.age_at(stretch.high - low) };
     let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
@@ -111,6 +112,8 @@ struct History<'a, T, P, L, S> {
     contact: &'a Contact<T, P, L>,
     final_integral: T,
     low: T,
+    /// How many roundings a radius may be off by.
+    condition: T,
     /// D and D′ of an age.
     shortfall: S,
 }
@@ -148,7 +151,9 @@ where
             #[inline(always)]
             || {
                 let increment = Increment::over_time(radii, weights, self.low);
-                (increment, rule.resolves_values(radii, (-substitution.start).exp()))
+                // No rule resolves what radii are off by.
+                let counts = (-substitution.start).exp() / self.condition;
+                (increment, rule.resolves_values(radii, counts))
             },
         )
     }
