@@ -12,8 +12,9 @@ use cartcontact::load::Load;
 use cartcontact::{Contact, GapProfile, Scalar, gap_profile};
 use gungraun::prelude::*;
 use scenes::{
-    Ball, Blunt, BluntBall, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE, RoundBall,
-    Settling, ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals, run_time, times,
+    Ball, Blunt, BluntBall, Fitted, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE,
+    RoundBall, Settling, ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals,
+    run_time, times,
 };
 
 /// Powers with many missing between them.
@@ -59,6 +60,7 @@ fn assert_solved<P, T: Scalar>((_, _, radii): Given<P, T>) {
 #[bench::two_terms(Patellofemoral)]
 #[bench::three_terms(ThreeTerm)]
 #[bench::four_terms(FourTerm)]
+#[bench::fractional_powers(Fitted)]
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
 #[bench::with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
@@ -86,6 +88,7 @@ fn radius_by_hand(given: Given<(), f64>) -> Given<(), f64> {
 #[bench::one_term_of_any_power(BluntBall)]
 #[bench::two_terms(Patellofemoral)]
 #[bench::four_terms(FourTerm)]
+#[bench::fractional_powers(Fitted)]
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
 #[bench::two_terms_with_a_field(Ball { radius: 20.0 })]
 #[bench::two_terms_with_a_field_outside_the_table(Ball { radius: 2e4 })]

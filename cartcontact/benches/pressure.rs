@@ -6,8 +6,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use scenes::{
-    Ball, Blunt, Cone, NO_RESULT, Patellofemoral, RATE, ThreeTerm, as_printed, contact, hundred_knots,
-    pressure_at, run_time,
+    Ball, Blunt, Cone, Fitted, NO_RESULT, Patellofemoral, RATE, ThreeTerm, as_printed, contact,
+    hundred_knots, pressure_at, run_time,
 };
 
 /// With 6 nodes the relative error of the integral at t = 200 s and r = 3 mm is 3.5e-18; with 5 nodes it is 1.2e-15,
@@ -31,6 +31,8 @@ fn pressure(criterion: &mut Criterion) {
     group.bench_function("two terms with a field", |b| b.iter(|| pressure_at(&of_a_field, 200.0, 3.0)));
     let fractional = contact(Blunt);
     group.bench_function("fractional powers", |b| b.iter(|| pressure_at(&fractional, 200.0, 3.0)));
+    let fitted = contact(Fitted);
+    group.bench_function("powers such as r^2.37", |b| b.iter(|| pressure_at(&fitted, 200.0, 3.0)));
     let polynomial = contact(run_time::<f64>());
     group.bench_function("Polynomial, constant load", |b| b.iter(|| pressure_at(&polynomial, 200.0, 3.0)));
     let (slow, quick) = (hundred_knots(RATE), hundred_knots(2.0));

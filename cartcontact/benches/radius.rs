@@ -14,9 +14,9 @@ use cartcontact::{GapProfile, RadiusError, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
-    Ball, Blunt, BluntBall, Cone, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RoundBall,
-    ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals, radius_by_roots, run_time,
-    times,
+    Ball, Blunt, BluntBall, Cone, Fitted, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral,
+    RoundBall, ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals,
+    radius_by_roots, run_time, times,
 };
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
@@ -72,6 +72,7 @@ fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
     profile(group, "three terms", targets, &ThreeTerm);
     profile(group, "four terms", targets, &FourTerm);
     profile(group, "two terms, fractional powers", targets, &Blunt);
+    profile(group, "two terms, powers such as r^2.37", targets, &Fitted);
     profile(group, "one term with a field", targets, &FlatBall { radius: black_box(T::constant(20.0)) });
     profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
     let flat = Ball { radius: black_box(T::constant(2e4)) };

@@ -65,6 +65,10 @@ pub(crate) struct ThreeFieldsOfHalves<T> {
 #[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
 pub(crate) struct Blunt;
 
+/// Powers that are no small fractions.
+#[gap_profile(0.02 * r^2.37 + 1e-4 * r^4.11)]
+pub(crate) struct Fitted;
+
 /// The terms of [`Patellofemoral`].
 pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
 
