@@ -9,6 +9,10 @@ use crate::numbers::exponential::decay;
 use crate::profile::degree::degree_of_load_integral;
 use crate::{GapProfile, Scalar};
 
+/// Below this degree of J the radius, as a function of time, is steeper than a cube root. Measured: time, as the
+/// variable, takes ten times as long as the radius at a degree of 1.2, and no longer from 3 on.
+const LOW_DEGREE: f64 = 3.0;
+
 /// The radii from `low` to `high` that the edge passed while the load took a course.
 pub(super) struct Stretch<'a, T, P, L> {
     pub(super) contact: &'a Contact<T, P, L>,
@@ -120,7 +124,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// its end.
     ///
     /// Where the edge nearly stands still, a falling load can make τ(s) steep like a square root, and so can one that
-    /// is not straight; all others are integrated over the radius, which needs no inversion of J.
+    /// is not straight; all others are integrated over the radius, which needs no inversion of J. So is a steady load
+    /// where J nearly stands still instead, which makes the radius steep as a function of time.
     #[inline(always)]
     pub(super) fn increment(&self) -> (Increment<T>, bool) {
         // Rounding can put the radii in the wrong order.
@@ -138,7 +143,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
                     |x| (x * (rate + half * rise * x), rate + rise * x),
                 )
             }
-            Course::Smooth(force) if self.may_be_smooth() && self.begins_loaded() => {
+            Course::Smooth(force)
+                if self.may_be_smooth()
+                    && self.begins_loaded()
+                    && !(self.degree_at_edge() < T::constant(LOW_DEGREE) && force.grows_steadily()) =>
+            {
                 time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
             _ => return (self.increment_over_radius(), false),
@@ -162,15 +171,19 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         }
     }
 
-    /// How many of its own roundings the radius at the end is off by, at least 1, because the load integral is rounded:
-    /// many where terms of both signs make the degree of the load integral nearly vanish.
-    pub(super) fn condition_at_edge(&self) -> T {
+    /// The degree of the load integral at the end, which terms of both signs may make nearly vanish; for others 4, the
+    /// least that it can be.
+    fn degree_at_edge(&self) -> T {
         let profile = self.contact.profile();
         if profile.has_only_positive_terms() {
-            return T::one();
+            return T::constant(4.0);
         }
-        let load_integral = profile.quick_load_integral(self.high);
-        degree_of_load_integral(profile, self.high, load_integral).recip().max(T::one())
+        degree_of_load_integral(profile, self.high, profile.quick_load_integral(self.high))
+    }
+
+    /// How many of its own roundings the radius at the end is off by, at least 1, because the load integral is rounded.
+    pub(super) fn condition_at_edge(&self) -> T {
+        self.degree_at_edge().recip().max(T::one())
     }
 
     /// Whether the hereditary load is well above zero throughout.

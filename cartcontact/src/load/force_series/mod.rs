@@ -193,6 +193,12 @@ impl<T: Scalar> ForceSeries<T> {
         self.growth.iter().fold(T::zero(), |sum, g| sum + g.abs()) * T::constant(2.0) / self.folds
     }
 
+    /// Whether the hereditary load grows at a rate that changes by no more than a half from its mean.
+    pub(crate) fn grows_steadily(&self) -> bool {
+        let varying = self.growth[1..].iter().fold(T::zero(), |sum, g| sum + g.abs());
+        varying + varying <= self.growth[0]
+    }
+
     /// How large a [dip](Self::deepest_dip) the rounding of forces may make, N³ ε of them.
     pub(crate) fn rounding_of_dip(&self) -> T {
         self.size * T::default_epsilon() * T::constant((DEGREE * DEGREE * DEGREE) as f64)
