@@ -95,9 +95,8 @@ pub const PRESSURE_KERNEL_BY_QUADRATURE: Allowance = allow_as_seen(
 );
 /// The inverse of J, in any form.
 ///
-/// Of sums of whole powers, about ten radii in a million are off by more than 1 ulp
-/// (`cargo run --release -p tests --bin radii` counts them). Of one term, none; with the `powf` of `libm`, 1 in ten thousand of
-/// r^0.25, by 1.1.
+/// Of sums of whole powers, about ten radii in a million are off by more than 1 ulp (`cargo run --release -p tests
+/// --bin radii` counts them). Of one term, none; with the `powf` of `libm`, 1 in ten thousand of r^0.25, by 1.1.
 pub const RADIUS: Allowance = allow(
     "radius",
     [1.0, 1.0],

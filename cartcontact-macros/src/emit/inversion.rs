@@ -151,7 +151,8 @@ fn unlimited_radius(
     }
 }
 
-/// The radius where the start does not lead to it: outside the rows of a table, from the leading term if there may be one.
+/// The radius where the start does not lead to it: outside the rows of a table, from the leading term if there may be
+/// one.
 fn outside_table(forms: &ClosedForms, start: Option<&Start>, coefficients: &Coefficients<'_>) -> TokenStream {
     let general = general(forms, coefficients);
     if !(matches!(start, Some(Start::Curves(_) | Start::Seeds(_)))

@@ -67,9 +67,9 @@ pub(crate) fn may_have_leading_term(gap: &Gap) -> bool {
     gap.terms.len() > 1 && !gap.terms.iter().any(is_negative)
 }
 
-/// Whether a geometry with a table of seeds or curves has functions for the steps from a leading term, too. With fields a term may
-/// be zero, or so small that usual load integrals lie outside the table. With constants only unusual ones do, and
-/// functions for whole powers are short.
+/// Whether a geometry with a table of seeds or curves has functions for the steps from a leading term, too. With fields
+/// a term may be zero, or so small that usual load integrals lie outside the table. With constants only unusual ones
+/// do, and functions for whole powers are short.
 pub(crate) fn has_leading_term_beside_table(gap: &Gap) -> bool {
     let are_whole = || gap.terms.iter().all(|term| term.exponent.is_integer());
     may_have_leading_term(gap) && (!gap.is_constant() || are_whole())

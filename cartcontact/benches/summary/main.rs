@@ -1,9 +1,10 @@
 //! The ratios and targets of this crate, as a table at the end of `cargo bench`.
 //!
 //! `cargo bench --bench summary` prints it again; `cargo bench --bench summary -- --write` also writes it into
-//! `benches/RESULTS.md`, and what has a target into the README, between `<!-- ratios:begin -->` and
-//! `<!-- ratios:end -->`, beside the measurements there of processors with other vectors, unless some measurements are more than an hour older than others, perhaps
-//! because their benchmark no longer exists, or some of a group are missing, perhaps because their names have changed.
+//! `benches/RESULTS.md`, and what has a target into the README, between `<!-- ratios:begin -->` and `<!-- ratios:end
+//! -->`, beside the measurements there of processors with other vectors, unless some measurements are more than an hour
+//! older than others, perhaps because their benchmark no longer exists, or some of a group are missing, perhaps because
+//! their names have changed.
 
 mod items;
 mod measurements;

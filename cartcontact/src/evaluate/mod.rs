@@ -7,8 +7,9 @@
 //! | what they are made of | `coefficient` (a number, or what follows from fields), `arithmetic` (a trait of plain and double words) |
 //!
 //! Three words in names say how exact a result is. *Plain*: every operation is rounded. *Quick*: within a few ε, mostly
-//! in plain arithmetic, corrected where errors would add up. *Precise*: rounded once. A function without any of these words
-//! is rounded once if there is a `quick_` function of the same name; otherwise its documentation says how exact it is.
+//! in plain arithmetic, corrected where errors would add up. *Precise*: rounded once. A function without any of these
+//! words is rounded once if there is a `quick_` function of the same name; otherwise its documentation says how exact
+//! it is.
 
 pub(crate) mod arithmetic;
 pub(crate) mod coefficient;

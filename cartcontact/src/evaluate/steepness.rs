@@ -15,8 +15,8 @@
 //! ```
 //!
 //! Anything else is below ε/100. So 1/2 ulp is left for sums known at run time with common exponents. For all others,
-//! with k ≤ 3.1 and with p > 4 for fields, 1.3 ulp would be the most, and 0.95 was seen in millions of radii. Constants with
-//! whole powers take plain arithmetic instead, and are now and then off by 1.07 ulp.
+//! with k ≤ 3.1 and with p > 4 for fields, 1.3 ulp would be the most, and 0.95 was seen in millions of radii. Constants
+//! with whole powers take plain arithmetic instead, and are now and then off by 1.07 ulp.
 
 use super::power::{fractional_power, plain_whole_term, quarter_power, quarters, real_fractional_power};
 use crate::Scalar;

@@ -13,9 +13,9 @@ use crate::numbers::halved::{Halved, product_with_few_digits};
 
 /// The value that J has to reach: a number rounded from a product, and what it lacks of that product.
 ///
-/// Where coefficients depend on fields, J is multiplied by the common denominator of its weights C n/((n+2)(n+4)), divided by a power of two
-/// so that it is less than 2. The remaining weights have few digits, often one, and so has the factor: its product with
-/// the load integral loses nothing.
+/// Where coefficients depend on fields, J is multiplied by the common denominator of its weights C n/((n+2)(n+4)),
+/// divided by a power of two so that it is less than 2. The remaining weights have few digits, often one, and so has the
+/// factor: its product with the load integral loses nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<T> {
     pub(super) value: T,

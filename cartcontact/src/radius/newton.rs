@@ -15,10 +15,10 @@
 //! below y, so a ≥ min a_i N^(−1/p_min) with or without negative terms. With negative terms the upper end is
 //! the end of the admissible range, or is found by doubling.
 //!
-//! **Termination.** Every evaluation replaces one end of the bracket by the point evaluated. A step that would
-//! leave the bracket by more than rounding, and every second step after the eighth, is replaced by the geometric mean of the ends,
-//! which halves the bracket in ln a. Its width is below ln 2^2100 at the start and the iteration ends when it
-//! is below ε, so there are at most 8 + 2 · 63 evaluations; 3 or 4 are usual.
+//! **Termination.** Every evaluation replaces one end of the bracket by the point evaluated. A step that would leave the
+//! bracket by more than rounding, and every second step after the eighth, is replaced by the geometric mean of the ends,
+//! which halves the bracket in ln a. Its width is below ln 2^2100 at the start and the iteration ends when it is below ε,
+//! so there are at most 8 + 2 · 63 evaluations; 3 or 4 are usual.
 //!
 //! **Accuracy.** The last step is an uncorrected Newton step from a point so near the root, see [`close_enough`], that
 //! its error is that of J divided by p = a J′/J, and p is at least n+4 for one term. There J is rounded once: in plain

@@ -115,14 +115,6 @@ impl<T: Scalar> Step<T, 96> for DoubleCurve {
     type Start = ();
 
     #[inline(always)]
-    fn in_table(self, load_integral: T) -> (T, i32) {
-        (load_integral, 0)
-    }
-
-    #[inline(always)]
-    fn start(self, _row: &Row<96>, _digits: u32, _periods: i32) {}
-
-    #[inline(always)]
     fn radius(self, row: &Row<96>, _start: (), load_integral: T) -> T {
         let w = from_middle(load_integral);
         let word = |place: usize| T::constant(row.word(place));
@@ -141,14 +133,6 @@ struct SingleCurve;
 
 impl<T: Scalar> Step<T, 32> for SingleCurve {
     type Start = ();
-
-    #[inline(always)]
-    fn in_table(self, load_integral: T) -> (T, i32) {
-        (load_integral, 0)
-    }
-
-    #[inline(always)]
-    fn start(self, _row: &Row<32>, _digits: u32, _periods: i32) {}
 
     #[inline(always)]
     fn radius(self, row: &Row<32>, _start: (), load_integral: T) -> T {

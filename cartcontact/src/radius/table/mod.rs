@@ -59,7 +59,8 @@ pub struct Quarters {
     pub count: u32,
 }
 
-/// 256 rows, as bytes: the compiler reads one literal instead of a thousand. No row of 16 bytes straddles two cache lines.
+/// 256 rows, as bytes: the compiler reads one literal instead of a thousand. No row of 16 bytes straddles two cache
+/// lines.
 #[derive(Debug)]
 #[repr(align(16))]
 pub struct Rows<const BYTES: usize>(pub [u8; BYTES]);
@@ -74,10 +75,16 @@ pub(super) trait Step<T, const N: usize = 16>: Copy {
     type Start: Copy + Default;
 
     /// The load integral that is looked up in the table, and how many periods of the table were taken out of it.
-    fn in_table(self, load_integral: T) -> (T, i32);
+    #[inline(always)]
+    fn in_table(self, load_integral: T) -> (T, i32) {
+        (load_integral, 0)
+    }
 
     /// What a row gives for the [`digits`] of a load integral and its periods.
-    fn start(self, row: &Row<N>, digits: u32, periods: i32) -> Self::Start;
+    #[inline(always)]
+    fn start(self, _row: &Row<N>, _digits: u32, _periods: i32) -> Self::Start {
+        Self::Start::default()
+    }
 
     fn radius(self, row: &Row<N>, start: Self::Start, load_integral: T) -> T;
 }

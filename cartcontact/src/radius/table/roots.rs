@@ -10,11 +10,11 @@
 //! Of quarters, twelve terms of the series leave 4 · 10⁻¹⁸, and eight 5 · 10⁻¹³ in single precision; of sixteenths,
 //! eight leave 3 · 10⁻¹⁸, and four 1 · 10⁻¹⁰. No power of a is formed, so that p need not be whole.
 //!
-//! **Any C.** If j = w C, where C depends on fields, the table is one of y/C and includes the weight w. With p = k/q in lowest
-//! terms, y/C multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. If k is at most
-//! 16, it has sixteenths. Powers of two are taken out of y, C and a, so that nothing leaves the format, and a change of
-//! units by a power of two changes no digit. Where k is above 64, the table has 64 octaves, and a second one has the
-//! factors of a for whole spans of these, see [`spans`](super::spans).
+//! **Any C.** If j = w C, where C depends on fields, the table is one of y/C and includes the weight w. With p = k/q in
+//! lowest terms, y/C multiplied by 2^k multiplies a by 2^q: one table of k octaves holds the roots of all y/C. If k is
+//! at most 16, it has sixteenths. Powers of two are taken out of y, C and a, so that nothing leaves the format, and a
+//! change of units by a power of two changes no digit. Where k is above 64, the table has 64 octaves, and a second one
+//! has the factors of a for whole spans of these, see [`spans`](super::spans).
 //!
 //! **Accuracy.** A row has A in three parts of single precision, and y − u is exact. All parts of A but the first,
 //! and the series, are rounded: together less than 1/34 of the sum, whose last addition leaves 1/2 ulp. Two roundings of
