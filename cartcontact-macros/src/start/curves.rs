@@ -197,7 +197,11 @@ fn inverse_of(ascending: &Series) -> Series {
     for k in 1..=SERIES {
         let mut left = if k == 1 { 1.0 } else { 0.0 };
         for j in 2..=k {
-            let product: f64 = (1..=k + 1 - j).map(|i| powers[0][i] * powers[j - 2][k - i]).sum();
+            // Plain loops: nothing in a macro is optimised.
+            let mut product = 0.0;
+            for i in 1..k + 2 - j {
+                product += powers[0][i] * powers[j - 2][k - i];
+            }
             powers[j - 1][k] = product;
             left -= ascending[j] * product;
         }
@@ -213,8 +217,7 @@ impl Curve {
     /// than `allowed`.
     fn shortened(&self, powers: usize, allowed: f64) -> Option<Series> {
         let (mut series, mut lost) = (self.series, 0.0);
-        for k in (powers + 1..=SERIES).rev() {
-            let chebyshev = chebyshev(k);
+        for (k, chebyshev) in CHEBYSHEV.iter().enumerate().skip(powers + 1).rev() {
             let amount = series[k] / chebyshev[k];
             for (coefficient, of_chebyshev) in series.iter_mut().zip(chebyshev) {
                 *coefficient -= amount * of_chebyshev;
@@ -249,16 +252,19 @@ impl Curve {
     }
 }
 
-/// The coefficients of the Chebyshev polynomial T_k.
-fn chebyshev(k: usize) -> Series {
-    let (mut before, mut now) = ([0.0; SERIES + 1], [0.0; SERIES + 1]);
-    (before[0], now[1]) = (1.0, 1.0);
-    for _ in 1..k {
-        let next = core::array::from_fn(|i| {
-            let raised = if i == 0 { 0.0 } else { now[i - 1] };
-            2.0 * raised - before[i]
-        });
-        (before, now) = (now, next);
+/// The coefficients of the Chebyshev polynomials T₀, T₁, … by T₍k+1₎ = 2 t T₍k₎ − T₍k−1₎.
+const CHEBYSHEV: [Series; SERIES + 1] = {
+    let mut all = [[0.0; SERIES + 1]; SERIES + 1];
+    (all[0][0], all[1][1]) = (1.0, 1.0);
+    let mut k = 2;
+    while k <= SERIES {
+        let mut i = 0;
+        while i <= k {
+            let raised = if i == 0 { 0.0 } else { all[k - 1][i - 1] };
+            all[k][i] = 2.0 * raised - all[k - 2][i];
+            i += 1;
+        }
+        k += 1;
     }
-    now
-}
+    all
+};
