@@ -1,8 +1,8 @@
 //! [`Geometry`] -> [`Curves`]: the contact radius as a polynomial in every row of a table, for constants whose powers are
-//! not whole.
+//! not whole, or many.
 //!
-//! A step from a seed would have to form real powers. A row has their result instead: around the middle u of the row,
-//! where the radius is A,
+//! A step from a seed would have to form all these powers. A row has their result instead: around the middle u of the
+//! row, where the radius is A,
 //!
 //! ```text
 //! a(y) = A (1 + b₁ η + b₂ η² + …),     η = (y − u)/u,  |η| ≤ 1/9
@@ -11,10 +11,10 @@
 //! is the inverse of J(A (1 + z))/u = 1 + g₁ z + g₂ z² + …, in which g_k = Σ τ binom(p, k) with the shares τ = j A^p/u of
 //! the terms.
 //!
-//! **Shortening.** The series is cut off after η¹⁶, which leaves 10⁻¹⁸ as long as J is nearly a power. Then it is divided
-//! by Chebyshev polynomials until 12 powers are left, in single precision 6: T_k is at most 1 over the row, and its
-//! leading coefficient 2^(k−1), so that η^k costs no more than (1/9)^k/2^(k−1). Rows that lose more than ε/16 by either
-//! are left out, and with them all next to a double zero of J′, where the series does not converge.
+//! **Shortening.** The series is cut off after η¹⁶, which leaves 10⁻¹⁸ as long as J is nearly a power. Then multiples
+//! of Chebyshev polynomials are taken away until 12 powers are left, in single precision 6: T_k is at most 1 over the
+//! row, and its leading coefficient 2^(k−1), so that η^k costs no more than (1/9)^k/2^(k−1). Rows that lose more than
+//! ε/16 by either are left out, and with them all next to a double zero of J′, where the series does not converge.
 //!
 //! **Digits.** Only A needs more than f64 has. It is found near a = b^q, where b is an f64 and q the common denominator
 //! of the powers, so that all a^p are whole powers of b. All else is less than 1/50 of A and is computed with the
