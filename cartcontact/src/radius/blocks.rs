@@ -3,6 +3,7 @@
 use core::iter;
 
 use super::table::{Row, Step, Table, digits};
+use super::whole_powers::find_blocks;
 use crate::Scalar;
 use crate::dispatch::wide;
 use crate::profile::{RadiusError, check_places};
@@ -14,10 +15,46 @@ const BLOCK: usize = 64;
 const SMALL_BLOCK: usize = 16;
 
 impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
-    /// [`fill`] with blocks solved by a step from the rows. Where the first block is not in the table, `others` solves as
-    /// much of it as it can, in vector code: the blocks after it may be in the table.
+    /// [`fill`] with blocks solved by a step from the rows.
     #[inline(always)]
     pub(super) fn find_all<T: Scalar>(
+        &self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        step: impl Step<T, N>,
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.find_all_with(values, limit, step, |_, _| 0, general)
+    }
+
+    /// The same with a second start for load integrals outside the table: `solve` calls
+    /// [`WholePowers::solve`](super::whole_powers::WholePowers::solve).
+    #[inline(always)]
+    pub(super) fn find_all_also_outside<T: Scalar>(
+        &self,
+        values: (&[T], &mut [T]),
+        limit: T,
+        step: impl Step<T, N>,
+        solve: impl Fn(T, u32) -> (T, bool),
+        general: impl Fn(T) -> Result<T, RadiusError>,
+    ) -> Result<(), RadiusError> {
+        self.find_all_with(
+            values,
+            limit,
+            step,
+            #[inline(always)]
+            |load_integrals, radii| {
+                let in_table = |load_integral| self.find(load_integral, limit, step);
+                find_blocks(load_integrals, radii, limit, &solve, in_table)
+            },
+            general,
+        )
+    }
+
+    /// [`find_all`](Self::find_all) where `others` solves as much of a block that is not in the table as it can, in
+    /// vector code: the blocks after it may be in the table.
+    #[inline(always)]
+    fn find_all_with<T: Scalar>(
         &self,
         values: (&[T], &mut [T]),
         limit: T,

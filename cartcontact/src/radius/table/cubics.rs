@@ -6,7 +6,6 @@ use crate::Scalar;
 use crate::evaluate::steepness::Steepness;
 use crate::numbers::bits::fraction;
 use crate::profile::RadiusError;
-use crate::radius::whole_powers::find_blocks;
 use crate::scalar::from_single;
 
 impl Table {
@@ -36,11 +35,10 @@ impl Table {
         evaluate: impl Fn(T) -> Steepness<T> + Copy,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.find_all(values, limit, Halley { units, evaluate }, |_, _| 0, general)
+        self.find_all(values, limit, Halley { units, evaluate }, general)
     }
 
-    /// The same with a second start for load integrals outside the table: `solve` calls
-    /// [`WholePowers::solve`](crate::radius::whole_powers::WholePowers::solve).
+    /// `Table::find_all_also_outside` by Halley's step from a cubic.
     ///
     /// # Errors
     ///
@@ -55,17 +53,7 @@ impl Table {
         solve: impl Fn(T, u32) -> (T, bool),
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.find_all(
-            values,
-            limit,
-            Halley { units, evaluate },
-            #[inline(always)]
-            |load_integrals, radii| {
-                let in_table = |load_integral| self.radius(load_integral, limit, units, evaluate);
-                find_blocks(load_integrals, radii, limit, &solve, in_table)
-            },
-            general,
-        )
+        self.find_all_also_outside(values, limit, Halley { units, evaluate }, solve, general)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The contact radius as a polynomial in each row, where powers of constants are not whole.
+//! The contact radius as a polynomial in each row, where powers of constants are not whole, or many.
 //!
 //! ```text
 //! a = A + (c₁ w + c₂ w² + …),     w = y/2^e − u,  |w| ≤ 1/8
@@ -15,7 +15,6 @@ use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::numbers::bits::{fraction, middle_of_part};
 use crate::profile::RadiusError;
-use crate::radius::whole_powers::find_blocks;
 use crate::scalar::{from_single, is_same};
 
 /// Rows of nine f64, A and c₁ to c₈, and five f32, what A lacks and c₉ to c₁₂; four bytes are spare.
@@ -56,11 +55,14 @@ impl Curves {
         limit: T,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.find_all(values, limit, |_, _| 0, general)
+        if is_same::<T, f32>() {
+            self.single.find_all(values, limit, SingleCurve, general)
+        } else {
+            self.double.find_all(values, limit, DoubleCurve, general)
+        }
     }
 
-    /// The same with a second start for load integrals outside the tables: `solve` calls
-    /// [`WholePowers::solve`](crate::radius::whole_powers::WholePowers::solve).
+    /// `Table::find_all_also_outside` by a polynomial.
     ///
     /// # Errors
     ///
@@ -73,30 +75,10 @@ impl Curves {
         solve: impl Fn(T, u32) -> (T, bool),
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.find_all(
-            values,
-            limit,
-            #[inline(always)]
-            |load_integrals, radii| {
-                let in_table = |load_integral| self.radius(load_integral, limit);
-                find_blocks(load_integrals, radii, limit, &solve, in_table)
-            },
-            general,
-        )
-    }
-
-    #[inline(always)]
-    fn find_all<T: Scalar>(
-        self,
-        values: (&[T], &mut [T]),
-        limit: T,
-        others: impl Fn(&[T], &mut [T]) -> usize,
-        general: impl Fn(T) -> Result<T, RadiusError>,
-    ) -> Result<(), RadiusError> {
         if is_same::<T, f32>() {
-            self.single.find_all(values, limit, SingleCurve, others, general)
+            self.single.find_all_also_outside(values, limit, SingleCurve, solve, general)
         } else {
-            self.double.find_all(values, limit, DoubleCurve, others, general)
+            self.double.find_all_also_outside(values, limit, DoubleCurve, solve, general)
         }
     }
 }

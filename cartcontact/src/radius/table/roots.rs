@@ -66,7 +66,7 @@ impl<const N: usize> Roots<N> {
         term: impl Term<T>,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.table.find_all(values, limit, Root { term, series: self.series }, |_, _| 0, general)
+        self.table.find_all(values, limit, Root { term, series: self.series }, general)
     }
 }
 
