@@ -6,7 +6,7 @@ use super::{Increment, time_form};
 use crate::contact::Contact;
 use crate::load::{ForceSeries, Load};
 use crate::numbers::exponential::decay;
-use crate::profile::degree::degree_of_load_integral;
+use crate::profile::degree::{degree_of_load_integral, least_degree};
 use crate::{GapProfile, Scalar};
 
 /// Below this degree of J the radius, as a function of time, is steeper than a cube root. Measured: time, as the
@@ -146,7 +146,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             Course::Smooth(force)
                 if self.may_be_smooth()
                     && self.begins_loaded()
-                    && !(self.degree_at_edge() < T::constant(LOW_DEGREE) && force.grows_steadily()) =>
+                    && !(least_degree(self.contact.profile(), self.high) < T::constant(LOW_DEGREE)
+                        && force.grows_steadily()) =>
             {
                 time_form::increment(self, (force.highest_rate(), T::zero()), |x| force.shortfall(x))
             }
@@ -169,21 +170,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             Course::Smooth(force) if self.may_be_smooth() => force.age(deficit),
             straight => straight.age_if_straight(deficit),
         }
-    }
-
-    /// The degree of the load integral at the end, which terms of both signs may make nearly vanish; for others 4, the
-    /// least that it can be.
-    fn degree_at_edge(&self) -> T {
-        let profile = self.contact.profile();
-        if profile.has_only_positive_terms() {
-            return T::constant(4.0);
-        }
-        degree_of_load_integral(profile, self.high, profile.quick_load_integral(self.high))
-    }
-
-    /// How many of its own roundings the radius at the end is off by, at least 1, because the load integral is rounded.
-    pub(super) fn condition_at_edge(&self) -> T {
-        self.degree_at_edge().recip().max(T::one())
     }
 
     /// Whether the hereditary load is well above zero throughout.

@@ -27,6 +27,7 @@ use crate::contact::Contact;
 use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::numbers::exponential::decay;
+use crate::profile::degree::condition_of_radius;
 use crate::quadrature::Rule;
 use crate::scalar::greater;
 use crate::{GapProfile, Scalar};
@@ -66,7 +67,7 @@ where
     let (contact, chi, low) = (stretch.contact, stretch.contact.medium().chi(), stretch.low);
     let final_integral =
         contact.profile().quick_load_integral(stretch.high) + stretch.surplus * contact.integral_per_load();
-    let condition = stretch.condition_at_edge();
+    let condition = condition_of_radius(contact.profile(), stretch.high);
     let history = History { contact, final_integral, low, condition, shortfall };
     let longest =
         if stretch.is_whole { stretch.course.folds(chi) } else { chi * stretch.age_at(stretch.high - low) };

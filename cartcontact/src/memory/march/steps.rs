@@ -18,7 +18,7 @@ use super::March;
 use crate::load::{ForceSeries, Load, Shortest, least_step, rounding_within_load};
 use crate::memory::fading::Fading;
 use crate::memory::stretch::Course;
-use crate::profile::degree::degree_of_load_integral;
+use crate::profile::degree::condition_of_radius;
 use crate::{GapProfile, Scalar};
 
 /// The most halvings of steps between knots because of their impulse, which may simply be that of another load. With 32
@@ -152,7 +152,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let mut whole = self.clone();
         whole.advance_smooth(force, stop);
         let radius = halves.now.radius;
-        let edge = (radius, self.condition_of(radius));
+        let edge = (radius, condition_of_radius(self.contact.profile(), radius));
         if whole.transition.agrees_with(&halves.transition, edge, self.roundings_of_halves()) {
             *self = halves;
             pace.double();
@@ -169,13 +169,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// by more than that, and would ask for forces in vain.
     fn roundings_of_halves(&self) -> T {
         T::constant(if self.contact.profile().has_only_positive_terms() { 0.5 } else { 64.0 })
-    }
-
-    /// How many of its own roundings a radius is off by, at least 1, because the load integral is rounded: many where
-    /// the degree of the load integral nearly vanishes.
-    fn condition_of(&self, a: T) -> T {
-        let profile = self.contact.profile();
-        degree_of_load_integral(profile, a, profile.quick_load_integral(a)).recip().max(T::one())
     }
 
     /// The force from now to the end of a step.
