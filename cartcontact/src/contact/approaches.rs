@@ -1,12 +1,10 @@
 //! The approach of the bones from the contact radius, at one time and at many.
 
+use super::radii::BLOCK;
 use super::{Contact, Loading};
 use crate::Scalar;
 use crate::load::Load;
 use crate::profile::GapProfile;
-
-/// How many impulses are summed at once.
-const BLOCK: usize = 256;
 
 /// Puts the approaches in the places of the radii at these times.
 pub(super) fn replace_radii<T: Scalar, P: GapProfile<T>, L: Load<T>>(
@@ -19,11 +17,8 @@ pub(super) fn replace_radii<T: Scalar, P: GapProfile<T>, L: Load<T>>(
         let impulses = &mut impulses[..times.len()];
         let are_summed = contact.load.fill_impulses(times, impulses);
         for ((place, &time), &impulse) in radii.iter_mut().zip(times).zip(&*impulses) {
-            let loading = if are_summed {
-                Loading::new(contact.load.force(time), impulse, contact.medium.chi())
-            } else {
-                contact.loading(time)
-            };
+            let loading =
+                if are_summed { contact.loading_of_impulse(time, impulse) } else { contact.loading(time) };
             *place = contact.approach(loading, time, *place);
         }
     }

@@ -304,7 +304,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// What is known of the load at a time.
     #[inline(always)]
     pub(crate) fn loading(&self, t: T) -> Loading<T> {
-        Loading::new(self.load.force(t), self.load.impulse(t), self.medium.chi())
+        self.loading_of_impulse(t, self.load.impulse(t))
+    }
+
+    /// The same where ∫F up to then is known.
+    #[inline(always)]
+    fn loading_of_impulse(&self, t: T, impulse: T) -> Loading<T> {
+        Loading::new(self.load.force(t), impulse, self.medium.chi())
     }
 }
 

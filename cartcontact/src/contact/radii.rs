@@ -13,7 +13,7 @@ use crate::load::Load;
 use crate::profile::GapProfile;
 
 /// How many radii are solved for at once; with their times and load integrals they stay in the nearest cache.
-const BLOCK: usize = 256;
+pub(super) const BLOCK: usize = 256;
 
 /// The radii at as many times; `recedes_from` is their [`recession_within`](super::recession_within).
 pub(super) fn fill<T: Scalar, P: GapProfile<T>, L: Load<T>>(
@@ -57,9 +57,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
         let contact = self.contact;
         // Their places hold the impulses first.
         if contact.load.fill_impulses(self.times, self.load_integrals) {
-            let chi = contact.medium.chi();
-            return self
-                .take_load_integrals_under(|t, impulse| Loading::new(contact.load.force(t), impulse, chi));
+            return self.take_load_integrals_under(|t, impulse| contact.loading_of_impulse(t, impulse));
         }
         wide(
             #[inline(always)]
