@@ -15,6 +15,7 @@ use crate::number::{Rational, integer};
 use curves::Curves;
 use roots::Roots;
 use seeds::Seeds;
+use table::ROWS;
 
 /// Powers of a square root take little longer than those of the radius.
 const HIGHEST_ROOT_OF_STEPS: i32 = 2;
@@ -50,14 +51,17 @@ impl Start {
 /// Curves instead of steps that would form powers that are not whole, high powers of a root, or many. Where two powers
 /// are so far apart that curves are too short, there may be more seeds.
 fn curves_or_seeds(geometry: &Geometry, forms: &ClosedForms) -> Option<Start> {
-    let seeds = seeds::seeds(geometry, &forms.stepped);
     let powers = &forms.load_integral.summands;
     let is_quick = |power: &Rational| (power * integer(HIGHEST_ROOT_OF_STEPS)).is_integer();
     let has_quick_steps =
         powers.len() <= MOST_TERMS_OF_STEPS && powers.iter().all(|summand| is_quick(&summand.exponent));
     let curves = if has_quick_steps { None } else { curves::curves(geometry, &forms.load_integral) };
-    let most = seeds.as_ref().map_or(0, |seeds| seeds.table.rows.len());
-    let curves = curves.filter(|curves| curves.double.rows.len() >= most);
+    let rows = curves.as_ref().map_or(0, |curves| curves.double.rows.len());
+    if rows == ROWS {
+        return curves.map(Start::Curves);
+    }
+    let seeds = seeds::seeds(geometry, &forms.stepped);
+    let curves = curves.filter(|_| seeds.as_ref().is_none_or(|seeds| seeds.table.rows.len() <= rows));
     curves.map(Start::Curves).or(seeds.map(Start::Seeds))
 }
 

@@ -24,7 +24,8 @@ pub(crate) const ROWS_PER_OCTAVE: i32 = 4;
 pub(crate) const OCTAVES: i32 = 64;
 /// A shorter table is not worth its code.
 pub(crate) const FEWEST_ROWS: usize = 32;
-const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
+/// The rows of a whole table.
+pub(crate) const ROWS: usize = (ROWS_PER_OCTAVE * OCTAVES) as usize;
 /// The octaves of the window above J(ℓ), at least.
 const OCTAVES_ABOVE: f64 = 4.0;
 /// The ratio of gap to radius below which there is hardly a gap.
