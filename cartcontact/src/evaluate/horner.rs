@@ -127,12 +127,11 @@ mod tests {
     }
 
     fn precise_sums_are_exact<const FUSED: bool>() {
-        let quick_even_sum =
-            |r, lowest, coefficients| precise_even_sum::<_, _, FUSED, 2>(r, lowest, coefficients);
+        let even_sum = |r, lowest, coefficients| precise_even_sum::<_, _, FUSED, 2>(r, lowest, coefficients);
         let sum = |x, lowest, coefficients| precise_sum::<_, _, FUSED, 2>(x, lowest, coefficients);
-        assert_eq!(quick_even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
+        assert_eq!(even_sum(3.0, 3, [1.0, 2.0]), 27.0 + 2.0 * 243.0);
         assert_eq!(sum(3.0, 1, [1.0, 2.0]), 3.0 + 2.0 * 9.0);
-        assert_eq!(quick_even_sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
+        assert_eq!(even_sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
         assert_eq!(sum(1e153, 2, [1e-10, 0.0]), 1e306 * 1e-10);
     }
 }

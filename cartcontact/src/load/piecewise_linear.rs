@@ -10,8 +10,7 @@ use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::pairs::Pairs;
 
-/// How many impulses a load stores; any other is the sum of one of them and of few pieces, a 64th of the record at most.
-/// They are 512 bytes of every load, however few knots it has.
+/// How many impulses a load stores, 512 bytes; any other is the sum of one and of up to a 64th of the pieces.
 const CHECKPOINTS: usize = 64;
 
 /// A load through knots (time in s, force in N), linear between them and constant after the last.
