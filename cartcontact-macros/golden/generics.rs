@@ -87,7 +87,7 @@ const _: () = {
             count: 200,
         },
         rows: __cartcontact::generated::Rows(
-            *b"...",
+*b"...",
         ),
     };
     #[inline(always)]

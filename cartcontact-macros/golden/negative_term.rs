@@ -48,7 +48,7 @@ const _: () = {
             count: 256,
         },
         rows: __cartcontact::generated::Rows(
-            *b"...",
+*b"...",
         ),
     };
     #[inline(always)]

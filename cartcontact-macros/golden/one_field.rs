@@ -92,7 +92,7 @@ const _: () = {
                 count: 96,
             },
             rows: __cartcontact::generated::Rows(
-                *b"...",
+*b"...",
             ),
         },
         series: [

@@ -49,7 +49,7 @@ const _: () = {
             count: 256,
         },
         rows: __cartcontact::generated::Rows(
-            *b"...",
+*b"...",
         ),
     };
     #[inline(always)]

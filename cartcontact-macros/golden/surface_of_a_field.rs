@@ -116,7 +116,7 @@ const _: () = {
             count: 256,
         },
         rows: __cartcontact::generated::Rows(
-            *b"...",
+*b"...",
         ),
     };
     #[inline(always)]
