@@ -61,17 +61,14 @@ impl Summand {
     }
 }
 
-/// J times a number between 1 and 2.
-pub(crate) struct Scaled {
-    pub(crate) load_integral: PowerSum,
-    pub(crate) per_unit: Rational,
-}
-
 /// J as the steps to the radius take it: with weights of few digits where coefficients are symbols, and as a function of
 /// the root of the radius with this index, in which its powers are whole. The index is 1, for the radius itself, if only
 /// a root of a high index would do.
 pub(crate) struct Stepped {
-    pub(crate) scaled: Scaled,
+    /// J times `per_unit`.
+    pub(crate) load_integral: PowerSum,
+    /// A number from 1 to 2.
+    pub(crate) per_unit: Rational,
     pub(crate) root: u32,
 }
 
@@ -96,21 +93,13 @@ impl ClosedForms {
         let plus = |n: &Rational, k: i32| n + integer(k);
         let load_integral = PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 4)));
         Self {
-            stepped: load_integral.times(load_integral.shortener()).stepped(),
+            stepped: load_integral.stepped(),
             gap: PowerSum::of(gap, 0, &|_| Rational::one()),
             approach: PowerSum::of(gap, 0, &|n| &two / plus(n, 2)),
             approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
             load_integral,
             log_kernel: PowerSum::of(gap, 2, &|n| (plus(n, 2) * plus(n, 2)).recip()),
         }
-    }
-}
-
-impl Scaled {
-    fn stepped(self) -> Stepped {
-        let root = self.load_integral.root_of_whole_powers().unwrap_or(1);
-        let load_integral = self.load_integral.in_root(root);
-        Stepped { scaled: Scaled { load_integral, per_unit: self.per_unit }, root }
     }
 }
 
@@ -160,8 +149,11 @@ impl PowerSum {
         self.with_exponents(|exponent| exponent * integer(index))
     }
 
-    fn times(&self, per_unit: Rational) -> Scaled {
-        Scaled { load_integral: self.weighted(|_| per_unit.clone()), per_unit }
+    fn stepped(&self) -> Stepped {
+        let per_unit = self.shortener();
+        let root = self.root_of_whole_powers().unwrap_or(1);
+        let load_integral = self.weighted(|_| per_unit.clone()).in_root(root);
+        Stepped { load_integral, per_unit, root }
     }
 
     /// The common denominator of the weights, made odd by dividing out powers of two and then divided by a power of two

@@ -225,10 +225,11 @@ impl<'a> Coefficients<'a> {
     pub(super) fn operations(&self) -> Operations {
         let precise = self.precise();
         let (inverses, values) = (precise.inverses(), precise.values());
-        let mut operations = Operations::of(&quote!(#inverses [#(#values),*]));
-        operations.is_double = true;
-        operations.calls_library = self.symbolic().any(|(_, coefficient)| coefficient.has_root());
-        operations
+        if self.symbolic().any(|(_, coefficient)| coefficient.has_root()) {
+            Operations::InLibrary
+        } else {
+            Operations::of(quote!(#inverses [#(#values),*]))
+        }
     }
 
     fn function(&self) -> TokenStream {

@@ -253,7 +253,7 @@ fn by_curves(curves: &Curves) -> String {
 
 /// The operations of one call of each evaluator, unless all are left to the run-time crate.
 fn effort(operations: &[Operations], shared: Option<Operations>) -> String {
-    if operations.iter().all(|count| count.calls_library) {
+    if operations.iter().all(|count| matches!(count, Operations::InLibrary)) {
         return String::new();
     }
     let names =
@@ -264,11 +264,7 @@ fn effort(operations: &[Operations], shared: Option<Operations>) -> String {
             "coefficients          {shared}, ÷ among the ×, in addition, and a × for each term at the most\n"
         )
     });
-    let legend = if operations.iter().any(|count| count.is_double) {
-        "Double words round a result only once. A × of them takes 24 plain operations, or 9 if the processor \
-         multiplies and adds in one; a + takes 11.\n\n"
-    } else {
-        ""
-    };
-    format!("Operations of a call:\n\n{legend}```text\n{}{beside}```", lines.collect::<String>())
+    let legend = "Double words round a result only once. A × of them takes 24 plain operations, or 9 if the processor \
+                  multiplies and adds in one; a + takes 11.";
+    format!("Operations of a call:\n\n{legend}\n\n```text\n{}{beside}```", lines.collect::<String>())
 }

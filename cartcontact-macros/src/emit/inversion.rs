@@ -63,7 +63,7 @@ fn quick_radii(gap: &Gap, forms: &ClosedForms, start: Option<&Start>, names: &Na
     let of_positive_terms = quote!(#krate::GapProfile::<#scalar>::has_only_positive_terms(self));
     let truth = match start? {
         Start::Curves(_) | Start::Roots(_) => quote!(true),
-        Start::Seeds(_) if Whole::of(&forms.stepped.scaled.load_integral).is_none() => return None,
+        Start::Seeds(_) if Whole::of(&forms.stepped.load_integral).is_none() => return None,
         // Values of other signs than those of the table are rare.
         Start::Seeds(seeds) if gap.is_constant() || seeds.factors.iter().any(|&factor| factor < 0.0) => {
             quote!(true)
@@ -221,7 +221,7 @@ fn newton(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
     };
     let (Names { load_integral, limit, .. }, a) = (names, local("a"));
     // Not the method of that name: its receiver would be one more argument of the general solution.
-    let rounded_once = power_sum::value(&forms.load_integral, &a, coefficients).code;
+    let (rounded_once, _) = power_sum::value(&forms.load_integral, &a, coefficients);
     let rounded_once = names.in_double_words(&rounded_once);
     quote! {
         #invert(

@@ -7,7 +7,7 @@ use quote::{ToTokens, quote};
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, nested, paired, terms};
 use super::{Names, local, steepness};
-use crate::closed_forms::{ClosedForms, Scaled, Stepped};
+use crate::closed_forms::{ClosedForms, Stepped};
 use crate::number::{Rational, integer};
 
 /// Beyond this power, 2^p leaves single precision in the products of a step.
@@ -71,9 +71,9 @@ pub(super) fn solve(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opt
 fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     let names = coefficients.names;
     let whole = whole(stepped)?;
-    let Scaled { load_integral: sum, per_unit } = &stepped.scaled;
+    let Stepped { load_integral: sum, per_unit, root } = stepped;
     let per_unit = names.number(per_unit);
-    let (all, root) = (names.generated("WholePowers"), Literal::u32_unsuffixed(stepped.root));
+    let (all, root) = (names.generated("WholePowers"), Literal::u32_unsuffixed(*root));
     let [steepness, last_steepness] = functions(stepped);
     let values = sum.summands.iter().map(|summand| coefficients.factor(summand));
     let (powers, count) = (whole.exponents.iter().map(|&power| Literal::u32_unsuffixed(power)), values.len());
@@ -91,7 +91,7 @@ fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>) -> Option<To
 /// The names of the functions that compute J and its derivatives: quickly for all steps but the last, and with fewer
 /// roundings for that. Two terms are quickest with the fewest.
 fn functions(stepped: &Stepped) -> [Ident; 2] {
-    let are_equal = stepped.root == 1 && stepped.scaled.load_integral.summands.len() == 2;
+    let are_equal = stepped.root == 1 && stepped.load_integral.summands.len() == 2;
     ["quick_steepness", if are_equal { "quick_steepness" } else { "last_steepness" }].map(local)
 }
 
@@ -102,7 +102,7 @@ pub(super) fn has_whole_powers(forms: &ClosedForms) -> bool {
 
 /// The powers of J, if they are whole and not too high.
 fn whole(stepped: &Stepped) -> Option<Whole> {
-    Whole::up_to(HIGHEST_POWER, &stepped.scaled.load_integral)
+    Whole::up_to(HIGHEST_POWER, &stepped.load_integral)
 }
 
 /// The functions that compute J and its derivatives, with any coefficients.

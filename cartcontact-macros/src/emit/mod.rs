@@ -37,7 +37,7 @@ use crate::reading::item::Item;
 use crate::reading::name::unraw;
 use crate::start::{Start, has_leading_term_beside_table};
 use coefficients::Coefficients;
-use operations::{Counted, Operations};
+use operations::Operations;
 
 /// A method that evaluates a closed form: its name, its variable and the sum.
 type Evaluator = (&'static str, &'static str, fn(&ClosedForms) -> &PowerSum);
@@ -183,7 +183,7 @@ fn evaluators(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> (TokenStr
     for (name, variable, sum) in EVALUATORS {
         let (variable, sum) = (local(variable), sum(forms));
         let coefficients = coefficients.for_rounding_once([sum]);
-        let Counted { code, operations: count } = power_sum::value(sum, &variable, &coefficients);
+        let (code, count) = power_sum::value(sum, &variable, &coefficients);
         let preamble = coefficients.preamble();
         operations.push(count);
         methods.push(method(name, &variable, names.in_double_words(&quote!(#preamble #code))));
@@ -210,7 +210,7 @@ fn approach_and_load_integral(forms: &ClosedForms, coefficients: &Coefficients<'
     let sums = [&forms.approach, &forms.load_integral];
     let (scalar, a, coefficients) = (&names.scalar, local("a"), coefficients.for_rounding_once(sums));
     let preamble = coefficients.preamble();
-    let values = sums.map(|sum| power_sum::value(sum, &a, &coefficients).code);
+    let values = sums.map(|sum| power_sum::value(sum, &a, &coefficients).0);
     let both = names.in_double_words(&quote!(#preamble (#(#values),*)));
     (!preamble.is_empty()).then(|| {
         quote! {

@@ -21,7 +21,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::{Coefficients, MOST_WRITTEN_OUT};
-use super::operations::{Counted, Operations};
+use super::operations::Operations;
 use super::{Names, local};
 use crate::closed_forms::{PowerSum, Summand};
 use crate::number::{Rational, code, nearest_and_rest, rounded};
@@ -121,14 +121,14 @@ impl Whole {
 }
 
 /// The value of the sum at `x` in double words, with one rounding besides those of the coefficients, which may be
-/// precise.
-pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Counted {
+/// precise; and the operations that it takes.
+pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> (TokenStream, Operations) {
     let names = coefficients.names;
     let Some(whole) = Whole::of(sum).filter(Whole::is_dense) else {
         let (power_sum, terms, fused) =
             (names.generated("power_sum"), terms(sum, coefficients), &names.fused);
         let code = quote!(#power_sum::<_, _, _, #fused>(#x, #terms));
-        return Counted { code, operations: Operations::in_library() };
+        return (code, Operations::InLibrary);
     };
     let (lowest, stride) = (whole.lowest(), whole.stride());
     let dense = whole.dense((lowest, stride), sum, coefficients);
@@ -137,10 +137,9 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) 
     let (function, beside) =
         if stride == 2 { ("precise_even_sum", 1 + lowest % 2) } else { ("precise_sum", 0) };
     let (function, fused) = (names.generated(function), &names.fused);
-    Counted {
-        code: quote!(#function::<_, _, #fused, _>(#x, #lowest, #dense)),
-        operations: Operations::in_double_words(steps + lowest / stride + beside, steps),
-    }
+    let operations =
+        Operations::Counted { multiplications: steps + lowest / stride + beside, additions: steps };
+    (quote!(#function::<_, _, #fused, _>(#x, #lowest, #dense)), operations)
 }
 
 /// Whether [`quick_value`] is Horner's rule without roots, which vectors go through.

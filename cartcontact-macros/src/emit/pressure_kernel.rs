@@ -91,13 +91,11 @@ fn precise_kernel<'a>(
 /// The operations of the kernel for callers.
 pub(super) fn operations(gap: &Gap) -> Operations {
     let Some(highest) = highest_multiple(gap, 2, HIGHEST_EVEN) else {
-        return Operations::in_library();
+        return Operations::InLibrary;
     };
     // a², r² and (a² − r²)²; two products for the second weight, and three sums; three of each for every further one.
-    match highest {
-        1 => Operations::in_double_words(5, 2),
-        _ => Operations::in_double_words(7 + 3 * (highest - 2), 5 + 3 * (highest - 2)),
-    }
+    let (multiplications, additions) = if highest == 1 { (5, 2) } else { (3 * highest + 1, 3 * highest - 1) };
+    Operations::Counted { multiplications, additions }
 }
 
 /// The largest n/`step`, if all quotients are whole and no n is above `highest`.

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, is_monic, nested, paired, terms};
 use super::{Names, local, steepness, table};
-use crate::closed_forms::{PowerSum, Scaled, Stepped};
+use crate::closed_forms::{PowerSum, Stepped};
 use crate::number::{Rational, integer};
 use crate::start::seeds::Seeds;
 
@@ -69,7 +69,7 @@ pub(super) fn radius_and_radii(
 fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
     let units = local("units");
-    let Stepped { scaled: Scaled { load_integral, per_unit }, root } = stepped;
+    let Stepped { load_integral, per_unit, root } = stepped;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
         names.generated("OwnUnits")
     } else {
@@ -107,7 +107,7 @@ fn equal_terms(
 /// a unit would cost a rounding, as the load integral would have to be divided by it, too.
 fn body(stepped: &Stepped, unit: &Rational, a: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    let Stepped { scaled: Scaled { load_integral, .. }, root } = stepped;
+    let Stepped { load_integral, root, .. } = stepped;
     let Some(whole) = Whole::of(load_integral) else {
         let (function, terms) = (names.generated("power_sum_steepness"), terms(load_integral, coefficients));
         return quote!(#function(#a, #terms));

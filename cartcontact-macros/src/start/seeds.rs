@@ -61,7 +61,7 @@ pub(crate) struct Seeds {
 /// The table of a geometry, if its rows are near enough to the radius, or to the root in which J has whole powers.
 pub(crate) fn seeds(geometry: &Geometry, stepped: &Stepped) -> Option<Seeds> {
     let is_constant = geometry.gap.is_constant();
-    let load_integral = &stepped.scaled.load_integral;
+    let load_integral = &stepped.load_integral;
     let factors: Vec<f64> = if is_constant {
         load_integral.summands.iter().map(|summand| summand.constant()?.to_f64()).collect::<Option<_>>()?
     } else {

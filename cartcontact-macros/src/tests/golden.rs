@@ -55,5 +55,8 @@ fn expansions_are_the_golden_ones() {
 /// The expansion without the thousands of bytes of its tables.
 fn without_tables(expansion: &str) -> String {
     let is_table = |line: &str| line.trim_start().starts_with("*b\"");
-    expansion.lines().map(|line| if is_table(line) { "*b\"...\",\n".to_owned() } else { format!("{line}\n") }).collect()
+    expansion
+        .lines()
+        .map(|line| if is_table(line) { "*b\"...\",\n".to_owned() } else { format!("{line}\n") })
+        .collect()
 }
