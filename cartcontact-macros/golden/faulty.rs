@@ -7,6 +7,14 @@ struct Knee<T> {
     reason = "they concern the struct, which is repeated here"
 )]
 #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+#[allow(
+    clippy::multiple_bound_locations,
+    reason = "the struct may bound its parameter in place"
+)]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "generated operators seem to span an attribute's lines"
+)]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     const __FAULTS: ::core::primitive::usize = {

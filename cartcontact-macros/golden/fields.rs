@@ -41,16 +41,16 @@ struct Ball {
     reason = "they concern the struct, which is repeated here"
 )]
 #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+#[allow(
+    clippy::multiple_bound_locations,
+    reason = "the struct may bound its parameter in place"
+)]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "generated operators seem to span an attribute's lines"
+)]
 const _: () = {
     use crate::renamed::generated::root as __cartcontact;
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline]
     fn __coefficients<T>(__profile: &Ball) -> [T; 2usize]
     where
@@ -66,14 +66,6 @@ const _: () = {
                 }),
         ]
     }
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline(always)]
     fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Ball,
@@ -290,8 +282,11 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            match {
-                let __units = __cartcontact::generated::EqualTerms::of(
+            match __cartcontact::generated::Table::radius(
+                &__TABLE,
+                __load_integral,
+                __limit,
+                __cartcontact::generated::EqualTerms::of(
                     (
                         __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                         <T as __cartcontact::Scalar>::constant(6.0f64),
@@ -302,15 +297,9 @@ const _: () = {
                     ),
                     [],
                     <T as __cartcontact::Scalar>::constant(1.5f64),
-                );
-                __cartcontact::generated::Table::radius(
-                    &__TABLE,
-                    __load_integral,
-                    __limit,
-                    __units,
-                    |__a| __steepness(__a, [__c0, __c1]),
-                )
-            } {
+                ),
+                |__a| __steepness(__a, [__c0, __c1]),
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -394,23 +383,22 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            let __units = __cartcontact::generated::EqualTerms::of(
-                (
-                    __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                    <T as __cartcontact::Scalar>::constant(6.0f64),
-                ),
-                (
-                    __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                    <T as __cartcontact::Scalar>::constant(8.0f64),
-                ),
-                [],
-                <T as __cartcontact::Scalar>::constant(1.5f64),
-            );
             __cartcontact::generated::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __units,
+                __cartcontact::generated::EqualTerms::of(
+                    (
+                        __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                        <T as __cartcontact::Scalar>::constant(6.0f64),
+                    ),
+                    (
+                        __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                        <T as __cartcontact::Scalar>::constant(8.0f64),
+                    ),
+                    [],
+                    <T as __cartcontact::Scalar>::constant(1.5f64),
+                ),
                 #[inline(always)]
                 move |__a| __steepness(__a, [__c0, __c1]),
                 #[inline(always)]
@@ -513,47 +501,8 @@ const _: () = {
         #[inline]
         fn max_radius(&self) -> T {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                ],
-                ::core::option::Option::Some({
-                    let __field_limit = __cartcontact::generated::from_single::<
-                        T,
-                    >(self.limit);
-                    __field_limit
-                }),
-            ) {
-                ::core::result::Result::Ok(__end) => __end,
-                ::core::result::Result::Err(_) => {
-                    <T as __cartcontact::Scalar>::constant(0.0f64)
-                }
-            }
-        }
-        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            if let ::core::result::Result::Err(__error) = __cartcontact::generated::check_range_of_fields::<
-                T,
-                _,
-            >(&["radius"], [self.radius]) {
-                return ::core::result::Result::Err(__error);
-            }
-            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
-            let __field_limit = __cartcontact::generated::from_single::<T>(self.limit);
-            match __cartcontact::generated::check_product(
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                    [],
-                    [__field_radius],
-                )
-                .and(
-                    __cartcontact::generated::check_product(
-                        (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                        [],
-                        [__field_radius],
-                    ),
-                )
-                .and_then(|()| __cartcontact::generated::checked_range(
+            ::core::result::Result::unwrap_or(
+                __cartcontact::generated::checked_range(
                     [
                         (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
@@ -564,19 +513,46 @@ const _: () = {
                         >(self.limit);
                         __field_limit
                     }),
-                ))
-            {
-                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err(
-                        __cartcontact::generated::with_parameters(
-                            __error,
-                            &["radius", "limit"],
-                            [__field_radius, __field_limit],
+                ),
+                <T as __cartcontact::Scalar>::constant(0.0f64),
+            )
+        }
+        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            __cartcontact::generated::check_range_of_fields::<
+                T,
+                _,
+            >(&["radius"], [self.radius])?;
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
+            let __field_limit = __cartcontact::generated::from_single::<T>(self.limit);
+            __cartcontact::generated::with_parameters(
+                __cartcontact::generated::check_product(
+                        (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                        [],
+                        [__field_radius],
+                    )
+                    .and(
+                        __cartcontact::generated::check_product(
+                            (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                            [],
+                            [__field_radius],
                         ),
                     )
-                }
-            }
+                    .and_then(|()| __cartcontact::generated::checked_range(
+                        [
+                            (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                            (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                        ],
+                        ::core::option::Option::Some({
+                            let __field_limit = __cartcontact::generated::from_single::<
+                                T,
+                            >(self.limit);
+                            __field_limit
+                        }),
+                    )),
+                &["radius", "limit"],
+                [__field_radius, __field_limit],
+            )
         }
         #[inline]
         fn highest_exponent(&self) -> T {

@@ -30,16 +30,16 @@ where
     reason = "they concern the struct, which is repeated here"
 )]
 #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+#[allow(
+    clippy::multiple_bound_locations,
+    reason = "the struct may bound its parameter in place"
+)]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "generated operators seem to span an attribute's lines"
+)]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline]
     fn __coefficients<'a, S: Copy, T>(__profile: &Any<'a, S, T>) -> [S; 2usize]
     where
@@ -55,14 +55,6 @@ const _: () = {
             ),
         ]
     }
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline(always)]
     fn __precise_coefficients<'a, S: Copy, T, const __FUSED: ::core::primitive::bool>(
         __profile: &Any<'a, S, T>,
@@ -313,8 +305,11 @@ const _: () = {
             __limit: S,
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            match {
-                let __units = __cartcontact::generated::RootOf::<
+            match __cartcontact::generated::Table::radius(
+                &__TABLE,
+                __load_integral,
+                __limit,
+                __cartcontact::generated::RootOf::<
                     _,
                     2,
                 >(
@@ -330,15 +325,9 @@ const _: () = {
                         [],
                         <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
-                );
-                __cartcontact::generated::Table::radius(
-                    &__TABLE,
-                    __load_integral,
-                    __limit,
-                    __units,
-                    |__a| __steepness(__a, [__c0, __c1]),
-                )
-            } {
+                ),
+                |__a| __steepness(__a, [__c0, __c1]),
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -426,8 +415,11 @@ const _: () = {
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             let __limit = <S as __cartcontact::Scalar>::infinity();
-            match {
-                let __units = __cartcontact::generated::RootOf::<
+            match __cartcontact::generated::Table::radius(
+                &__TABLE,
+                __load_integral,
+                __limit,
+                __cartcontact::generated::RootOf::<
                     _,
                     2,
                 >(
@@ -443,15 +435,9 @@ const _: () = {
                         [],
                         <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
-                );
-                __cartcontact::generated::Table::radius(
-                    &__TABLE,
-                    __load_integral,
-                    __limit,
-                    __units,
-                    |__a| __steepness(__a, [__c0, __c1]),
-                )
-            } {
+                ),
+                |__a| __steepness(__a, [__c0, __c1]),
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -504,28 +490,27 @@ const _: () = {
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __units = __cartcontact::generated::RootOf::<
-                _,
-                2,
-            >(
-                __cartcontact::generated::EqualTerms::of(
-                    (
-                        __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                        <S as __cartcontact::Scalar>::constant(12.0f64),
-                    ),
-                    (
-                        __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                        <S as __cartcontact::Scalar>::constant(13.0f64),
-                    ),
-                    [],
-                    <S as __cartcontact::Scalar>::constant(1.828125f64),
-                ),
-            );
             __cartcontact::generated::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __units,
+                __cartcontact::generated::RootOf::<
+                    _,
+                    2,
+                >(
+                    __cartcontact::generated::EqualTerms::of(
+                        (
+                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                            <S as __cartcontact::Scalar>::constant(12.0f64),
+                        ),
+                        (
+                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                            <S as __cartcontact::Scalar>::constant(13.0f64),
+                        ),
+                        [],
+                        <S as __cartcontact::Scalar>::constant(1.828125f64),
+                    ),
+                ),
                 #[inline(always)]
                 move |__a| __steepness(__a, [__c0, __c1]),
                 #[inline(always)]
@@ -664,46 +649,36 @@ const _: () = {
         #[inline]
         fn max_radius(&self) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [
-                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
-                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                ],
-                ::core::option::Option::None,
-            ) {
-                ::core::result::Result::Ok(__end) => __end,
-                ::core::result::Result::Err(_) => {
-                    <S as __cartcontact::Scalar>::constant(0.0f64)
-                }
-            }
-        }
-        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            let __field_c = self.c;
-            match __cartcontact::generated::check_product(
-                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                    [],
-                    [__field_c],
-                )
-                .and_then(|()| __cartcontact::generated::checked_range(
+            ::core::result::Result::unwrap_or(
+                __cartcontact::generated::checked_range(
                     [
                         (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                         (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                     ],
                     ::core::option::Option::None,
-                ))
-            {
-                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err(
-                        __cartcontact::generated::with_parameters(
-                            __error,
-                            &["c"],
-                            [__field_c],
-                        ),
+                ),
+                <S as __cartcontact::Scalar>::constant(0.0f64),
+            )
+        }
+        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            let __field_c = self.c;
+            __cartcontact::generated::with_parameters(
+                __cartcontact::generated::check_product(
+                        (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                        [],
+                        [__field_c],
                     )
-                }
-            }
+                    .and_then(|()| __cartcontact::generated::checked_range(
+                        [
+                            (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                            (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                        ],
+                        ::core::option::Option::None,
+                    )),
+                &["c"],
+                [__field_c],
+            )
         }
         #[inline]
         fn highest_exponent(&self) -> S {

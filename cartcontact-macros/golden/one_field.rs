@@ -39,16 +39,16 @@ struct Ball {
     reason = "they concern the struct, which is repeated here"
 )]
 #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+#[allow(
+    clippy::multiple_bound_locations,
+    reason = "the struct may bound its parameter in place"
+)]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "generated operators seem to span an attribute's lines"
+)]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline]
     fn __coefficients<T>(__profile: &Ball) -> [T; 1usize]
     where
@@ -57,14 +57,6 @@ const _: () = {
         let __field_radius = <T as __cartcontact::Scalar>::constant(__profile.radius);
         [<T as __cartcontact::Scalar>::constant(0.5f64) / __field_radius]
     }
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline(always)]
     fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Ball,
@@ -372,46 +364,34 @@ const _: () = {
         #[inline]
         fn max_radius(&self) -> T {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
-                ::core::option::Option::None,
-            ) {
-                ::core::result::Result::Ok(__end) => __end,
-                ::core::result::Result::Err(_) => {
-                    <T as __cartcontact::Scalar>::constant(0.0f64)
-                }
-            }
-        }
-        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            if let ::core::result::Result::Err(__error) = __cartcontact::generated::check_range_of_fields::<
-                T,
-                _,
-            >(&["radius"], [self.radius]) {
-                return ::core::result::Result::Err(__error);
-            }
-            let [__c0]: [T; 1usize] = __coefficients(self);
-            let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
-            match __cartcontact::generated::check_product(
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                    [],
-                    [__field_radius],
-                )
-                .and_then(|()| __cartcontact::generated::checked_range(
+            ::core::result::Result::unwrap_or(
+                __cartcontact::generated::checked_range(
                     [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
                     ::core::option::Option::None,
-                ))
-            {
-                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err(
-                        __cartcontact::generated::with_parameters(
-                            __error,
-                            &["radius"],
-                            [__field_radius],
-                        ),
+                ),
+                <T as __cartcontact::Scalar>::constant(0.0f64),
+            )
+        }
+        fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            __cartcontact::generated::check_range_of_fields::<
+                T,
+                _,
+            >(&["radius"], [self.radius])?;
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
+            __cartcontact::generated::with_parameters(
+                __cartcontact::generated::check_product(
+                        (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                        [],
+                        [__field_radius],
                     )
-                }
-            }
+                    .and_then(|()| __cartcontact::generated::checked_range(
+                        [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
+                        ::core::option::Option::None,
+                    )),
+                &["radius"],
+                [__field_radius],
+            )
         }
         #[inline]
         fn highest_exponent(&self) -> T {

@@ -37,6 +37,14 @@ pub struct Paraboloid;
     reason = "they concern the struct, which is repeated here"
 )]
 #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+#[allow(
+    clippy::multiple_bound_locations,
+    reason = "the struct may bound its parameter in place"
+)]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "generated operators seem to span an attribute's lines"
+)]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
     static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
@@ -150,16 +158,13 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match {
-                let __units = __cartcontact::generated::OwnUnits;
-                __cartcontact::generated::Table::radius(
-                    &__TABLE,
-                    __load_integral,
-                    __limit,
-                    __units,
-                    |__a| __steepness(__a, []),
-                )
-            } {
+            match __cartcontact::generated::Table::radius(
+                &__TABLE,
+                __load_integral,
+                __limit,
+                __cartcontact::generated::OwnUnits,
+                |__a| __steepness(__a, []),
+            ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
                     __cartcontact::generated::out_of_line(move || {
@@ -181,12 +186,11 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            let __units = __cartcontact::generated::OwnUnits;
             __cartcontact::generated::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __units,
+                __cartcontact::generated::OwnUnits,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
                 |__load_integral| __cartcontact::GapProfile::radius_within(

@@ -26,16 +26,16 @@ struct Blunt {
     reason = "they concern the struct, which is repeated here"
 )]
 #[allow(clippy::approx_constant, reason = "a coefficient near a famous number is none")]
+#[allow(
+    clippy::multiple_bound_locations,
+    reason = "the struct may bound its parameter in place"
+)]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "generated operators seem to span an attribute's lines"
+)]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline]
     fn __coefficients<T>(__profile: &Blunt) -> [T; 3usize]
     where
@@ -46,14 +46,6 @@ const _: () = {
         let __field_e = <T as __cartcontact::Scalar>::constant(__profile.e);
         [__field_c, __field_d, __field_e]
     }
-    #[allow(
-        clippy::multiple_bound_locations,
-        reason = "the struct may bound its parameter in place"
-    )]
-    #[allow(
-        clippy::possible_missing_comma,
-        reason = "generated operators seem to span an attribute's lines"
-    )]
     #[inline(always)]
     fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Blunt,
@@ -580,50 +572,39 @@ const _: () = {
         #[inline]
         fn max_radius(&self) -> T {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            match __cartcontact::generated::checked_range(
-                [
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
-                    (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                    (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
-                ],
-                ::core::option::Option::None,
-            ) {
-                ::core::result::Result::Ok(__end) => __end,
-                ::core::result::Result::Err(_) => {
-                    <T as __cartcontact::Scalar>::constant(0.0f64)
-                }
-            }
+            ::core::result::Result::unwrap_or(
+                __cartcontact::generated::checked_range(
+                    [
+                        (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
+                        (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                        (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
+                    ],
+                    ::core::option::Option::None,
+                ),
+                <T as __cartcontact::Scalar>::constant(0.0f64),
+            )
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            if let ::core::result::Result::Err(__error) = __cartcontact::generated::check_range_of_fields::<
+            __cartcontact::generated::check_range_of_fields::<
                 T,
                 _,
-            >(&["c", "d", "e"], [self.c, self.d, self.e]) {
-                return ::core::result::Result::Err(__error);
-            }
+            >(&["c", "d", "e"], [self.c, self.d, self.e])?;
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
             let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
             let __field_d = <T as __cartcontact::Scalar>::constant(self.d);
             let __field_e = <T as __cartcontact::Scalar>::constant(self.e);
-            match __cartcontact::generated::checked_range(
-                [
-                    (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
-                    (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                    (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
-                ],
-                ::core::option::Option::None,
-            ) {
-                ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                ::core::result::Result::Err(__error) => {
-                    ::core::result::Result::Err(
-                        __cartcontact::generated::with_parameters(
-                            __error,
-                            &["c", "d", "e"],
-                            [__field_c, __field_d, __field_e],
-                        ),
-                    )
-                }
-            }
+            __cartcontact::generated::with_parameters(
+                __cartcontact::generated::checked_range(
+                    [
+                        (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
+                        (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                        (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
+                    ],
+                    ::core::option::Option::None,
+                ),
+                &["c", "d", "e"],
+                [__field_c, __field_d, __field_e],
+            )
         }
         #[inline]
         fn highest_exponent(&self) -> T {

@@ -264,8 +264,6 @@ impl<'a> Coefficients<'a> {
             Digits::OfTwo => quote!(#[inline(always)]),
         };
         quote! {
-            #[allow(clippy::multiple_bound_locations, reason = "the struct may bound its parameter in place")]
-            #[allow(clippy::possible_missing_comma, reason = "generated operators seem to span an attribute's lines")]
             #inline
             fn #coefficients #parameters (#profile: &#ident #arguments) -> [#scalar; #count] #bounds { #body }
         }

@@ -4,8 +4,8 @@ use num_traits::ToPrimitive;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::Names;
 use super::coefficients::{Coefficients, field_variable};
-use super::{Names, local};
 use crate::gap::Term;
 use crate::gap::range::Range;
 use crate::gap::surface::Surface;
@@ -96,15 +96,12 @@ impl Checked<'_> {
     /// Zero for a geometry that `check` refuses.
     fn max_radius(&self) -> TokenStream {
         let (preamble, range) = (self.0.preamble(), self.range());
-        let (constant, scalar, end) = (self.names().constant(), &self.names().scalar, local("end"));
+        let (constant, scalar) = (self.names().constant(), &self.names().scalar);
         quote! {
             #[inline]
             fn max_radius(&self) -> #scalar {
                 #preamble
-                match #range {
-                    ::core::result::Result::Ok(#end) => #end,
-                    ::core::result::Result::Err(_) => #constant(0.0f64),
-                }
+                ::core::result::Result::unwrap_or(#range, #constant(0.0f64))
             }
         }
     }
@@ -112,7 +109,7 @@ impl Checked<'_> {
     fn check(&self) -> TokenStream {
         let (preamble, range) = (self.0.preamble(), self.range());
         let (in_format, declared) = (self.in_format(), self.declared());
-        let (krate, error) = (&self.names().krate, local("error"));
+        let krate = &self.names().krate;
         let mut checks = self.checks_of_terms();
         let range = match checks.next() {
             Some(first) => quote!(#first #(.and(#checks))*.and_then(|()| #range)),
@@ -126,12 +123,7 @@ impl Checked<'_> {
                 #declared
                 #preamble
                 #fields
-                match #range {
-                    ::core::result::Result::Ok(_) => ::core::result::Result::Ok(()),
-                    ::core::result::Result::Err(#error) => ::core::result::Result::Err(
-                        #with_parameters(#error, &[#(#names),*], [#(#values),*])
-                    ),
-                }
+                #with_parameters(#range, &[#(#names),*], [#(#values),*])
             }
         }
     }
@@ -192,15 +184,21 @@ impl Checked<'_> {
         let is_double = |field: &&Field| field.used && field.kind == FieldKind::F64;
         let fields = self.0.item.fields.iter().filter(is_double).map(|field| &field.ident);
         let names: Vec<String> = fields.clone().map(unraw).collect();
+        if names.is_empty() {
+            return TokenStream::new();
+        }
         let (check, scalar) = (self.names().generated("check_range_of_fields"), &self.names().scalar);
-        refusal(&names, &quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])))
+        quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])?;)
     }
 
     /// Refuses values of fields that were declared positive and are not.
     fn declared(&self) -> TokenStream {
         let (bindings, names, values) = self.named(|field| field.used && field.is_positive);
+        if names.is_empty() {
+            return TokenStream::new();
+        }
         let check = self.names().generated("check_positive");
-        refusal(&names, &quote!({ #bindings #check(&[#(#names),*], [#(#values),*]) }))
+        quote!({ #bindings #check(&[#(#names),*], [#(#values),*])?; })
     }
 
     /// The bindings of some fields, and their names and variables.
@@ -208,18 +206,5 @@ impl Checked<'_> {
         let bindings = self.0.fields(&quote!(self), &wanted);
         let fields = self.0.item.fields.iter().filter(|field| wanted(field)).map(|field| &field.ident);
         (bindings, fields.clone().map(unraw).collect(), fields.map(field_variable).collect())
-    }
-}
-
-/// Returns the error of a check of fields, if there are any.
-fn refusal(names: &[String], check: &TokenStream) -> TokenStream {
-    if names.is_empty() {
-        return TokenStream::new();
-    }
-    let error = local("error");
-    quote! {
-        if let ::core::result::Result::Err(#error) = #check {
-            return ::core::result::Result::Err(#error);
-        }
     }
 }

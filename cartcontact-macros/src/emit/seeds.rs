@@ -35,21 +35,16 @@ pub(super) fn radius_and_radii(
 ) -> [TokenStream; 2] {
     let names = coefficients.names;
     let (variables, _) = coefficients.variables();
-    let binding = units(seeds, stepped, coefficients);
+    let units = units(seeds, stepped, coefficients);
     let (table, steepness, general) = (table::name(), name(), names.by_radius_within());
     let kind = names.generated("Table");
-    let (Names { load_integral, load_integrals, limit, radii, .. }, [a, units]) =
-        (names, ["a", "units"].map(local));
+    let (Names { load_integral, load_integrals, limit, radii, .. }, a) = (names, local("a"));
     let step = quote!(|#a| #steepness(#a, #variables));
     let method = format_ident!("{}", if solve.is_some() { "radii_also_outside" } else { "radii" });
     let solve = solve.map(|solve| quote!(#solve,));
     [
-        quote!({
-            #binding
-            #kind::radius(&#table, #load_integral, #limit, #units, #step)
-        }),
+        quote!(#kind::radius(&#table, #load_integral, #limit, #units, #step)),
         quote! {
-            #binding
             #kind::#method(
                 &#table,
                 (#load_integrals, #radii),
@@ -65,10 +60,9 @@ pub(super) fn radius_and_radii(
     ]
 }
 
-/// Binds the units of the table: those of its own geometry, or those in which the first two terms have the same size.
+/// The units of the table: those of its own geometry, or those in which the first two terms have the same size.
 fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    let units = local("units");
     let Stepped { load_integral, per_unit, root } = stepped;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
         names.generated("OwnUnits")
@@ -76,10 +70,10 @@ fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> T
         equal_terms(seeds, load_integral, per_unit, coefficients)
     };
     if *root == 1 {
-        return quote!(let #units = #own;);
+        return own;
     }
     let (root_of, index) = (names.generated("RootOf"), Literal::u32_unsuffixed(*root));
-    quote!(let #units = #root_of::<_, #index>(#own);)
+    quote!(#root_of::<_, #index>(#own))
 }
 
 /// The units in which the first two terms have the same size, from the sizes of all terms: a coefficient whose sign

@@ -247,12 +247,13 @@ fn rule_for_coefficient(coefficient: f64) -> &'static str {
 
 impl core::error::Error for ProfileError {}
 
-/// The error with the fields that caused it.
+/// The outcome of a check, an error with the fields that caused it.
 pub fn with_parameters<T: Scalar, const N: usize>(
-    mut error: ProfileError,
+    checked: Result<T, ProfileError>,
     names: &'static [&'static str; N],
     values: [T; N],
-) -> ProfileError {
+) -> Result<(), ProfileError> {
+    let Err(mut error) = checked else { return Ok(()) };
     match &mut error {
         ProfileError::Vanishing { parameters }
         | ProfileError::InvalidCoefficient { parameters, .. }
@@ -265,5 +266,5 @@ pub fn with_parameters<T: Scalar, const N: usize>(
         | ProfileError::NotPositive { .. }
         | ProfileError::OutOfFormat { .. } => {}
     }
-    error
+    Err(error)
 }
