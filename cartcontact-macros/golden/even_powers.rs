@@ -46,16 +46,16 @@ struct Patellofemoral;
 )]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Table = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -160,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -160,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -63,12 +63,12 @@ const _: () = {
     fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64)
             + (<T as __cartcontact::Scalar>::constant(9.114583333333334e-6f64)) * __s;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(171.42857142857142f64) + __s,
@@ -83,11 +83,11 @@ const _: () = {
         [__j0,
         __j1,
         ]: [T; 2usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = __j0 + (__j1) * __s;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
@@ -104,47 +104,43 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__r, 2u32, [< T as __cartcontact::Scalar >
-                ::constant(0.025f64), < T as __cartcontact::Scalar >
-                ::constant(0.000109375f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__r,
+                2u32, [< T as __cartcontact::Scalar > ::constant(0.025f64), < T as
+                __cartcontact::Scalar > ::constant(0.000109375f64)]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 2u32, [< T as __cartcontact::Scalar >
-                ::constant(0.0125f64), < T as __cartcontact::Scalar >
-                ::constant(3.6458333333333336e-5f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                2u32, [< T as __cartcontact::Scalar > ::constant(0.0125f64), < T as
+                __cartcontact::Scalar > ::constant(3.6458333333333336e-5f64)]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 1u32, [< T as __cartcontact::Scalar >
-                ::constant(0.025f64), < T as __cartcontact::Scalar >
-                ::constant(0.00014583333333333335f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                1u32, [< T as __cartcontact::Scalar > ::constant(0.025f64), < T as
+                __cartcontact::Scalar > ::constant(0.00014583333333333335f64)]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar >
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                6u32, [< T as __cartcontact::Scalar >
                 ::constant(0.0020833333333333333f64), < T as __cartcontact::Scalar >
                 ::constant(9.114583333333334e-6f64)]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__x, 4u32, [< T as __cartcontact::Scalar >
-                ::constant(0.0015625f64), < T as __cartcontact::Scalar >
-                ::constant(3.0381944444444443e-6f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__x,
+                4u32, [< T as __cartcontact::Scalar > ::constant(0.0015625f64), < T as
+                __cartcontact::Scalar > ::constant(3.0381944444444443e-6f64)]) }
             )
         }
         #[inline]
@@ -170,16 +166,15 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::even_pressure_kernel:: < _, _,
-                __FUSED, _ > (__a, __r, [< T as __cartcontact::Scalar >
-                ::constant(0.0015625f64), < T as __cartcontact::Scalar >
-                ::constant(3.0381944444444443e-6f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::even_pressure_kernel:: < _, _, __FUSED, _ >
+                (__a, __r, [< T as __cartcontact::Scalar > ::constant(0.0015625f64), < T
+                as __cartcontact::Scalar > ::constant(3.0381944444444443e-6f64)]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::quick_even_pressure_kernel(
                 __a,
                 __r,
                 [
@@ -194,24 +189,18 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::OwnUnits,
+                __cartcontact::OwnUnits,
                 |__a| __steepness(__a, []),
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::WholePowers::radius(
-                            &__cartcontact::generated::WholePowers::<
-                                _,
-                                _,
-                                _,
-                                2usize,
-                                1,
-                            > {
+                    __cartcontact::out_of_line(move || {
+                        match __cartcontact::WholePowers::radius(
+                            &__cartcontact::WholePowers::<_, _, _, 2usize, 1> {
                                 coefficients: [
                                     <T as __cartcontact::Scalar>::constant(
                                         0.0020833333333333333f64,
@@ -232,16 +221,16 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
-                                    __cartcontact::generated::invert(
+                                __cartcontact::out_of_line(move || {
+                                    __cartcontact::invert(
                                         __load_integral,
                                         __limit,
                                         ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.025f64),
                                                 <T as __cartcontact::Scalar>::constant(2.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.000109375f64),
                                                 <T as __cartcontact::Scalar>::constant(4.0f64),
                                             ),
@@ -249,7 +238,7 @@ const _: () = {
                                         false,
                                         |__a| {
                                             let __x = __a * __a;
-                                            let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                            let (__value, __slope) = __cartcontact::value_and_slope(
                                                 __x,
                                                 [
                                                     <T as __cartcontact::Scalar>::constant(
@@ -268,10 +257,10 @@ const _: () = {
                                             (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                                         },
                                         |__a| {
-                                            __cartcontact::generated::in_double_words!(
-                                                __FUSED => { __cartcontact::generated::precise_even_sum:: <
-                                                _, _, __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar
-                                                > ::constant(0.0020833333333333333f64), < T as
+                                            __cartcontact::in_double_words!(
+                                                __FUSED => { __cartcontact::precise_even_sum:: < _, _,
+                                                __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar >
+                                                ::constant(0.0020833333333333333f64), < T as
                                                 __cartcontact::Scalar >
                                                 ::constant(9.114583333333334e-6f64)]) }
                                             )
@@ -290,16 +279,16 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::generated::Table::radii_also_outside(
+            __cartcontact::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::OwnUnits,
+                __cartcontact::OwnUnits,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
                 #[inline(always)]
-                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
-                    &__cartcontact::generated::WholePowers::<_, _, _, 2usize, 1> {
+                |__load_integral, __more| __cartcontact::WholePowers::solve(
+                    &__cartcontact::WholePowers::<_, _, _, 2usize, 1> {
                         coefficients: [
                             <T as __cartcontact::Scalar>::constant(
                                 0.0020833333333333333f64,
@@ -332,7 +321,7 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * __cartcontact::generated::divided_difference(
+                    * __cartcontact::divided_difference(
                         __a * __a,
                         __s * __s,
                         [

@@ -49,7 +49,7 @@ const _: () = {
         let __field_c = __profile.c;
         [
             __field_c,
-            __cartcontact::generated::real_power(
+            __cartcontact::real_power(
                 __field_c,
                 <S as __cartcontact::Scalar>::constant(-0.5f64),
             ),
@@ -58,27 +58,24 @@ const _: () = {
     #[inline(always)]
     fn __precise_coefficients<'a, S: Copy, T, const __FUSED: ::core::primitive::bool>(
         __profile: &Any<'a, S, T>,
-    ) -> [__cartcontact::generated::Precise<S, __FUSED>; 2usize]
+    ) -> [__cartcontact::Precise<S, __FUSED>; 2usize]
     where
         T: Clone,
         S: __cartcontact::Scalar,
     {
-        let __field_c = <__cartcontact::generated::Precise<S, __FUSED>>::of(__profile.c);
-        [
-            __field_c,
-            __field_c.power(__cartcontact::generated::Exponent::in_parts(-1, 0.5, 0.0)),
-        ]
+        let __field_c = <__cartcontact::Precise<S, __FUSED>>::of(__profile.c);
+        [__field_c, __field_c.power(__cartcontact::Exponent::in_parts(-1, 0.5, 0.0))]
     }
-    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Table = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -232,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -176,
             count: 200,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -88,11 +85,11 @@ const _: () = {
         [__c0,
         __c1,
         ]: [S; 2usize],
-    ) -> __cartcontact::generated::Steepness<S> {
-        let (__power, __lost) = __cartcontact::generated::power_of_half_digits(__a, 12);
+    ) -> __cartcontact::Steepness<S> {
+        let (__power, __lost) = __cartcontact::power_of_half_digits(__a, 12);
         let __value = __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64)
             + (__c1 * <S as __cartcontact::Scalar>::constant(0.15625f64)) * __a;
-        __cartcontact::generated::Steepness {
+        __cartcontact::Steepness {
             power: __power,
             value: __value,
             excess: __lost * __value,
@@ -109,10 +106,10 @@ const _: () = {
         [__j0,
         __j1,
         ]: [S; 2usize],
-    ) -> __cartcontact::generated::Steepness<S> {
+    ) -> __cartcontact::Steepness<S> {
         let __value = __j0 + (__j1) * __a;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__a, 12),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__a, 12),
             value: __value,
             excess: <S as __cartcontact::Scalar>::constant(0.0f64),
             first: <S as __cartcontact::Scalar>::constant(12.0f64) * __j0
@@ -128,7 +125,7 @@ const _: () = {
         [__j0,
         __j1,
         ]: [S; 2usize],
-    ) -> __cartcontact::generated::Steepness<S> {
+    ) -> __cartcontact::Steepness<S> {
         __quick_steepness(__a, [__j0, __j1]).with_exact_power::<12>(__a)
     }
     #[automatically_derived]
@@ -139,64 +136,58 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: S) -> S {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__r, [(__c0,
-                __cartcontact::generated::Exponent::whole(2)), (__c1,
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::power_sum:: < _,
+                _, _, __FUSED > (__r, [(__c0, __cartcontact::Exponent::whole(2)), (__c1,
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: S) -> S {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(<
-                __cartcontact::generated::Precise < S, __FUSED > > ::scaled(__c0,
-                0.5f64), __cartcontact::generated::Exponent::whole(2)), (__c1 * <
-                __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(0.4444444444444444, 2.4671622769447922e-17),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::power_sum:: < _,
+                _, _, __FUSED > (__a, [(< __cartcontact::Precise < S, __FUSED > >
+                ::scaled(__c0, 0.5f64), __cartcontact::Exponent::whole(2)), (__c1 * <
+                __cartcontact::Precise < S, __FUSED > > ::constant(0.4444444444444444,
+                2.4671622769447922e-17), __cartcontact::Exponent::in_parts(2, 0.5,
+                0.0))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: S) -> S {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0,
-                __cartcontact::generated::Exponent::whole(1)), (__c1 * <
-                __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(1.1111111111111112, - 4.9343245538895844e-17),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::power_sum:: < _,
+                _, _, __FUSED > (__a, [(__c0, __cartcontact::Exponent::whole(1)), (__c1 *
+                < __cartcontact::Precise < S, __FUSED > > ::constant(1.1111111111111112,
+                - 4.9343245538895844e-17), __cartcontact::Exponent::in_parts(1, 0.5,
+                0.0))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: S) -> S {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
-                < __cartcontact::generated::Precise < S, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::power_sum:: < _,
+                _, _, __FUSED > (__a, [(__c0 * < __cartcontact::Precise < S, __FUSED > >
                 ::constant(0.08333333333333333, 4.625929269271485e-18),
-                __cartcontact::generated::Exponent::whole(6)), (__c1 * <
-                __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
-                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))]) }
+                __cartcontact::Exponent::whole(6)), (__c1 * < __cartcontact::Precise < S,
+                __FUSED > > ::constant(0.08547008547008547, - 1.6605899940974564e-18),
+                __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: S) -> S {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__x, [(<
-                __cartcontact::generated::Precise < S, __FUSED > > ::scaled(__c0,
-                0.0625f64), __cartcontact::generated::Exponent::whole(4)), (__c1 * <
-                __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(0.04938271604938271, 2.741291418827547e-18),
-                __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::power_sum:: < _,
+                _, _, __FUSED > (__x, [(< __cartcontact::Precise < S, __FUSED > >
+                ::scaled(__c0, 0.0625f64), __cartcontact::Exponent::whole(4)), (__c1 * <
+                __cartcontact::Precise < S, __FUSED > > ::constant(0.04938271604938271,
+                2.741291418827547e-18), __cartcontact::Exponent::in_parts(4, 0.5, 0.0))])
+                }
             )
         }
         #[inline]
@@ -211,8 +202,7 @@ const _: () = {
                 (__c1 * <S as __cartcontact::Scalar>::constant(0.4444444444444444f64))
                     * __s
             };
-            __of_quarter0
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: S) -> S {
@@ -222,8 +212,7 @@ const _: () = {
                 (__c1 * <S as __cartcontact::Scalar>::constant(1.1111111111111112f64))
                     * __a
             };
-            __of_quarter0
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: S) -> S {
@@ -238,43 +227,39 @@ const _: () = {
                 (__c1 * <S as __cartcontact::Scalar>::constant(0.08547008547008547f64))
                     * __s * __s * __s
             };
-            __of_quarter0
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn approach_and_load_integral(&self, __a: S) -> (S, S) {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                (__cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(<
-                __cartcontact::generated::Precise < S, __FUSED > > ::scaled(__c0,
-                0.5f64), __cartcontact::generated::Exponent::whole(2)), (__c1 * <
-                __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(0.4444444444444444, 2.4671622769447922e-17),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]),
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
-                < __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18),
-                __cartcontact::generated::Exponent::whole(6)), (__c1 * <
-                __cartcontact::generated::Precise < S, __FUSED > >
-                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
-                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); (__cartcontact::power_sum:: < _,
+                _, _, __FUSED > (__a, [(< __cartcontact::Precise < S, __FUSED > >
+                ::scaled(__c0, 0.5f64), __cartcontact::Exponent::whole(2)), (__c1 * <
+                __cartcontact::Precise < S, __FUSED > > ::constant(0.4444444444444444,
+                2.4671622769447922e-17), __cartcontact::Exponent::in_parts(2, 0.5,
+                0.0))]), __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 * <
+                __cartcontact::Precise < S, __FUSED > > ::constant(0.08333333333333333,
+                4.625929269271485e-18), __cartcontact::Exponent::whole(6)), (__c1 * <
+                __cartcontact::Precise < S, __FUSED > > ::constant(0.08547008547008547, -
+                1.6605899940974564e-18), __cartcontact::Exponent::in_parts(6, 0.5,
+                0.0))])) }
             )
         }
         #[inline]
         fn pressure_kernel(&self, __a: S, __r: S) -> S {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < S,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::pressure_kernel:: < _, _, _, __FUSED > (__a,
-                __r, [(__c0, __cartcontact::generated::Exponent::whole(2)), (__c1,
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::pressure_kernel::
+                < _, _, _, __FUSED > (__a, __r, [(__c0,
+                __cartcontact::Exponent::whole(2)), (__c1,
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: S, __r: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_pressure_kernel_in_root::<
+            __cartcontact::quick_pressure_kernel_in_root::<
                 _,
                 2,
                 5,
@@ -293,8 +278,8 @@ const _: () = {
                     ),
                 ],
                 [
-                    (__c0, __cartcontact::generated::Exponent::whole(2)),
-                    (__c1, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
+                    (__c0, __cartcontact::Exponent::whole(2)),
+                    (__c1, __cartcontact::Exponent::in_parts(2, 0.5, 0.0)),
                 ],
             )
         }
@@ -305,15 +290,15 @@ const _: () = {
             __limit: S,
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::RootOf::<
+                __cartcontact::RootOf::<
                     _,
                     2,
                 >(
-                    __cartcontact::generated::EqualTerms::of(
+                    __cartcontact::EqualTerms::of(
                         (
                             __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                             <S as __cartcontact::Scalar>::constant(12.0f64),
@@ -330,15 +315,9 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::WholePowers::radius(
-                            &__cartcontact::generated::WholePowers::<
-                                _,
-                                _,
-                                _,
-                                2usize,
-                                2,
-                            > {
+                    __cartcontact::out_of_line(move || {
+                        match __cartcontact::WholePowers::radius(
+                            &__cartcontact::WholePowers::<_, _, _, 2usize, 2> {
                                 coefficients: [
                                     __c0
                                         * <S as __cartcontact::Scalar>::constant(0.15234375f64),
@@ -358,17 +337,17 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
-                                    __cartcontact::generated::invert(
+                                __cartcontact::out_of_line(move || {
+                                    __cartcontact::invert(
                                         __load_integral,
                                         __limit,
-                                        __cartcontact::generated::positive_terms([
+                                        __cartcontact::positive_terms([
                                             (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                                             (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                                         ]),
                                         __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
                                         |__a| {
-                                            __cartcontact::generated::power_sum_and_log_slope(
+                                            __cartcontact::power_sum_and_log_slope(
                                                 __a,
                                                 [
                                                     (
@@ -376,28 +355,26 @@ const _: () = {
                                                             * <S as __cartcontact::Scalar>::constant(
                                                                 0.08333333333333333f64,
                                                             ),
-                                                        __cartcontact::generated::Exponent::whole(6),
+                                                        __cartcontact::Exponent::whole(6),
                                                     ),
                                                     (
                                                         __c1
                                                             * <S as __cartcontact::Scalar>::constant(
                                                                 0.08547008547008547f64,
                                                             ),
-                                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                                     ),
                                                 ],
                                             )
                                         },
                                         |__a| {
-                                            __cartcontact::generated::in_double_words!(
-                                                __FUSED => { __cartcontact::generated::power_sum:: < _, _,
-                                                _, __FUSED > (__a, [(__c0 * < S as __cartcontact::Scalar >
+                                            __cartcontact::in_double_words!(
+                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                                (__a, [(__c0 * < S as __cartcontact::Scalar >
                                                 ::constant(0.08333333333333333f64),
-                                                __cartcontact::generated::Exponent::whole(6)), (__c1 * < S
-                                                as __cartcontact::Scalar >
-                                                ::constant(0.08547008547008547f64),
-                                                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))])
-                                                }
+                                                __cartcontact::Exponent::whole(6)), (__c1 * < S as
+                                                __cartcontact::Scalar > ::constant(0.08547008547008547f64),
+                                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
                                             )
                                         },
                                     )
@@ -415,15 +392,15 @@ const _: () = {
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             let __limit = <S as __cartcontact::Scalar>::infinity();
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::RootOf::<
+                __cartcontact::RootOf::<
                     _,
                     2,
                 >(
-                    __cartcontact::generated::EqualTerms::of(
+                    __cartcontact::EqualTerms::of(
                         (
                             __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                             <S as __cartcontact::Scalar>::constant(12.0f64),
@@ -440,17 +417,11 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
+                    __cartcontact::out_of_line(move || {
                         let [__c0, __c1]: [S; 2usize] = __coefficients(self);
                         let __limit = __cartcontact::GapProfile::max_radius(self);
-                        match __cartcontact::generated::WholePowers::radius(
-                            &__cartcontact::generated::WholePowers::<
-                                _,
-                                _,
-                                _,
-                                2usize,
-                                2,
-                            > {
+                        match __cartcontact::WholePowers::radius(
+                            &__cartcontact::WholePowers::<_, _, _, 2usize, 2> {
                                 coefficients: [
                                     __c0
                                         * <S as __cartcontact::Scalar>::constant(0.15234375f64),
@@ -470,7 +441,7 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
+                                __cartcontact::out_of_line(move || {
                                     __cartcontact::GapProfile::radius_within(
                                         self,
                                         __load_integral,
@@ -490,15 +461,15 @@ const _: () = {
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::Table::radii_also_outside(
+            __cartcontact::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::RootOf::<
+                __cartcontact::RootOf::<
                     _,
                     2,
                 >(
-                    __cartcontact::generated::EqualTerms::of(
+                    __cartcontact::EqualTerms::of(
                         (
                             __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                             <S as __cartcontact::Scalar>::constant(12.0f64),
@@ -514,8 +485,8 @@ const _: () = {
                 #[inline(always)]
                 move |__a| __steepness(__a, [__c0, __c1]),
                 #[inline(always)]
-                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
-                    &__cartcontact::generated::WholePowers::<_, _, _, 2usize, 2> {
+                |__load_integral, __more| __cartcontact::WholePowers::solve(
+                    &__cartcontact::WholePowers::<_, _, _, 2usize, 2> {
                         coefficients: [
                             __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
                             __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
@@ -542,7 +513,7 @@ const _: () = {
         #[inline]
         fn load_integral_drop(&self, __a: S, __depth: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::drop_by_roots(
+            __cartcontact::drop_by_roots(
                 __a,
                 __depth,
                 (
@@ -579,14 +550,14 @@ const _: () = {
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::whole(6),
+                        __cartcontact::Exponent::whole(6),
                     ),
                     (
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -599,7 +570,7 @@ const _: () = {
             __values: (&mut [S], &mut [S]),
         ) {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::generated::fill_by_roots(
+            __cartcontact::fill_by_roots(
                 self,
                 __a,
                 __places,
@@ -613,8 +584,7 @@ const _: () = {
                             )) * __r
                     };
                     __of_quarter0
-                        + __cartcontact::generated::quarter_root::<_, 2>(__r)
-                            * __of_quarter2
+                        + __cartcontact::quarter_root::<_, 2>(__r) * __of_quarter2
                 },
                 (
                     [
@@ -650,7 +620,7 @@ const _: () = {
         fn max_radius(&self) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             ::core::result::Result::unwrap_or(
-                __cartcontact::generated::checked_range(
+                __cartcontact::checked_range(
                     [
                         (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                         (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
@@ -663,13 +633,13 @@ const _: () = {
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             let __field_c = self.c;
-            __cartcontact::generated::with_parameters(
-                __cartcontact::generated::check_product(
+            __cartcontact::with_parameters(
+                __cartcontact::check_product(
                         (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                         [],
                         [__field_c],
                     )
-                    .and_then(|()| __cartcontact::generated::checked_range(
+                    .and_then(|()| __cartcontact::checked_range(
                         [
                             (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                             (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),

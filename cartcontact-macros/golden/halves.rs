@@ -34,16 +34,16 @@ struct Halves;
 )]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Table = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -144,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -144,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -51,12 +51,12 @@ const _: () = {
     fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
-        let (__power, __lost) = __cartcontact::generated::power_of_half_digits(__a, 11);
+        let (__power, __lost) = __cartcontact::power_of_half_digits(__a, 11);
         let __value = <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)
             + (<T as __cartcontact::Scalar>::constant(0.0002564102564102564f64)) * __s;
-        __cartcontact::generated::Steepness {
+        __cartcontact::Steepness {
             power: __power,
             value: __value,
             excess: __lost * __value,
@@ -73,56 +73,52 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__r, [(< T as __cartcontact::Scalar > ::constant(0.01f64),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__r, [(< T
+                as __cartcontact::Scalar > ::constant(0.01f64),
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.003f64),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, [(< T as __cartcontact::Scalar >
-                ::constant(0.005714285714285714f64),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.005714285714285714f64),
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.0013333333333333333f64),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, [(< T as __cartcontact::Scalar >
-                ::constant(0.008571428571428572f64),
-                __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.008571428571428572f64),
+                __cartcontact::Exponent::in_parts(0, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.0033333333333333335f64),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0))]) }
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, [(< T as __cartcontact::Scalar >
-                ::constant(0.0007792207792207792f64),
-                __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.0007792207792207792f64),
+                __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.0002564102564102564f64),
-                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))]) }
+                __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__x, [(< T as __cartcontact::Scalar >
-                ::constant(0.0008163265306122449f64),
-                __cartcontact::generated::Exponent::in_parts(3, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__x, [(< T
+                as __cartcontact::Scalar > ::constant(0.0008163265306122449f64),
+                __cartcontact::Exponent::in_parts(3, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.00014814814814814815f64),
-                __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0))]) }
+                __cartcontact::Exponent::in_parts(4, 0.5, 0.0))]) }
             )
         }
         #[inline]
@@ -132,7 +128,7 @@ const _: () = {
                     + (<T as __cartcontact::Scalar>::constant(0.0013333333333333333f64))
                         * __a) * __a
             };
-            __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
@@ -141,7 +137,7 @@ const _: () = {
                     + (<T as __cartcontact::Scalar>::constant(0.0033333333333333335f64))
                         * __a)
             };
-            __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
@@ -150,21 +146,21 @@ const _: () = {
                     + (<T as __cartcontact::Scalar>::constant(0.0002564102564102564f64))
                         * __a) * __a * __a * __a * __a * __a
             };
-            __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::pressure_kernel:: < _, _, _,
-                __FUSED > (__a, __r, [(< T as __cartcontact::Scalar >
-                ::constant(0.01f64), __cartcontact::generated::Exponent::in_parts(1, 0.5,
-                0.0)), (< T as __cartcontact::Scalar > ::constant(0.003f64),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::pressure_kernel:: < _, _, _, __FUSED > (__a,
+                __r, [(< T as __cartcontact::Scalar > ::constant(0.01f64),
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.003f64),
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0))]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_pressure_kernel_in_root::<
+            __cartcontact::quick_pressure_kernel_in_root::<
                 _,
                 2,
                 5,
@@ -184,11 +180,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.003f64),
-                        __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(2, 0.5, 0.0),
                     ),
                 ],
             )
@@ -199,20 +195,17 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::RootOf::<
-                    _,
-                    2,
-                >(__cartcontact::generated::OwnUnits),
+                __cartcontact::RootOf::<_, 2>(__cartcontact::OwnUnits),
                 |__a| __steepness(__a, []),
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::radius_of_real_powers(
+                    __cartcontact::out_of_line(move || {
+                        match __cartcontact::radius_of_real_powers(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
@@ -220,16 +213,16 @@ const _: () = {
                                     <T as __cartcontact::Scalar>::constant(
                                         0.0007792207792207792f64,
                                     ),
-                                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                    __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                 ),
                                 (
                                     <T as __cartcontact::Scalar>::constant(
                                         0.0002564102564102564f64,
                                     ),
-                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                    __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                 ),
                             ]),
-                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
+                            |__a, __scale| __cartcontact::plain_power_sum_steepness(
                                 __a,
                                 __scale,
                                 [
@@ -237,17 +230,17 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0002564102564102564f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                     ),
                                 ],
                             ),
-                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
+                            |__a, __scale| __cartcontact::scaled_power_sum_steepness(
                                 __a,
                                 __scale,
                                 [
@@ -255,13 +248,13 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0002564102564102564f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                     ),
                                 ],
                             ),
@@ -270,50 +263,49 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
-                                    __cartcontact::generated::invert(
+                                __cartcontact::out_of_line(move || {
+                                    __cartcontact::invert(
                                         __load_integral,
                                         __limit,
                                         ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.01f64),
                                                 <T as __cartcontact::Scalar>::constant(1.5f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.003f64),
                                                 <T as __cartcontact::Scalar>::constant(2.5f64),
                                             ),
                                         ]),
                                         false,
                                         |__a| {
-                                            __cartcontact::generated::power_sum_and_log_slope(
+                                            __cartcontact::power_sum_and_log_slope(
                                                 __a,
                                                 [
                                                     (
                                                         <T as __cartcontact::Scalar>::constant(
                                                             0.0007792207792207792f64,
                                                         ),
-                                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                                     ),
                                                     (
                                                         <T as __cartcontact::Scalar>::constant(
                                                             0.0002564102564102564f64,
                                                         ),
-                                                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                                     ),
                                                 ],
                                             )
                                         },
                                         |__a| {
-                                            __cartcontact::generated::in_double_words!(
-                                                __FUSED => { __cartcontact::generated::power_sum:: < _, _,
-                                                _, __FUSED > (__a, [(< T as __cartcontact::Scalar >
+                                            __cartcontact::in_double_words!(
+                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                                (__a, [(< T as __cartcontact::Scalar >
                                                 ::constant(0.0007792207792207792f64),
-                                                __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0)),
-                                                (< T as __cartcontact::Scalar >
+                                                __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+                                                __cartcontact::Scalar >
                                                 ::constant(0.0002564102564102564f64),
-                                                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0))])
-                                                }
+                                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
                                             )
                                         },
                                     )
@@ -330,14 +322,11 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::generated::Table::radii(
+            __cartcontact::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::RootOf::<
-                    _,
-                    2,
-                >(__cartcontact::generated::OwnUnits),
+                __cartcontact::RootOf::<_, 2>(__cartcontact::OwnUnits),
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
                 |__load_integral| __cartcontact::GapProfile::radius_within(
@@ -353,7 +342,7 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
-            __cartcontact::generated::drop_by_roots(
+            __cartcontact::drop_by_roots(
                 __a,
                 __depth,
                 (
@@ -373,11 +362,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.0002564102564102564f64),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                 ],
             )
@@ -389,7 +378,7 @@ const _: () = {
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            __cartcontact::generated::fill_by_roots(
+            __cartcontact::fill_by_roots(
                 self,
                 __a,
                 __places,
@@ -401,7 +390,7 @@ const _: () = {
                                 0.0033333333333333335f64,
                             )) * __r)
                     };
-                    __cartcontact::generated::quarter_root::<_, 2>(__r) * __of_quarter2
+                    __cartcontact::quarter_root::<_, 2>(__r) * __of_quarter2
                 },
                 (
                     [],

@@ -48,29 +48,29 @@ struct Spheres;
 )]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __CURVES: __cartcontact::generated::DoubleCurves = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __CURVES: __cartcontact::DoubleCurves = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -228,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -228,
             count: 0,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
-    static __CURVES_OF_SINGLE: __cartcontact::generated::SingleCurves = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __CURVES_OF_SINGLE: __cartcontact::SingleCurves = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -228,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -228,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -90,7 +90,7 @@ const _: () = {
         __j10,
         __j11,
         ]: [T; 12usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = (__j0 + (__j1) * __s)
             + ((__j2 + (__j3) * __s)
@@ -98,8 +98,8 @@ const _: () = {
                     + ((__j6 + (__j7) * __s)
                         + ((__j8 + (__j9) * __s) + (__j10 + (__j11) * __s) * (__s * __s))
                             * (__s * __s)) * (__s * __s)) * (__s * __s)) * (__s * __s);
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
@@ -149,7 +149,7 @@ const _: () = {
         __j10,
         __j11,
         ]: [T; 12usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = __j0
             + (__j1
@@ -161,8 +161,8 @@ const _: () = {
                                     + (__j7
                                         + (__j8 + (__j9 + (__j10 + (__j11) * __s) * __s) * __s)
                                             * __s) * __s) * __s) * __s) * __s) * __s) * __s) * __s;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
@@ -203,32 +203,32 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__r, 2u32, __cartcontact::generated::constants:: < T, _ >
-                ([0.075, 0.000140625, 6.4453125e-7, 3.936767578125e-9,
-                2.739715576171875e-11, 2.0517826080322267e-13, 1.6115248203277588e-15,
-                1.309244055300951e-17, 1.0910117416642606e-19, 9.273546740587335e-22,
-                8.00896072814794e-24, 7.007838130931532e-26])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__r,
+                2u32, __cartcontact::constants:: < T, _ > ([0.075, 0.000140625,
+                6.4453125e-7, 3.936767578125e-9, 2.739715576171875e-11,
+                2.0517826080322267e-13, 1.6115248203277588e-15, 1.309244055300951e-17,
+                1.0910117416642606e-19, 9.273546740587335e-22, 8.00896072814794e-24,
+                7.007838130931532e-26])) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 2u32, __cartcontact::generated::constants:: < T, _ >
-                ([0.0375, 4.6875e-5, 1.611328125e-7, 7.87353515625e-10,
-                4.566192626953125e-12, 2.931118011474609e-14, 2.0144060254096985e-16,
-                1.4547156170010567e-18, 1.0910117416642607e-20, 8.430497036897578e-23,
-                6.674133940123284e-25, 5.390644716101178e-27])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                2u32, __cartcontact::constants:: < T, _ > ([0.0375, 4.6875e-5,
+                1.611328125e-7, 7.87353515625e-10, 4.566192626953125e-12,
+                2.931118011474609e-14, 2.0144060254096985e-16, 1.4547156170010567e-18,
+                1.0910117416642607e-20, 8.430497036897578e-23, 6.674133940123284e-25,
+                5.390644716101178e-27])) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 1u32, __cartcontact::generated::constants:: < T, _ >
-                ([0.075, 0.0001875, 9.66796875e-7, 6.298828125e-9, 4.566192626953125e-11,
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                1u32, __cartcontact::constants:: < T, _ > ([0.075, 0.0001875,
+                9.66796875e-7, 6.298828125e-9, 4.566192626953125e-11,
                 3.517341613769531e-13, 2.8201684355735777e-15, 2.3275449872016907e-17,
                 1.9638211349956691e-19, 1.6860994073795155e-21, 1.4683094668271224e-23,
                 1.2937547318642829e-25])) }
@@ -236,22 +236,22 @@ const _: () = {
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, __cartcontact::generated::whole_terms(& [(0.00625, 6),
-                (1.171875e-5, 8), (4.833984375e-8, 10), (2.62451171875e-10, 12),
-                (1.6307830810546874e-12, 14), (1.0991692543029785e-14, 16),
-                (7.833801209926605e-17, 18), (5.818862468004227e-19, 20),
-                (4.4632298522628844e-21, 22), (3.512707098707324e-23, 24),
-                (2.82367205159062e-25, 26), (2.310276306900505e-27, 28)])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a,
+                __cartcontact::whole_terms(& [(0.00625, 6), (1.171875e-5, 8),
+                (4.833984375e-8, 10), (2.62451171875e-10, 12), (1.6307830810546874e-12,
+                14), (1.0991692543029785e-14, 16), (7.833801209926605e-17, 18),
+                (5.818862468004227e-19, 20), (4.4632298522628844e-21, 22),
+                (3.512707098707324e-23, 24), (2.82367205159062e-25, 26),
+                (2.310276306900505e-27, 28)])) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__x, __cartcontact::generated::whole_terms(& [(0.0046875, 4),
-                (3.90625e-6, 6), (1.007080078125e-8, 8), (3.936767578125e-11, 10),
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__x,
+                __cartcontact::whole_terms(& [(0.0046875, 4), (3.90625e-6, 6),
+                (1.007080078125e-8, 8), (3.936767578125e-11, 10),
                 (1.9025802612304688e-13, 12), (1.046827861240932e-15, 14),
                 (6.295018829405308e-18, 16), (4.040876713891824e-20, 18),
                 (2.7275293541606515e-22, 20), (1.9160220538403586e-24, 22),
@@ -260,10 +260,10 @@ const _: () = {
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {
-            __cartcontact::generated::quick_even_sum(
+            __cartcontact::quick_even_sum(
                 __a,
                 2u32,
-                __cartcontact::generated::constants::<
+                __cartcontact::constants::<
                     T,
                     _,
                 >([
@@ -284,10 +284,10 @@ const _: () = {
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::quick_even_sum(
+            __cartcontact::quick_even_sum(
                 __a,
                 1u32,
-                __cartcontact::generated::constants::<
+                __cartcontact::constants::<
                     T,
                     _,
                 >([
@@ -308,10 +308,10 @@ const _: () = {
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::quick_even_sum(
+            __cartcontact::quick_even_sum(
                 __a,
                 6u32,
-                __cartcontact::generated::constants::<
+                __cartcontact::constants::<
                     T,
                     _,
                 >([
@@ -332,22 +332,22 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::pressure_kernel:: < _, _, _,
-                __FUSED > (__a, __r, __cartcontact::generated::whole_terms(& [(0.075, 2),
-                (0.000140625, 4), (6.4453125e-7, 6), (3.936767578125e-9, 8),
-                (2.739715576171875e-11, 10), (2.0517826080322267e-13, 12),
-                (1.6115248203277588e-15, 14), (1.309244055300951e-17, 16),
-                (1.0910117416642606e-19, 18), (9.273546740587335e-22, 20),
-                (8.00896072814794e-24, 22), (7.007838130931532e-26, 24)])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::pressure_kernel:: < _, _, _, __FUSED > (__a,
+                __r, __cartcontact::whole_terms(& [(0.075, 2), (0.000140625, 4),
+                (6.4453125e-7, 6), (3.936767578125e-9, 8), (2.739715576171875e-11, 10),
+                (2.0517826080322267e-13, 12), (1.6115248203277588e-15, 14),
+                (1.309244055300951e-17, 16), (1.0910117416642606e-19, 18),
+                (9.273546740587335e-22, 20), (8.00896072814794e-24, 22),
+                (7.007838130931532e-26, 24)])) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::quick_even_pressure_kernel(
                 __a,
                 __r,
-                __cartcontact::generated::constants::<
+                __cartcontact::constants::<
                     T,
                     _,
                 >([
@@ -372,8 +372,8 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::generated::Curves::radius(
-                __cartcontact::generated::Curves {
+            match __cartcontact::Curves::radius(
+                __cartcontact::Curves {
                     double: &__CURVES,
                     single: &__CURVES_OF_SINGLE,
                 },
@@ -382,15 +382,9 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::WholePowers::radius(
-                            &__cartcontact::generated::WholePowers::<
-                                _,
-                                _,
-                                _,
-                                12usize,
-                                1,
-                            > {
+                    __cartcontact::out_of_line(move || {
+                        match __cartcontact::WholePowers::radius(
+                            &__cartcontact::WholePowers::<_, _, _, 12usize, 1> {
                                 coefficients: [
                                     <T as __cartcontact::Scalar>::constant(0.00625f64),
                                     <T as __cartcontact::Scalar>::constant(1.171875e-5f64),
@@ -435,72 +429,72 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
-                                    __cartcontact::generated::invert(
+                                __cartcontact::out_of_line(move || {
+                                    __cartcontact::invert(
                                         __load_integral,
                                         __limit,
                                         ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.075f64),
                                                 <T as __cartcontact::Scalar>::constant(2.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.000140625f64),
                                                 <T as __cartcontact::Scalar>::constant(4.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(6.4453125e-7f64),
                                                 <T as __cartcontact::Scalar>::constant(6.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     3.936767578125e-9f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(8.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     2.739715576171875e-11f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(10.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     2.0517826080322267e-13f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(12.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     1.6115248203277588e-15f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(14.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     1.309244055300951e-17f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(16.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     1.0910117416642606e-19f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(18.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     9.273546740587335e-22f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(20.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     8.00896072814794e-24f64,
                                                 ),
                                                 <T as __cartcontact::Scalar>::constant(22.0f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(
                                                     7.007838130931532e-26f64,
                                                 ),
@@ -510,9 +504,9 @@ const _: () = {
                                         false,
                                         |__a| {
                                             let __x = __a * __a;
-                                            let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                            let (__value, __slope) = __cartcontact::value_and_slope(
                                                 __x,
-                                                __cartcontact::generated::constants::<
+                                                __cartcontact::constants::<
                                                     T,
                                                     _,
                                                 >([
@@ -538,15 +532,15 @@ const _: () = {
                                             (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                                         },
                                         |__a| {
-                                            __cartcontact::generated::in_double_words!(
-                                                __FUSED => { __cartcontact::generated::power_sum:: < _, _,
-                                                _, __FUSED > (__a, __cartcontact::generated::whole_terms(&
-                                                [(0.00625, 6), (1.171875e-5, 8), (4.833984375e-8, 10),
-                                                (2.62451171875e-10, 12), (1.6307830810546874e-12, 14),
-                                                (1.0991692543029785e-14, 16), (7.833801209926605e-17, 18),
-                                                (5.818862468004227e-19, 20), (4.4632298522628844e-21, 22),
-                                                (3.512707098707324e-23, 24), (2.82367205159062e-25, 26),
-                                                (2.310276306900505e-27, 28)])) }
+                                            __cartcontact::in_double_words!(
+                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                                (__a, __cartcontact::whole_terms(& [(0.00625, 6),
+                                                (1.171875e-5, 8), (4.833984375e-8, 10), (2.62451171875e-10,
+                                                12), (1.6307830810546874e-12, 14), (1.0991692543029785e-14,
+                                                16), (7.833801209926605e-17, 18), (5.818862468004227e-19,
+                                                20), (4.4632298522628844e-21, 22), (3.512707098707324e-23,
+                                                24), (2.82367205159062e-25, 26), (2.310276306900505e-27,
+                                                28)])) }
                                             )
                                         },
                                     )
@@ -563,16 +557,16 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::generated::Curves::radii_also_outside(
-                __cartcontact::generated::Curves {
+            __cartcontact::Curves::radii_also_outside(
+                __cartcontact::Curves {
                     double: &__CURVES,
                     single: &__CURVES_OF_SINGLE,
                 },
                 (__load_integrals, __radii),
                 __limit,
                 #[inline(always)]
-                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
-                    &__cartcontact::generated::WholePowers::<_, _, _, 12usize, 1> {
+                |__load_integral, __more| __cartcontact::WholePowers::solve(
+                    &__cartcontact::WholePowers::<_, _, _, 12usize, 1> {
                         coefficients: [
                             <T as __cartcontact::Scalar>::constant(0.00625f64),
                             <T as __cartcontact::Scalar>::constant(1.171875e-5f64),
@@ -627,10 +621,10 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * __cartcontact::generated::divided_difference(
+                    * __cartcontact::divided_difference(
                         __a * __a,
                         __s * __s,
-                        __cartcontact::generated::constants::<
+                        __cartcontact::constants::<
                             T,
                             _,
                         >([
@@ -659,17 +653,17 @@ const _: () = {
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            __cartcontact::generated::fill_by_functions(
+            __cartcontact::fill_by_functions(
                 self,
                 __a,
                 __places,
                 __values,
                 #[inline(always)]
                 |__r| {
-                    __cartcontact::generated::quick_even_sum(
+                    __cartcontact::quick_even_sum(
                         __r,
                         1u32,
-                        __cartcontact::generated::constants::<
+                        __cartcontact::constants::<
                             T,
                             _,
                         >([
@@ -693,10 +687,10 @@ const _: () = {
                     let __s = __a - __depth;
                     __depth
                         * ((__a + __s)
-                            * __cartcontact::generated::divided_difference(
+                            * __cartcontact::divided_difference(
                                 __a * __a,
                                 __s * __s,
-                                __cartcontact::generated::constants::<
+                                __cartcontact::constants::<
                                     T,
                                     _,
                                 >([

@@ -46,16 +46,16 @@ struct MixedSign;
 )]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Table = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -184,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -184,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -63,13 +63,13 @@ const _: () = {
     fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __value = <T as __cartcontact::Scalar>::constant(0.004166666666666667f64)
             + (<T as __cartcontact::Scalar>::constant(-0.00034285714285714285f64)
                 + (<T as __cartcontact::Scalar>::constant(1.6666666666666667e-5f64))
                     * __a) * __a;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__a, 6),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__a, 6),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(187.5f64)
@@ -87,36 +87,36 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_sum:: < _, _, __FUSED, _ >
-                (__r, 2u32, [< T as __cartcontact::Scalar > ::constant(0.05f64), < T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__r,
+                2u32, [< T as __cartcontact::Scalar > ::constant(0.05f64), < T as
                 __cartcontact::Scalar > ::constant(- 0.004f64), < T as
                 __cartcontact::Scalar > ::constant(0.0002f64)]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_sum:: < _, _, __FUSED, _ >
-                (__a, 2u32, [< T as __cartcontact::Scalar > ::constant(0.025f64), < T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__a,
+                2u32, [< T as __cartcontact::Scalar > ::constant(0.025f64), < T as
                 __cartcontact::Scalar > ::constant(- 0.0016f64), < T as
                 __cartcontact::Scalar > ::constant(6.666666666666667e-5f64)]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_sum:: < _, _, __FUSED, _ >
-                (__a, 1u32, [< T as __cartcontact::Scalar > ::constant(0.05f64), < T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__a,
+                1u32, [< T as __cartcontact::Scalar > ::constant(0.05f64), < T as
                 __cartcontact::Scalar > ::constant(- 0.0048f64), < T as
                 __cartcontact::Scalar > ::constant(0.0002666666666666667f64)]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_sum:: < _, _, __FUSED, _ >
-                (__a, 6u32, [< T as __cartcontact::Scalar >
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__a,
+                6u32, [< T as __cartcontact::Scalar >
                 ::constant(0.004166666666666667f64), < T as __cartcontact::Scalar >
                 ::constant(- 0.00034285714285714285f64), < T as __cartcontact::Scalar >
                 ::constant(1.6666666666666667e-5f64)]) }
@@ -124,10 +124,10 @@ const _: () = {
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_sum:: < _, _, __FUSED, _ >
-                (__x, 4u32, [< T as __cartcontact::Scalar > ::constant(0.003125f64), < T
-                as __cartcontact::Scalar > ::constant(- 0.00016f64), < T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__x,
+                4u32, [< T as __cartcontact::Scalar > ::constant(0.003125f64), < T as
+                __cartcontact::Scalar > ::constant(- 0.00016f64), < T as
                 __cartcontact::Scalar > ::constant(5.555555555555556e-6f64)]) }
             )
         }
@@ -154,19 +154,18 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::pressure_kernel:: < _, _, _,
-                __FUSED > (__a, __r, [(< T as __cartcontact::Scalar >
-                ::constant(0.05f64), __cartcontact::generated::Exponent::whole(2)), (< T
-                as __cartcontact::Scalar > ::constant(- 0.004f64),
-                __cartcontact::generated::Exponent::whole(3)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::pressure_kernel:: < _, _, _, __FUSED > (__a,
+                __r, [(< T as __cartcontact::Scalar > ::constant(0.05f64),
+                __cartcontact::Exponent::whole(2)), (< T as __cartcontact::Scalar >
+                ::constant(- 0.004f64), __cartcontact::Exponent::whole(3)), (< T as
                 __cartcontact::Scalar > ::constant(0.0002f64),
-                __cartcontact::generated::Exponent::whole(4))]) }
+                __cartcontact::Exponent::whole(4))]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_whole_pressure_kernel(
+            __cartcontact::quick_whole_pressure_kernel(
                 __a,
                 __r,
                 [
@@ -183,25 +182,25 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::OwnUnits,
+                __cartcontact::OwnUnits,
                 |__a| __steepness(__a, []),
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert(
+                    __cartcontact::out_of_line(move || {
+                        __cartcontact::invert(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
-                                __cartcontact::generated::PositiveTerm::of(
+                                __cartcontact::PositiveTerm::of(
                                     <T as __cartcontact::Scalar>::constant(0.05f64),
                                     <T as __cartcontact::Scalar>::constant(2.0f64),
                                 ),
-                                __cartcontact::generated::PositiveTerm::of(
+                                __cartcontact::PositiveTerm::of(
                                     <T as __cartcontact::Scalar>::constant(0.0002f64),
                                     <T as __cartcontact::Scalar>::constant(4.0f64),
                                 ),
@@ -209,7 +208,7 @@ const _: () = {
                             true,
                             |__a| {
                                 let __x = __a;
-                                let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                let (__value, __slope) = __cartcontact::value_and_slope(
                                     __x,
                                     [
                                         <T as __cartcontact::Scalar>::constant(
@@ -234,9 +233,9 @@ const _: () = {
                                 )
                             },
                             |__a| {
-                                __cartcontact::generated::in_double_words!(
-                                    __FUSED => { __cartcontact::generated::precise_sum:: < _, _,
-                                    __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar >
+                                __cartcontact::in_double_words!(
+                                    __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _
+                                    > (__a, 6u32, [< T as __cartcontact::Scalar >
                                     ::constant(0.004166666666666667f64), < T as
                                     __cartcontact::Scalar > ::constant(-
                                     0.00034285714285714285f64), < T as __cartcontact::Scalar >
@@ -254,11 +253,11 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::generated::Table::radii(
+            __cartcontact::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::OwnUnits,
+                __cartcontact::OwnUnits,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
                 |__load_integral| __cartcontact::GapProfile::radius_within(
@@ -276,10 +275,10 @@ const _: () = {
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let __s = __a - __depth;
             __depth
-                * (__cartcontact::generated::divided_difference(
+                * (__cartcontact::divided_difference(
                     __a,
                     __s,
-                    __cartcontact::generated::constants::<
+                    __cartcontact::constants::<
                         T,
                         _,
                     >([

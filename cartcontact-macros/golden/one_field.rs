@@ -60,30 +60,27 @@ const _: () = {
     #[inline(always)]
     fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Ball,
-    ) -> [__cartcontact::generated::Precise<T, __FUSED>; 1usize]
+    ) -> [__cartcontact::Precise<T, __FUSED>; 1usize]
     where
         T: __cartcontact::Scalar,
     {
-        let __field_radius = <__cartcontact::generated::Precise<
+        let __field_radius = <__cartcontact::Precise<
             T,
             __FUSED,
         >>::constant(__profile.radius, 0.0);
-        [
-            <__cartcontact::generated::Precise<T, __FUSED>>::constant(0.5, 0.0)
-                / __field_radius,
-        ]
+        [<__cartcontact::Precise<T, __FUSED>>::constant(0.5, 0.0) / __field_radius]
     }
-    static __TABLE: __cartcontact::generated::Roots<8> = __cartcontact::generated::Roots {
-        table: __cartcontact::generated::Table {
-            quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Roots<8> = __cartcontact::Roots {
+        table: __cartcontact::Table {
+            quarters: __cartcontact::Quarters {
                 first: 0,
                 count: 96,
             },
-            single: __cartcontact::generated::Quarters {
+            single: __cartcontact::Quarters {
                 first: 0,
                 count: 96,
             },
-            rows: __cartcontact::generated::Rows(
+            rows: __cartcontact::Rows(
 *b"...",
             ),
         },
@@ -105,49 +102,44 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__r,
-                2u32, [__c0]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__r, 2u32, [__c0]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                2u32, [< __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__a, 2u32, [< __cartcontact::Precise < T, __FUSED > >
                 ::scaled(__c0, 0.5f64)]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                1u32, [__c0]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__a, 1u32, [__c0]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                6u32, [__c0 * < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__a, 6u32, [__c0 * < __cartcontact::Precise < T, __FUSED >
+                > ::constant(0.08333333333333333, 4.625929269271485e-18)]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__x,
-                4u32, [< __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__x, 4u32, [< __cartcontact::Precise < T, __FUSED > >
                 ::scaled(__c0, 0.0625f64)]) }
             )
         }
@@ -171,31 +163,28 @@ const _: () = {
         }
         #[inline]
         fn approach_and_load_integral(&self, __a: T) -> (T, T) {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                (__cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                2u32, [< __cartcontact::generated::Precise < T, __FUSED > >
-                ::scaled(__c0, 0.5f64)]), __cartcontact::generated::precise_even_sum:: <
-                _, _, __FUSED, _ > (__a, 6u32, [__c0 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18)])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); (__cartcontact::precise_even_sum:: < _,
+                _, __FUSED, _ > (__a, 2u32, [< __cartcontact::Precise < T, __FUSED > >
+                ::scaled(__c0, 0.5f64)]), __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__a, 6u32, [__c0 * < __cartcontact::Precise < T, __FUSED >
+                > ::constant(0.08333333333333333, 4.625929269271485e-18)])) }
             )
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::generated::Precise < T, __FUSED
-                >; 1usize] = __precise_coefficients(self);
-                __cartcontact::generated::even_pressure_kernel:: < _, _, __FUSED, _ >
-                (__a, __r, [< __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::even_pressure_kernel:: <
+                _, _, __FUSED, _ > (__a, __r, [< __cartcontact::Precise < T, __FUSED > >
                 ::scaled(__c0, 0.0625f64)]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            __cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::quick_even_pressure_kernel(
                 __a,
                 __r,
                 [__c0 * <T as __cartcontact::Scalar>::constant(0.0625f64)],
@@ -208,11 +197,11 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            match __cartcontact::generated::Roots::radius(
+            match __cartcontact::Roots::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::SingleTerm::<
+                __cartcontact::SingleTerm::<
                     _,
                     6,
                     1,
@@ -226,8 +215,8 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert_one_term(
+                    __cartcontact::out_of_line(move || {
+                        __cartcontact::invert_one_term(
                             __load_integral,
                             (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                             __limit,
@@ -243,11 +232,11 @@ const _: () = {
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
             let __limit = <T as __cartcontact::Scalar>::infinity();
-            match __cartcontact::generated::Roots::radius(
+            match __cartcontact::Roots::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::SingleTerm::<
+                __cartcontact::SingleTerm::<
                     _,
                     6,
                     1,
@@ -261,7 +250,7 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
+                    __cartcontact::out_of_line(move || {
                         let __limit = __cartcontact::GapProfile::max_radius(self);
                         __cartcontact::GapProfile::radius_within(
                             self,
@@ -279,11 +268,11 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            __cartcontact::generated::Roots::radii(
+            __cartcontact::Roots::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::SingleTerm::<
+                __cartcontact::SingleTerm::<
                     _,
                     6,
                     1,
@@ -311,7 +300,7 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * __cartcontact::generated::divided_difference(
+                    * __cartcontact::divided_difference(
                         __a * __a,
                         __s * __s,
                         [
@@ -333,7 +322,7 @@ const _: () = {
             __values: (&mut [T], &mut [T]),
         ) {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            __cartcontact::generated::fill_by_functions(
+            __cartcontact::fill_by_functions(
                 self,
                 __a,
                 __places,
@@ -345,7 +334,7 @@ const _: () = {
                     let __s = __a - __depth;
                     __depth
                         * ((__a + __s)
-                            * __cartcontact::generated::divided_difference(
+                            * __cartcontact::divided_difference(
                                 __a * __a,
                                 __s * __s,
                                 [
@@ -365,7 +354,7 @@ const _: () = {
         fn max_radius(&self) -> T {
             let [__c0]: [T; 1usize] = __coefficients(self);
             ::core::result::Result::unwrap_or(
-                __cartcontact::generated::checked_range(
+                __cartcontact::checked_range(
                     [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
                     ::core::option::Option::None,
                 ),
@@ -373,19 +362,16 @@ const _: () = {
             )
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            __cartcontact::generated::check_range_of_fields::<
-                T,
-                _,
-            >(&["radius"], [self.radius])?;
+            __cartcontact::check_range_of_fields::<T, _>(&["radius"], [self.radius])?;
             let [__c0]: [T; 1usize] = __coefficients(self);
             let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
-            __cartcontact::generated::with_parameters(
-                __cartcontact::generated::check_product(
+            __cartcontact::with_parameters(
+                __cartcontact::check_product(
                         (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                         [],
                         [__field_radius],
                     )
-                    .and_then(|()| __cartcontact::generated::checked_range(
+                    .and_then(|()| __cartcontact::checked_range(
                         [(__c0, <T as __cartcontact::Scalar>::constant(2.0f64))],
                         ::core::option::Option::None,
                     )),

@@ -47,16 +47,16 @@ pub struct Paraboloid;
 )]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Table = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -148,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -148,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -64,11 +64,11 @@ const _: () = {
     fn __steepness<T: __cartcontact::Scalar>(
         __a: T,
         []: [T; 0usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64);
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(1.0f64),
@@ -83,42 +83,38 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__r, 2u32, [< T as __cartcontact::Scalar >
-                ::constant(0.025f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__r,
+                2u32, [< T as __cartcontact::Scalar > ::constant(0.025f64)]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 2u32, [< T as __cartcontact::Scalar >
-                ::constant(0.0125f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                2u32, [< T as __cartcontact::Scalar > ::constant(0.0125f64)]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 1u32, [< T as __cartcontact::Scalar >
-                ::constant(0.025f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                1u32, [< T as __cartcontact::Scalar > ::constant(0.025f64)]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar >
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                6u32, [< T as __cartcontact::Scalar >
                 ::constant(0.0020833333333333333f64)]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::precise_even_sum:: < _, _,
-                __FUSED, _ > (__x, 4u32, [< T as __cartcontact::Scalar >
-                ::constant(0.0015625f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__x,
+                4u32, [< T as __cartcontact::Scalar > ::constant(0.0015625f64)]) }
             )
         }
         #[inline]
@@ -138,15 +134,14 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::even_pressure_kernel:: < _, _,
-                __FUSED, _ > (__a, __r, [< T as __cartcontact::Scalar >
-                ::constant(0.0015625f64)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::even_pressure_kernel:: < _, _, __FUSED, _ >
+                (__a, __r, [< T as __cartcontact::Scalar > ::constant(0.0015625f64)]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::quick_even_pressure_kernel(
                 __a,
                 __r,
                 [<T as __cartcontact::Scalar>::constant(0.0015625f64)],
@@ -158,17 +153,17 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::OwnUnits,
+                __cartcontact::OwnUnits,
                 |__a| __steepness(__a, []),
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert_one_term(
+                    __cartcontact::out_of_line(move || {
+                        __cartcontact::invert_one_term(
                             __load_integral,
                             (
                                 <T as __cartcontact::Scalar>::constant(0.025f64),
@@ -186,11 +181,11 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::generated::Table::radii(
+            __cartcontact::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::OwnUnits,
+                __cartcontact::OwnUnits,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
                 |__load_integral| __cartcontact::GapProfile::radius_within(
@@ -209,7 +204,7 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * __cartcontact::generated::divided_difference(
+                    * __cartcontact::divided_difference(
                         __a * __a,
                         __s * __s,
                         [

@@ -69,37 +69,34 @@ const _: () = {
     #[inline(always)]
     fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Worn,
-    ) -> [__cartcontact::generated::Precise<T, __FUSED>; 2usize]
+    ) -> [__cartcontact::Precise<T, __FUSED>; 2usize]
     where
         T: __cartcontact::Scalar,
     {
-        let __field_radius = <__cartcontact::generated::Precise<
+        let __field_radius = <__cartcontact::Precise<
             T,
             __FUSED,
         >>::constant(__profile.radius, 0.0);
-        let __field_c = <__cartcontact::generated::Precise<
-            T,
-            __FUSED,
-        >>::constant(__profile.c, 0.0);
+        let __field_c = <__cartcontact::Precise<T, __FUSED>>::constant(__profile.c, 0.0);
         [
             __field_c,
-            <__cartcontact::generated::Precise<T, __FUSED>>::constant(0.125, 0.0)
+            <__cartcontact::Precise<T, __FUSED>>::constant(0.125, 0.0)
                 / ({
                     let __base = __field_radius;
                     __base * __base * __base
                 }),
         ]
     }
-    static __TABLE: __cartcontact::generated::Table = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __TABLE: __cartcontact::Table = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -176,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -176,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -109,12 +106,12 @@ const _: () = {
         [__c0,
         __c1,
         ]: [T; 2usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = __c0 * <T as __cartcontact::Scalar>::constant(0.125f64)
             + (__c1 * <T as __cartcontact::Scalar>::constant(0.125f64)) * __s;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: __c0 * <T as __cartcontact::Scalar>::constant(0.75f64) + (__c1) * __s,
@@ -129,11 +126,11 @@ const _: () = {
         [__j0,
         __j1,
         ]: [T; 2usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __s = __a * __a;
         let __value = __j0 + (__j1) * __s;
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__s, 3),
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__s, 3),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(6.0f64) * __j0
@@ -150,56 +147,50 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__r,
-                2u32, [__c0, __c1]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::precise_even_sum::
+                < _, _, __FUSED, _ > (__r, 2u32, [__c0, __c1]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                2u32, [< __cartcontact::generated::Precise < T, __FUSED > >
-                ::scaled(__c0, 0.5f64), __c1 * < __cartcontact::generated::Precise < T,
-                __FUSED > > ::constant(0.3333333333333333, 1.850371707708594e-17)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::precise_even_sum::
+                < _, _, __FUSED, _ > (__a, 2u32, [< __cartcontact::Precise < T, __FUSED >
+                > ::scaled(__c0, 0.5f64), __c1 * < __cartcontact::Precise < T, __FUSED >
+                > ::constant(0.3333333333333333, 1.850371707708594e-17)]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                1u32, [__c0, __c1 * < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(1.3333333333333333, 7.401486830834377e-17)]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::precise_even_sum::
+                < _, _, __FUSED, _ > (__a, 1u32, [__c0, __c1 * < __cartcontact::Precise <
+                T, __FUSED > > ::constant(1.3333333333333333, 7.401486830834377e-17)]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                6u32, [__c0 * < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18), __c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::precise_even_sum::
+                < _, _, __FUSED, _ > (__a, 6u32, [__c0 * < __cartcontact::Precise < T,
+                __FUSED > > ::constant(0.08333333333333333, 4.625929269271485e-18), __c1
+                * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(0.08333333333333333, 4.625929269271485e-18)]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__x,
-                4u32, [< __cartcontact::generated::Precise < T, __FUSED > >
-                ::scaled(__c0, 0.0625f64), __c1 * < __cartcontact::generated::Precise <
-                T, __FUSED > > ::constant(0.027777777777777776, 1.5419764230904951e-18)])
-                }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self); __cartcontact::precise_even_sum::
+                < _, _, __FUSED, _ > (__x, 4u32, [< __cartcontact::Precise < T, __FUSED >
+                > ::scaled(__c0, 0.0625f64), __c1 * < __cartcontact::Precise < T, __FUSED
+                > > ::constant(0.027777777777777776, 1.5419764230904951e-18)]) }
             )
         }
         #[inline]
@@ -228,36 +219,34 @@ const _: () = {
         }
         #[inline]
         fn approach_and_load_integral(&self, __a: T) -> (T, T) {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                (__cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                2u32, [< __cartcontact::generated::Precise < T, __FUSED > >
-                ::scaled(__c0, 0.5f64), __c1 * < __cartcontact::generated::Precise < T,
-                __FUSED > > ::constant(0.3333333333333333, 1.850371707708594e-17)]),
-                __cartcontact::generated::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                6u32, [__c0 * < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18), __c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18)])) }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self);
+                (__cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a, 2u32, [<
+                __cartcontact::Precise < T, __FUSED > > ::scaled(__c0, 0.5f64), __c1 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.3333333333333333,
+                1.850371707708594e-17)]), __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__a, 6u32, [__c0 * < __cartcontact::Precise < T, __FUSED >
+                > ::constant(0.08333333333333333, 4.625929269271485e-18), __c1 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.08333333333333333,
+                4.625929269271485e-18)])) }
             )
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::generated::Precise < T,
-                __FUSED >; 2usize] = __precise_coefficients(self);
-                __cartcontact::generated::even_pressure_kernel:: < _, _, __FUSED, _ >
-                (__a, __r, [< __cartcontact::generated::Precise < T, __FUSED > >
-                ::scaled(__c0, 0.0625f64), __c1 * < __cartcontact::generated::Precise <
-                T, __FUSED > > ::constant(0.027777777777777776, 1.5419764230904951e-18)])
-                }
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
+                2usize] = __precise_coefficients(self);
+                __cartcontact::even_pressure_kernel:: < _, _, __FUSED, _ > (__a, __r, [<
+                __cartcontact::Precise < T, __FUSED > > ::scaled(__c0, 0.0625f64), __c1 *
+                < __cartcontact::Precise < T, __FUSED > >
+                ::constant(0.027777777777777776, 1.5419764230904951e-18)]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            __cartcontact::generated::quick_even_pressure_kernel(
+            __cartcontact::quick_even_pressure_kernel(
                 __a,
                 __r,
                 [
@@ -274,11 +263,11 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            match __cartcontact::generated::Table::radius(
+            match __cartcontact::Table::radius(
                 &__TABLE,
                 __load_integral,
                 __limit,
-                __cartcontact::generated::EqualTerms::of(
+                __cartcontact::EqualTerms::of(
                     (
                         __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                         <T as __cartcontact::Scalar>::constant(6.0f64),
@@ -294,15 +283,9 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::WholePowers::radius(
-                            &__cartcontact::generated::WholePowers::<
-                                _,
-                                _,
-                                _,
-                                2usize,
-                                1,
-                            > {
+                    __cartcontact::out_of_line(move || {
+                        match __cartcontact::WholePowers::radius(
+                            &__cartcontact::WholePowers::<_, _, _, 2usize, 1> {
                                 coefficients: [
                                     __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                                     __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
@@ -319,18 +302,18 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
-                                    __cartcontact::generated::invert(
+                                __cartcontact::out_of_line(move || {
+                                    __cartcontact::invert(
                                         __load_integral,
                                         __limit,
-                                        __cartcontact::generated::positive_terms([
+                                        __cartcontact::positive_terms([
                                             (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                                             (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                                         ]),
                                         false,
                                         |__a| {
                                             let __x = __a * __a;
-                                            let (__value, __slope) = __cartcontact::generated::value_and_slope(
+                                            let (__value, __slope) = __cartcontact::value_and_slope(
                                                 __x,
                                                 [
                                                     __c0
@@ -351,9 +334,9 @@ const _: () = {
                                             (__value * __x * __x * __x, __log_slope * __x * __x * __x)
                                         },
                                         |__a| {
-                                            __cartcontact::generated::in_double_words!(
-                                                __FUSED => { __cartcontact::generated::precise_even_sum:: <
-                                                _, _, __FUSED, _ > (__a, 6u32, [__c0 * < T as
+                                            __cartcontact::in_double_words!(
+                                                __FUSED => { __cartcontact::precise_even_sum:: < _, _,
+                                                __FUSED, _ > (__a, 6u32, [__c0 * < T as
                                                 __cartcontact::Scalar > ::constant(0.08333333333333333f64),
                                                 __c1 * < T as __cartcontact::Scalar >
                                                 ::constant(0.08333333333333333f64)]) }
@@ -374,11 +357,11 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            __cartcontact::generated::Table::radii_also_outside(
+            __cartcontact::Table::radii_also_outside(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,
-                __cartcontact::generated::EqualTerms::of(
+                __cartcontact::EqualTerms::of(
                     (
                         __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                         <T as __cartcontact::Scalar>::constant(6.0f64),
@@ -393,8 +376,8 @@ const _: () = {
                 #[inline(always)]
                 move |__a| __steepness(__a, [__c0, __c1]),
                 #[inline(always)]
-                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
-                    &__cartcontact::generated::WholePowers::<_, _, _, 2usize, 1> {
+                |__load_integral, __more| __cartcontact::WholePowers::solve(
+                    &__cartcontact::WholePowers::<_, _, _, 2usize, 1> {
                         coefficients: [
                             __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
                             __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
@@ -424,7 +407,7 @@ const _: () = {
             let __s = __a - __depth;
             __depth
                 * ((__a + __s)
-                    * __cartcontact::generated::divided_difference(
+                    * __cartcontact::divided_difference(
                         __a * __a,
                         __s * __s,
                         [
@@ -450,7 +433,7 @@ const _: () = {
             __values: (&mut [T], &mut [T]),
         ) {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            __cartcontact::generated::fill_by_functions(
+            __cartcontact::fill_by_functions(
                 self,
                 __a,
                 __places,
@@ -469,7 +452,7 @@ const _: () = {
                     let __s = __a - __depth;
                     __depth
                         * ((__a + __s)
-                            * __cartcontact::generated::divided_difference(
+                            * __cartcontact::divided_difference(
                                 __a * __a,
                                 __s * __s,
                                 [
@@ -491,20 +474,20 @@ const _: () = {
         }
         #[inline]
         fn max_radius(&self) -> T {
-            __cartcontact::generated::not_below_zero({
+            __cartcontact::not_below_zero({
                 let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
                 <T as __cartcontact::Scalar>::constant(0.5f64) * __field_radius
             })
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            __cartcontact::generated::check_range_of_fields::<
+            __cartcontact::check_range_of_fields::<
                 T,
                 _,
             >(&["radius", "c"], [self.radius, self.c])?;
             {
                 let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
                 let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
-                __cartcontact::generated::check_positive(
+                __cartcontact::check_positive(
                     &["radius", "c"],
                     [__field_radius, __field_c],
                 )?;
@@ -512,13 +495,13 @@ const _: () = {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
             let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
-            __cartcontact::generated::with_parameters(
-                __cartcontact::generated::check_product(
+            __cartcontact::with_parameters(
+                __cartcontact::check_product(
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                         [],
                         [__field_radius],
                     )
-                    .and_then(|()| __cartcontact::generated::checked_range(
+                    .and_then(|()| __cartcontact::checked_range(
                         [
                             (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                             (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),

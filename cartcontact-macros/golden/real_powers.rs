@@ -34,29 +34,29 @@ struct RealPowers;
 )]
 const _: () = {
     use ::cartcontact::generated::root as __cartcontact;
-    static __CURVES: __cartcontact::generated::DoubleCurves = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __CURVES: __cartcontact::DoubleCurves = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -176,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -176,
             count: 0,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
-    static __CURVES_OF_SINGLE: __cartcontact::generated::SingleCurves = __cartcontact::generated::Table {
-        quarters: __cartcontact::generated::Quarters {
+    static __CURVES_OF_SINGLE: __cartcontact::SingleCurves = __cartcontact::Table {
+        quarters: __cartcontact::Quarters {
             first: -176,
             count: 256,
         },
-        single: __cartcontact::generated::Quarters {
+        single: __cartcontact::Quarters {
             first: -176,
             count: 256,
         },
-        rows: __cartcontact::generated::Rows(
+        rows: __cartcontact::Rows(
 *b"...",
         ),
     };
@@ -67,56 +67,52 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__r, [(< T as __cartcontact::Scalar > ::constant(0.01f64),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__r, [(< T
+                as __cartcontact::Scalar > ::constant(0.01f64),
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.002f64),
-                __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0))]) }
+                __cartcontact::Exponent::in_parts(3, 0.25, 0.0))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, [(< T as __cartcontact::Scalar >
-                ::constant(0.005714285714285714f64),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.005714285714285714f64),
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.0007619047619047619f64),
-                __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0))]) }
+                __cartcontact::Exponent::in_parts(3, 0.25, 0.0))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, [(< T as __cartcontact::Scalar >
-                ::constant(0.008571428571428572f64),
-                __cartcontact::generated::Exponent::in_parts(0, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.008571428571428572f64),
+                __cartcontact::Exponent::in_parts(0, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.002476190476190476f64),
-                __cartcontact::generated::Exponent::in_parts(2, 0.25, 0.0))]) }
+                __cartcontact::Exponent::in_parts(2, 0.25, 0.0))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__a, [(< T as __cartcontact::Scalar >
-                ::constant(0.0007792207792207792f64),
-                __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.0007792207792207792f64),
+                __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(0.00017077175697865354f64),
-                __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0))]) }
+                __cartcontact::Exponent::in_parts(7, 0.25, 0.0))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::power_sum:: < _, _, _, __FUSED >
-                (__x, [(< T as __cartcontact::Scalar >
-                ::constant(0.0008163265306122449f64),
-                __cartcontact::generated::Exponent::in_parts(3, 0.5, 0.0)), (< T as
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__x, [(< T
+                as __cartcontact::Scalar > ::constant(0.0008163265306122449f64),
+                __cartcontact::Exponent::in_parts(3, 0.5, 0.0)), (< T as
                 __cartcontact::Scalar > ::constant(7.256235827664399e-5f64),
-                __cartcontact::generated::Exponent::in_parts(5, 0.25, 0.0))]) }
+                __cartcontact::Exponent::in_parts(5, 0.25, 0.0))]) }
             )
         }
         #[inline]
@@ -129,8 +125,8 @@ const _: () = {
             let __of_quarter2 = {
                 (<T as __cartcontact::Scalar>::constant(0.005714285714285714f64)) * __a
             };
-            __cartcontact::generated::quarter_root::<_, 1>(__a) * __of_quarter1
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __cartcontact::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
@@ -141,8 +137,8 @@ const _: () = {
             let __of_quarter2 = {
                 (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64))
             };
-            __cartcontact::generated::quarter_root::<_, 1>(__a) * __of_quarter1
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __cartcontact::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
@@ -156,22 +152,22 @@ const _: () = {
                 (<T as __cartcontact::Scalar>::constant(0.0007792207792207792f64)) * __s
                     * __s * __a
             };
-            __cartcontact::generated::quarter_root::<_, 1>(__a) * __of_quarter1
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __cartcontact::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { __cartcontact::generated::pressure_kernel:: < _, _, _,
-                __FUSED > (__a, __r, [(< T as __cartcontact::Scalar >
-                ::constant(0.01f64), __cartcontact::generated::Exponent::in_parts(1, 0.5,
-                0.0)), (< T as __cartcontact::Scalar > ::constant(0.002f64),
-                __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0))]) }
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::pressure_kernel:: < _, _, _, __FUSED > (__a,
+                __r, [(< T as __cartcontact::Scalar > ::constant(0.01f64),
+                __cartcontact::Exponent::in_parts(1, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.002f64),
+                __cartcontact::Exponent::in_parts(3, 0.25, 0.0))]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::quick_pressure_kernel_in_root::<
+            __cartcontact::quick_pressure_kernel_in_root::<
                 _,
                 4,
                 13,
@@ -191,11 +187,11 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.01f64),
-                        __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(1, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(0.002f64),
-                        __cartcontact::generated::Exponent::in_parts(3, 0.25, 0.0),
+                        __cartcontact::Exponent::in_parts(3, 0.25, 0.0),
                     ),
                 ],
             )
@@ -206,8 +202,8 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::generated::Curves::radius(
-                __cartcontact::generated::Curves {
+            match __cartcontact::Curves::radius(
+                __cartcontact::Curves {
                     double: &__CURVES,
                     single: &__CURVES_OF_SINGLE,
                 },
@@ -216,8 +212,8 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        match __cartcontact::generated::radius_of_real_powers(
+                    __cartcontact::out_of_line(move || {
+                        match __cartcontact::radius_of_real_powers(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
@@ -225,16 +221,16 @@ const _: () = {
                                     <T as __cartcontact::Scalar>::constant(
                                         0.0007792207792207792f64,
                                     ),
-                                    __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                    __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                 ),
                                 (
                                     <T as __cartcontact::Scalar>::constant(
                                         0.00017077175697865354f64,
                                     ),
-                                    __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                    __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
                                 ),
                             ]),
-                            |__a, __scale| __cartcontact::generated::plain_power_sum_steepness(
+                            |__a, __scale| __cartcontact::plain_power_sum_steepness(
                                 __a,
                                 __scale,
                                 [
@@ -242,17 +238,17 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.00017077175697865354f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                        __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
                                     ),
                                 ],
                             ),
-                            |__a, __scale| __cartcontact::generated::scaled_power_sum_steepness(
+                            |__a, __scale| __cartcontact::scaled_power_sum_steepness(
                                 __a,
                                 __scale,
                                 [
@@ -260,13 +256,13 @@ const _: () = {
                                         <T as __cartcontact::Scalar>::constant(
                                             0.0007792207792207792f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                     ),
                                     (
                                         <T as __cartcontact::Scalar>::constant(
                                             0.00017077175697865354f64,
                                         ),
-                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                        __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
                                     ),
                                 ],
                             ),
@@ -275,50 +271,49 @@ const _: () = {
                                 ::core::result::Result::Ok(__a)
                             }
                             ::core::option::Option::None => {
-                                __cartcontact::generated::out_of_line(move || {
-                                    __cartcontact::generated::invert(
+                                __cartcontact::out_of_line(move || {
+                                    __cartcontact::invert(
                                         __load_integral,
                                         __limit,
                                         ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.01f64),
                                                 <T as __cartcontact::Scalar>::constant(1.5f64),
                                             ),
-                                            __cartcontact::generated::PositiveTerm::of(
+                                            __cartcontact::PositiveTerm::of(
                                                 <T as __cartcontact::Scalar>::constant(0.002f64),
                                                 <T as __cartcontact::Scalar>::constant(3.25f64),
                                             ),
                                         ]),
                                         false,
                                         |__a| {
-                                            __cartcontact::generated::power_sum_and_log_slope(
+                                            __cartcontact::power_sum_and_log_slope(
                                                 __a,
                                                 [
                                                     (
                                                         <T as __cartcontact::Scalar>::constant(
                                                             0.0007792207792207792f64,
                                                         ),
-                                                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                                     ),
                                                     (
                                                         <T as __cartcontact::Scalar>::constant(
                                                             0.00017077175697865354f64,
                                                         ),
-                                                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                                                        __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
                                                     ),
                                                 ],
                                             )
                                         },
                                         |__a| {
-                                            __cartcontact::generated::in_double_words!(
-                                                __FUSED => { __cartcontact::generated::power_sum:: < _, _,
-                                                _, __FUSED > (__a, [(< T as __cartcontact::Scalar >
+                                            __cartcontact::in_double_words!(
+                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                                (__a, [(< T as __cartcontact::Scalar >
                                                 ::constant(0.0007792207792207792f64),
-                                                __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0)),
-                                                (< T as __cartcontact::Scalar >
+                                                __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+                                                __cartcontact::Scalar >
                                                 ::constant(0.00017077175697865354f64),
-                                                __cartcontact::generated::Exponent::in_parts(7, 0.25,
-                                                0.0))]) }
+                                                __cartcontact::Exponent::in_parts(7, 0.25, 0.0))]) }
                                             )
                                         },
                                     )
@@ -335,8 +330,8 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::generated::Curves::radii(
-                __cartcontact::generated::Curves {
+            __cartcontact::Curves::radii(
+                __cartcontact::Curves {
                     double: &__CURVES,
                     single: &__CURVES_OF_SINGLE,
                 },
@@ -355,7 +350,7 @@ const _: () = {
         }
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
-            __cartcontact::generated::drop_by_roots(
+            __cartcontact::drop_by_roots(
                 __a,
                 __depth,
                 (
@@ -383,13 +378,13 @@ const _: () = {
                 [
                     (
                         <T as __cartcontact::Scalar>::constant(0.0007792207792207792f64),
-                        __cartcontact::generated::Exponent::in_parts(5, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                     ),
                     (
                         <T as __cartcontact::Scalar>::constant(
                             0.00017077175697865354f64,
                         ),
-                        __cartcontact::generated::Exponent::in_parts(7, 0.25, 0.0),
+                        __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
                     ),
                 ],
             )
@@ -401,7 +396,7 @@ const _: () = {
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            __cartcontact::generated::fill_by_roots(
+            __cartcontact::fill_by_roots(
                 self,
                 __a,
                 __places,
@@ -415,9 +410,8 @@ const _: () = {
                     let __of_quarter2 = {
                         (<T as __cartcontact::Scalar>::constant(0.008571428571428572f64))
                     };
-                    __cartcontact::generated::quarter_root::<_, 1>(__r) * __of_quarter1
-                        + __cartcontact::generated::quarter_root::<_, 2>(__r)
-                            * __of_quarter2
+                    __cartcontact::quarter_root::<_, 1>(__r) * __of_quarter1
+                        + __cartcontact::quarter_root::<_, 2>(__r) * __of_quarter2
                 },
                 (
                     [],

@@ -49,22 +49,13 @@ const _: () = {
     #[inline(always)]
     fn __precise_coefficients<T, const __FUSED: ::core::primitive::bool>(
         __profile: &Blunt,
-    ) -> [__cartcontact::generated::Precise<T, __FUSED>; 3usize]
+    ) -> [__cartcontact::Precise<T, __FUSED>; 3usize]
     where
         T: __cartcontact::Scalar,
     {
-        let __field_c = <__cartcontact::generated::Precise<
-            T,
-            __FUSED,
-        >>::constant(__profile.c, 0.0);
-        let __field_d = <__cartcontact::generated::Precise<
-            T,
-            __FUSED,
-        >>::constant(__profile.d, 0.0);
-        let __field_e = <__cartcontact::generated::Precise<
-            T,
-            __FUSED,
-        >>::constant(__profile.e, 0.0);
+        let __field_c = <__cartcontact::Precise<T, __FUSED>>::constant(__profile.c, 0.0);
+        let __field_d = <__cartcontact::Precise<T, __FUSED>>::constant(__profile.d, 0.0);
+        let __field_e = <__cartcontact::Precise<T, __FUSED>>::constant(__profile.e, 0.0);
         [__field_c, __field_d, __field_e]
     }
     #[inline(always)]
@@ -74,11 +65,11 @@ const _: () = {
         __j1,
         __j2,
         ]: [T; 3usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         let __value = (__j0 + (__j1) * __a * __a * __a)
-            + (__j2) * (__cartcontact::generated::integer_power(__a, 5));
-        __cartcontact::generated::Steepness {
-            power: __cartcontact::generated::integer_power(__a, 13),
+            + (__j2) * (__cartcontact::integer_power(__a, 5));
+        __cartcontact::Steepness {
+            power: __cartcontact::integer_power(__a, 13),
             value: __value,
             excess: <T as __cartcontact::Scalar>::constant(0.0f64),
             first: <T as __cartcontact::Scalar>::constant(13.0f64) * __j0
@@ -99,7 +90,7 @@ const _: () = {
         __j1,
         __j2,
         ]: [T; 3usize],
-    ) -> __cartcontact::generated::Steepness<T> {
+    ) -> __cartcontact::Steepness<T> {
         __quick_steepness(__a, [__j0, __j1, __j2]).with_exact_power::<13>(__a)
     }
     #[automatically_derived]
@@ -109,80 +100,72 @@ const _: () = {
     {
         #[inline]
         fn gap(&self, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
+            __cartcontact::in_double_words!(
                 __FUSED => { let [__c0, __c1, __c2] : [T; 3usize] = __coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__r, [(__c0,
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)), (__c1,
-                __cartcontact::generated::Exponent::whole(4)), (__c2,
-                __cartcontact::generated::Exponent::whole(5))]) }
+                __cartcontact::power_sum:: < _, _, _, __FUSED > (__r, [(__c0,
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0)), (__c1,
+                __cartcontact::Exponent::whole(4)), (__c2,
+                __cartcontact::Exponent::whole(5))]) }
             )
         }
         #[inline]
         fn approach(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
-                < T, __FUSED >; 3usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
-                < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.4444444444444444, 2.4671622769447922e-17),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)), (__c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::Precise < T,
+                __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.4444444444444444,
+                2.4671622769447922e-17), __cartcontact::Exponent::in_parts(2, 0.5, 0.0)),
+                (__c1 * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(0.3333333333333333, 1.850371707708594e-17),
-                __cartcontact::generated::Exponent::whole(4)), (__c2 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.2857142857142857, 1.586032892321652e-17),
-                __cartcontact::generated::Exponent::whole(5))]) }
+                __cartcontact::Exponent::whole(4)), (__c2 * < __cartcontact::Precise < T,
+                __FUSED > > ::constant(0.2857142857142857, 1.586032892321652e-17),
+                __cartcontact::Exponent::whole(5))]) }
             )
         }
         #[inline]
         fn approach_slope(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
-                < T, __FUSED >; 3usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
-                < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(1.1111111111111112, - 4.9343245538895844e-17),
-                __cartcontact::generated::Exponent::in_parts(1, 0.5, 0.0)), (__c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::Precise < T,
+                __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(1.1111111111111112, -
+                4.9343245538895844e-17), __cartcontact::Exponent::in_parts(1, 0.5, 0.0)),
+                (__c1 * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(1.3333333333333333, 7.401486830834377e-17),
-                __cartcontact::generated::Exponent::whole(3)), (__c2 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(1.4285714285714286, - 3.172065784643304e-17),
-                __cartcontact::generated::Exponent::whole(4))]) }
+                __cartcontact::Exponent::whole(3)), (__c2 * < __cartcontact::Precise < T,
+                __FUSED > > ::constant(1.4285714285714286, - 3.172065784643304e-17),
+                __cartcontact::Exponent::whole(4))]) }
             )
         }
         #[inline]
         fn load_integral(&self, __a: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
-                < T, __FUSED >; 3usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
-                < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08547008547008547, - 1.6605899940974564e-18),
-                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::Precise < T,
+                __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.08547008547008547, -
+                1.6605899940974564e-18), __cartcontact::Exponent::in_parts(6, 0.5, 0.0)),
+                (__c1 * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(0.08333333333333333, 4.625929269271485e-18),
-                __cartcontact::generated::Exponent::whole(8)), (__c2 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.07936507936507936, 4.4056469231157e-18),
-                __cartcontact::generated::Exponent::whole(9))]) }
+                __cartcontact::Exponent::whole(8)), (__c2 * < __cartcontact::Precise < T,
+                __FUSED > > ::constant(0.07936507936507936, 4.4056469231157e-18),
+                __cartcontact::Exponent::whole(9))]) }
             )
         }
         #[inline]
         fn log_kernel(&self, __x: T) -> T {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
-                < T, __FUSED >; 3usize] = __precise_coefficients(self);
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__x, [(__c0 *
-                < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.04938271604938271, 2.741291418827547e-18),
-                __cartcontact::generated::Exponent::in_parts(4, 0.5, 0.0)), (__c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::Precise < T,
+                __FUSED >; 3usize] = __precise_coefficients(self);
+                __cartcontact::power_sum:: < _, _, _, __FUSED > (__x, [(__c0 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.04938271604938271,
+                2.741291418827547e-18), __cartcontact::Exponent::in_parts(4, 0.5, 0.0)),
+                (__c1 * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(0.027777777777777776, 1.5419764230904951e-18),
-                __cartcontact::generated::Exponent::whole(6)), (__c2 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.02040816326530612, 1.6285159162231251e-18),
-                __cartcontact::generated::Exponent::whole(7))]) }
+                __cartcontact::Exponent::whole(6)), (__c2 * < __cartcontact::Precise < T,
+                __FUSED > > ::constant(0.02040816326530612, 1.6285159162231251e-18),
+                __cartcontact::Exponent::whole(7))]) }
             )
         }
         #[inline]
@@ -199,8 +182,7 @@ const _: () = {
                 (__c0 * <T as __cartcontact::Scalar>::constant(0.4444444444444444f64))
                     * __s
             };
-            __of_quarter0
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach_slope(&self, __a: T) -> T {
@@ -215,8 +197,7 @@ const _: () = {
                 (__c0 * <T as __cartcontact::Scalar>::constant(1.1111111111111112f64))
                     * __a
             };
-            __of_quarter0
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_load_integral(&self, __a: T) -> T {
@@ -232,50 +213,44 @@ const _: () = {
                 (__c0 * <T as __cartcontact::Scalar>::constant(0.08547008547008547f64))
                     * __s * __s * __s
             };
-            __of_quarter0
-                + __cartcontact::generated::quarter_root::<_, 2>(__a) * __of_quarter2
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn approach_and_load_integral(&self, __a: T) -> (T, T) {
-            __cartcontact::generated::in_double_words!(
-                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::generated::Precise
-                < T, __FUSED >; 3usize] = __precise_coefficients(self);
-                (__cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0
-                * < __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.4444444444444444, 2.4671622769447922e-17),
-                __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)), (__c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::Precise < T,
+                __FUSED >; 3usize] = __precise_coefficients(self);
+                (__cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.4444444444444444,
+                2.4671622769447922e-17), __cartcontact::Exponent::in_parts(2, 0.5, 0.0)),
+                (__c1 * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(0.3333333333333333, 1.850371707708594e-17),
-                __cartcontact::generated::Exponent::whole(4)), (__c2 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.2857142857142857, 1.586032892321652e-17),
-                __cartcontact::generated::Exponent::whole(5))]),
-                __cartcontact::generated::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 *
-                < __cartcontact::generated::Precise < T, __FUSED > >
+                __cartcontact::Exponent::whole(4)), (__c2 * < __cartcontact::Precise < T,
+                __FUSED > > ::constant(0.2857142857142857, 1.586032892321652e-17),
+                __cartcontact::Exponent::whole(5))]), __cartcontact::power_sum:: < _, _,
+                _, __FUSED > (__a, [(__c0 * < __cartcontact::Precise < T, __FUSED > >
                 ::constant(0.08547008547008547, - 1.6605899940974564e-18),
-                __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.08333333333333333, 4.625929269271485e-18),
-                __cartcontact::generated::Exponent::whole(8)), (__c2 * <
-                __cartcontact::generated::Precise < T, __FUSED > >
-                ::constant(0.07936507936507936, 4.4056469231157e-18),
-                __cartcontact::generated::Exponent::whole(9))])) }
+                __cartcontact::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.08333333333333333,
+                4.625929269271485e-18), __cartcontact::Exponent::whole(8)), (__c2 * <
+                __cartcontact::Precise < T, __FUSED > > ::constant(0.07936507936507936,
+                4.4056469231157e-18), __cartcontact::Exponent::whole(9))])) }
             )
         }
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
-            __cartcontact::generated::in_double_words!(
+            __cartcontact::in_double_words!(
                 __FUSED => { let [__c0, __c1, __c2] : [T; 3usize] = __coefficients(self);
-                __cartcontact::generated::pressure_kernel:: < _, _, _, __FUSED > (__a,
-                __r, [(__c0, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
-                (__c1, __cartcontact::generated::Exponent::whole(4)), (__c2,
-                __cartcontact::generated::Exponent::whole(5))]) }
+                __cartcontact::pressure_kernel:: < _, _, _, __FUSED > (__a, __r, [(__c0,
+                __cartcontact::Exponent::in_parts(2, 0.5, 0.0)), (__c1,
+                __cartcontact::Exponent::whole(4)), (__c2,
+                __cartcontact::Exponent::whole(5))]) }
             )
         }
         #[inline(always)]
         fn quick_pressure_kernel(&self, __a: T, __r: T) -> T {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::generated::quick_pressure_kernel_in_root::<
+            __cartcontact::quick_pressure_kernel_in_root::<
                 _,
                 2,
                 10,
@@ -307,9 +282,9 @@ const _: () = {
                     ),
                 ],
                 [
-                    (__c0, __cartcontact::generated::Exponent::in_parts(2, 0.5, 0.0)),
-                    (__c1, __cartcontact::generated::Exponent::whole(4)),
-                    (__c2, __cartcontact::generated::Exponent::whole(5)),
+                    (__c0, __cartcontact::Exponent::in_parts(2, 0.5, 0.0)),
+                    (__c1, __cartcontact::Exponent::whole(4)),
+                    (__c2, __cartcontact::Exponent::whole(5)),
                 ],
             )
         }
@@ -320,8 +295,8 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            match __cartcontact::generated::WholePowers::radius(
-                &__cartcontact::generated::WholePowers::<_, _, _, 3usize, 2> {
+            match __cartcontact::WholePowers::radius(
+                &__cartcontact::WholePowers::<_, _, _, 3usize, 2> {
                     coefficients: [
                         __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
                         __c1 * <T as __cartcontact::Scalar>::constant(0.13330078125f64),
@@ -337,11 +312,11 @@ const _: () = {
             ) {
                 ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
                 ::core::option::Option::None => {
-                    __cartcontact::generated::out_of_line(move || {
-                        __cartcontact::generated::invert(
+                    __cartcontact::out_of_line(move || {
+                        __cartcontact::invert(
                             __load_integral,
                             __limit,
-                            __cartcontact::generated::positive_terms([
+                            __cartcontact::positive_terms([
                                 (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
                                 (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                                 (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
@@ -350,7 +325,7 @@ const _: () = {
                                 || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64)
                                 || __c2 < <T as __cartcontact::Scalar>::constant(0.0f64),
                             |__a| {
-                                __cartcontact::generated::power_sum_and_log_slope(
+                                __cartcontact::power_sum_and_log_slope(
                                     __a,
                                     [
                                         (
@@ -358,37 +333,36 @@ const _: () = {
                                                 * <T as __cartcontact::Scalar>::constant(
                                                     0.08547008547008547f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                                            __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                         ),
                                         (
                                             __c1
                                                 * <T as __cartcontact::Scalar>::constant(
                                                     0.08333333333333333f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::whole(8),
+                                            __cartcontact::Exponent::whole(8),
                                         ),
                                         (
                                             __c2
                                                 * <T as __cartcontact::Scalar>::constant(
                                                     0.07936507936507936f64,
                                                 ),
-                                            __cartcontact::generated::Exponent::whole(9),
+                                            __cartcontact::Exponent::whole(9),
                                         ),
                                     ],
                                 )
                             },
                             |__a| {
-                                __cartcontact::generated::in_double_words!(
-                                    __FUSED => { __cartcontact::generated::power_sum:: < _, _,
-                                    _, __FUSED > (__a, [(__c0 * < T as __cartcontact::Scalar >
+                                __cartcontact::in_double_words!(
+                                    __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                    (__a, [(__c0 * < T as __cartcontact::Scalar >
                                     ::constant(0.08547008547008547f64),
-                                    __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0)),
-                                    (__c1 * < T as __cartcontact::Scalar >
-                                    ::constant(0.08333333333333333f64),
-                                    __cartcontact::generated::Exponent::whole(8)), (__c2 * < T
+                                    __cartcontact::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * < T
                                     as __cartcontact::Scalar >
-                                    ::constant(0.07936507936507936f64),
-                                    __cartcontact::generated::Exponent::whole(9))]) }
+                                    ::constant(0.08333333333333333f64),
+                                    __cartcontact::Exponent::whole(8)), (__c2 * < T as
+                                    __cartcontact::Scalar > ::constant(0.07936507936507936f64),
+                                    __cartcontact::Exponent::whole(9))]) }
                                 )
                             },
                         )
@@ -403,12 +377,12 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::generated::radii_of_whole_powers(
+            __cartcontact::radii_of_whole_powers(
                 (__load_integrals, __radii),
                 __limit,
                 #[inline(always)]
-                |__load_integral, __more| __cartcontact::generated::WholePowers::solve(
-                    &__cartcontact::generated::WholePowers::<_, _, _, 3usize, 2> {
+                |__load_integral, __more| __cartcontact::WholePowers::solve(
+                    &__cartcontact::WholePowers::<_, _, _, 3usize, 2> {
                         coefficients: [
                             __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
                             __c1
@@ -437,7 +411,7 @@ const _: () = {
         #[inline]
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::generated::drop_by_roots(
+            __cartcontact::drop_by_roots(
                 __a,
                 __depth,
                 (
@@ -480,21 +454,21 @@ const _: () = {
                             * <T as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
                             ),
-                        __cartcontact::generated::Exponent::in_parts(6, 0.5, 0.0),
+                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                     ),
                     (
                         __c1
                             * <T as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
                             ),
-                        __cartcontact::generated::Exponent::whole(8),
+                        __cartcontact::Exponent::whole(8),
                     ),
                     (
                         __c2
                             * <T as __cartcontact::Scalar>::constant(
                                 0.07936507936507936f64,
                             ),
-                        __cartcontact::generated::Exponent::whole(9),
+                        __cartcontact::Exponent::whole(9),
                     ),
                 ],
             )
@@ -507,7 +481,7 @@ const _: () = {
             __values: (&mut [T], &mut [T]),
         ) {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::generated::fill_by_roots(
+            __cartcontact::fill_by_roots(
                 self,
                 __a,
                 __places,
@@ -530,8 +504,7 @@ const _: () = {
                             )) * __r
                     };
                     __of_quarter0
-                        + __cartcontact::generated::quarter_root::<_, 2>(__r)
-                            * __of_quarter2
+                        + __cartcontact::quarter_root::<_, 2>(__r) * __of_quarter2
                 },
                 (
                     [
@@ -573,7 +546,7 @@ const _: () = {
         fn max_radius(&self) -> T {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
             ::core::result::Result::unwrap_or(
-                __cartcontact::generated::checked_range(
+                __cartcontact::checked_range(
                     [
                         (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
@@ -585,7 +558,7 @@ const _: () = {
             )
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
-            __cartcontact::generated::check_range_of_fields::<
+            __cartcontact::check_range_of_fields::<
                 T,
                 _,
             >(&["c", "d", "e"], [self.c, self.d, self.e])?;
@@ -593,8 +566,8 @@ const _: () = {
             let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
             let __field_d = <T as __cartcontact::Scalar>::constant(self.d);
             let __field_e = <T as __cartcontact::Scalar>::constant(self.e);
-            __cartcontact::generated::with_parameters(
-                __cartcontact::generated::checked_range(
+            __cartcontact::with_parameters(
+                __cartcontact::checked_range(
                     [
                         (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),

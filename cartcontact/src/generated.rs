@@ -1,7 +1,7 @@
 //! What generated code calls. Not part of the interface: it changes together with the macro of the same version.
 
-// Generated code reaches everything through this, so that a wrong path to the crate is one error.
-pub use crate as root;
+// Generated code imports this module by this name and nothing else: a wrong path to the crate is then one error, which
+// points to the end of the path. Imported as `generated`, the error would point to the whole attribute.
 pub use crate::admissibility::{
     check_coefficients, check_constants, check_positive, check_product, check_range_of_fields, checked_range,
     inside_surfaces, not_above, not_below_zero,
@@ -23,6 +23,7 @@ pub use crate::evaluate::pressure_kernel::{
 pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, plain_power_sum_steepness, power_sum_steepness, scaled_power_sum_steepness,
 };
+pub use crate::generated as root;
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};
 pub use crate::profile::drops_by_roots::{drop_by_roots, fill_by_roots};
@@ -38,3 +39,4 @@ pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};
 pub use crate::radius::table::{Quarters, Rows, Table};
 pub use crate::radius::whole_powers::{WholePowers, radii_of_whole_powers};
 pub use crate::scalar::{constants, from_single};
+pub use crate::{GapProfile, ProfileError, RadiusError, Scalar};

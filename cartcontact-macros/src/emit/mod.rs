@@ -108,7 +108,7 @@ impl Names {
     /// A function or type that only generated code uses.
     fn generated(&self, function: &str) -> TokenStream {
         let (krate, function) = (&self.krate, Ident::new(function, Span::call_site()));
-        quote!(#krate::generated::#function)
+        quote!(#krate::#function)
     }
 }
 

@@ -45,7 +45,8 @@ impl IntegerPolynomial {
     }
 
     pub(crate) fn derivative(&self) -> Self {
-        IntegerPolynomial::new(derivative(&self.coefficients))
+        let terms = self.coefficients.iter().enumerate().skip(1);
+        IntegerPolynomial::new(terms.map(|(power, coefficient)| coefficient * power).collect())
     }
 
     /// Divided by the greatest common divisor of its coefficients.
@@ -138,11 +139,6 @@ impl IntegerPolynomial {
         quotient.reverse();
         remainder.iter().all(Zero::is_zero).then(|| IntegerPolynomial::new(quotient))
     }
-}
-
-/// The coefficients of the derivative.
-pub(crate) fn derivative(coefficients: &[BigInt]) -> Vec<BigInt> {
-    coefficients.iter().enumerate().skip(1).map(|(power, coefficient)| coefficient * power).collect()
 }
 
 /// The primitive integer polynomial with the same roots as a sum of `coefficient * x^power`.

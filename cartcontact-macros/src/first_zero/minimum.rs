@@ -17,27 +17,10 @@
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
+use crate::first_zero::TooIntricate;
 use crate::first_zero::part::Part;
 use crate::first_zero::source::Source;
 use crate::number::shifted;
-
-/// What the minimum says about the roots in a part.
-#[derive(PartialEq, Eq)]
-#[cfg_attr(test, derive(Debug))]
-pub(crate) enum Roots {
-    None,
-    /// The first root is the only one between lower/2^bits and upper/2^bits of the part.
-    Between {
-        lower: BigInt,
-        upper: BigInt,
-        bits: u64,
-    },
-}
-
-/// The decision takes more digits than are allowed.
-#[derive(PartialEq, Eq)]
-#[cfg_attr(test, derive(Debug))]
-pub(crate) struct Undecided;
 
 /// The search for the minimum of a polynomial over a part.
 pub(crate) struct Minimum<'a> {
@@ -65,10 +48,12 @@ struct Approximate {
 }
 
 /// Between lower/2^bits and upper/2^bits of the part.
-struct Bracket {
-    lower: BigInt,
-    upper: BigInt,
-    bits: u64,
+#[derive(PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
+pub(crate) struct Bracket {
+    pub(crate) lower: BigInt,
+    pub(crate) upper: BigInt,
+    pub(crate) bits: u64,
 }
 
 /// The bits of the first point; no point has fewer.
@@ -83,21 +68,21 @@ impl<'a> Minimum<'a> {
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }
     }
 
-    /// What the minimum says. It is sought from `first` on, in units of 2^-16 of the part. The bits of a point that
+    /// A bracket of the first root alone, if there is a root. The minimum is sought from `first` on, in units of 2^-16 of the part. The bits of a point that
     /// were `enough` for the last minimum are likely to be enough again; zero if there was none.
     pub(crate) fn roots(
         mut self,
         first: u64,
         enough: &mut u64,
         most_digits: u64,
-    ) -> Result<Roots, Undecided> {
+    ) -> Result<Option<Bracket>, TooIntricate> {
         let mut point = Point { offset: first.into(), bits: FEWEST_BITS };
         // Asks at once for the digits that are likely to be needed last: every later request for more takes as long.
         self.source.for_values(self.digits_for(2 * *enough).clamp(1, most_digits as i64) as u64);
         loop {
             let digits = self.digits_for(2 * point.bits).max(1);
             if digits > most_digits as i64 {
-                return Err(Undecided);
+                return Err(TooIntricate);
             }
             let value = (point.bits >= *enough).then(|| self.value(&point, digits));
             if let Some(value) = &value
@@ -121,18 +106,18 @@ impl<'a> Minimum<'a> {
     }
 
     /// What the value and the slope at a point say. The slope is squared, so it takes half as many digits.
-    fn roots_beside(&self, point: &Point, value: &Approximate, enough: &mut u64) -> Option<Roots> {
+    fn roots_beside(&self, point: &Point, value: &Approximate, enough: &mut u64) -> Option<Option<Bracket>> {
         let slope = self.slope(point, self.digits_for(point.bits + SPARE_BITS).min(value.digits));
         let steepest = shifted(&(slope.number.abs() + slope.error), value.digits - slope.digits);
         let curvature = shifted(&self.curvature, value.digits - self.digits as i64);
         if value.number <= -BigInt::from(value.error) {
-            return Some(point.first_root(&(value.error - &value.number), &steepest, &curvature));
+            return Some(Some(point.first_root(&(value.error - &value.number), &steepest, &curvature)));
         }
         let least = &value.number - value.error;
         let is_positive = least.is_positive() && (&curvature * &least) << 1 > &steepest * &steepest;
         is_positive.then(|| {
             *enough = curvature.bits().saturating_sub(least.bits()) / 2 + 4;
-            Roots::None
+            None
         })
     }
 
@@ -240,14 +225,14 @@ impl Point {
     ///
     /// At a distance d, p is at least m d²/2 − |p'| d − |p|: positive from the d on at which half of the first term is
     /// no less than each of the others.
-    fn first_root(&self, depth: &BigInt, steepest: &BigInt, curvature: &BigInt) -> Roots {
+    fn first_root(&self, depth: &BigInt, steepest: &BigInt, curvature: &BigInt) -> Bracket {
         let [depth, steepest] =
             [depth, steepest].map(|size| curvature.bits().saturating_sub(size.bits() + 3));
         let near = steepest.min(depth / 2);
         let bits = self.bits.max(near);
         let upper = &self.offset << (bits - self.bits);
         let lower = (&upper - (BigInt::one() << (bits - near))).max(BigInt::zero());
-        Roots::Between { lower, upper, bits }
+        Bracket { lower, upper, bits }
     }
 }
 
@@ -279,7 +264,11 @@ mod tests {
         IntegerPolynomial::new(vec![&unit * 16 + height * 9, &unit * -24, unit * 9])
     }
 
-    fn roots(polynomial: &IntegerPolynomial, first: u64, most_digits: u64) -> Result<Roots, Undecided> {
+    fn roots(
+        polynomial: &IntegerPolynomial,
+        first: u64,
+        most_digits: u64,
+    ) -> Result<Option<Bracket>, TooIntricate> {
         let (whole, part, digits) = (Whole::new(polynomial, 0), Part::whole(), 128);
         let local = Bernstein::new(&whole.powers(digits), false);
         let minimum = Minimum::new(&part, &Source::whole(&whole), local.least_curvature(), digits);
@@ -290,9 +279,9 @@ mod tests {
     fn the_minimum_decides() {
         for first in [1, 21_845, 40_000, 65_535] {
             for bits in [4, 40, 400] {
-                assert_eq!(roots(&parabola(1, bits), first, 1 << 10), Ok(Roots::None));
+                assert_eq!(roots(&parabola(1, bits), first, 1 << 10), Ok(None));
                 let below = parabola(-1, bits);
-                let Ok(Roots::Between { lower, upper, bits: own }) = roots(&below, first, 1 << 10) else {
+                let Ok(Some(Bracket { lower, upper, bits: own })) = roots(&below, first, 1 << 10) else {
                     unreachable!("2^-{bits}")
                 };
                 assert!((&upper - &lower) << (bits / 2) <= BigInt::from(8) << own);
@@ -301,7 +290,7 @@ mod tests {
                     assert_eq!(below.value_at(&x, own).cmp(&BigInt::zero()), sign);
                 }
             }
-            assert_eq!(roots(&parabola(0, 1), first, 1 << 10), Err(Undecided));
+            assert_eq!(roots(&parabola(0, 1), first, 1 << 10), Err(TooIntricate));
         }
     }
 
@@ -332,8 +321,8 @@ mod tests {
             IntegerPolynomial::new(coefficients)
         };
         for first in [1, 20_000, 65_535] {
-            assert_eq!(roots(&steep(2), first, 1 << 10), Ok(Roots::None));
-            assert!(matches!(roots(&steep(1), first, 1 << 10), Ok(Roots::Between { .. })));
+            assert_eq!(roots(&steep(2), first, 1 << 10), Ok(None));
+            assert!(matches!(roots(&steep(1), first, 1 << 10), Ok(Some(_))));
         }
     }
 }

@@ -33,7 +33,7 @@ use num_traits::{ToPrimitive, Zero};
 use crate::number::Rational;
 pub(crate) use end::End;
 use integer_polynomial::{IntegerPolynomial, from_terms};
-use search::{TooIntricate, first_root};
+use search::first_root;
 
 /// The highest degree of q, which bounds the time that a proof takes: enough for all integer exponents up to 1024.
 const MAXIMUM_DEGREE: usize = 1024;
@@ -41,6 +41,11 @@ const MAXIMUM_DEGREE: usize = 1024;
 const MAXIMUM_DENOMINATOR: u32 = 1000;
 /// The largest numerator of g: enough for two exponents of three decimals that are both below 64.
 const MAXIMUM_NUMERATOR: u32 = 64_000;
+
+/// A proof takes more digits than are allowed.
+#[derive(PartialEq, Eq)]
+#[cfg_attr(test, derive(Debug))]
+struct TooIntricate;
 
 /// The smallest r > 0 at which a sum of coefficient * r^exponent is zero, if there is one.
 ///

@@ -118,7 +118,8 @@ impl<'a> Whole<'a> {
     pub(crate) fn powers(&self, digits: u64) -> Powers {
         let guard = self.degree() + GUARD;
         let numbers = Numbers::new(&self.coefficients((digits + guard) as i64));
-        Powers::new(numbers.taylor_shift(self.polynomial.degree() + 1).values(), guard, 0)
+        let numbers = numbers.taylor_shift(self.polynomial.degree() + 1).values();
+        Powers { numbers, guard, error: 0 }
     }
 }
 

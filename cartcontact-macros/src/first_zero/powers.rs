@@ -50,10 +50,6 @@ const LEAST_DEGREE: u64 = 4;
 const NEGLIGIBLE: u64 = 36;
 
 impl Powers {
-    pub(crate) fn new(numbers: Vec<BigInt>, guard: u64, error: i128) -> Self {
-        Powers { numbers, guard, error }
-    }
-
     pub(crate) fn degree(&self) -> u64 {
         self.numbers.len().saturating_sub(1) as u64
     }

@@ -30,11 +30,12 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
+use crate::first_zero::TooIntricate;
 use crate::first_zero::bernstein::{Bernstein, SignChanges};
 use crate::first_zero::common_divisor::square_free;
 use crate::first_zero::first_root::{FirstRoot, RootPlace};
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
-use crate::first_zero::minimum::{Minimum, Roots, Undecided};
+use crate::first_zero::minimum::{Bracket, Minimum};
 use crate::first_zero::outline::Outline;
 use crate::first_zero::part::{Part, Whole};
 use crate::first_zero::powers::Powers;
@@ -51,9 +52,6 @@ const SURPLUS: u64 = 128;
 const MORE_DIGITS: u64 = 512;
 /// Digits that the shortest number of an interval keeps when the interval is divided.
 const KEPT_DIGITS: u64 = 64;
-
-/// A proof takes longer numbers than [`MAXIMUM_LENGTH`] and [`MAXIMUM_DIGITS`] allow.
-pub(crate) struct TooIntricate;
 
 /// The smallest positive root of a polynomial that is positive at 0.
 pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstRoot>, TooIntricate> {
@@ -298,14 +296,11 @@ impl<'a> Search<'a> {
         curvature: BigInt,
     ) -> Result<Option<RootPlace>, TooIntricate> {
         let minimum = Minimum::new(&front.part, &front.source, curvature, front.digits);
-        match minimum.roots(front.local.lowest(), &mut self.enough, MAXIMUM_DIGITS) {
-            Err(Undecided) => Err(TooIntricate),
-            Ok(Roots::None) => Ok(None),
-            Ok(Roots::Between { lower, upper, bits }) => {
-                let [lower, upper] = [lower, upper].map(|offset| front.part.within(&offset, bits, bits));
-                Ok(Some(self.between(&lower, &upper.end(0), upper.bits)))
-            }
-        }
+        let bracket = minimum.roots(front.local.lowest(), &mut self.enough, MAXIMUM_DIGITS)?;
+        Ok(bracket.map(|Bracket { lower, upper, bits }| {
+            let [lower, upper] = [lower, upper].map(|offset| front.part.within(&offset, bits, bits));
+            self.between(&lower, &upper.end(0), upper.bits)
+        }))
     }
 
     /// At offset/2^bits of the interval.
