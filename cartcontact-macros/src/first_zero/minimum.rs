@@ -68,8 +68,8 @@ impl<'a> Minimum<'a> {
         Minimum { part, source: source.clone(), curvature, digits, bracket, steady: 0 }
     }
 
-    /// A bracket of the first root alone, if there is a root. The minimum is sought from `first` on, in units of 2^-16 of the part. The bits of a point that
-    /// were `enough` for the last minimum are likely to be enough again; zero if there was none.
+    /// A bracket of the first root alone, if there is a root. The minimum is sought from `first` on, in units of 2^-16
+    /// of the part. The bits of a point that were `enough` for the last minimum are likely to be enough again; zero if there was none.
     pub(crate) fn roots(
         mut self,
         first: u64,
