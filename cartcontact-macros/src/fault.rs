@@ -9,7 +9,6 @@ use crate::diagnostics::Extent;
 use crate::gap::rim;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, decimal, fraction, three_digits};
-use crate::reading::literal;
 
 /// Of two faults the one of higher rank is reported: it remains if the other is mended, or it is the reason for the
 /// other.
@@ -37,7 +36,7 @@ pub(crate) struct Fault {
 
 /// An option and its value, with the words in front of it.
 enum Way {
-    MaxRadius { words: &'static str, largest: String },
+    MaxRadius { words: &'static str, largest: Rational },
     Order(u32),
 }
 
@@ -58,8 +57,8 @@ impl Fault {
         Fault { extent, rank, rule: rule.into(), ways: Vec::new(), otherwise: String::new() }
     }
 
-    /// Way out: a `max_radius` that is no larger than this literal.
-    pub(crate) fn or_max_radius(mut self, words: &'static str, largest: String) -> Self {
+    /// Way out: a `max_radius` that is no larger than this.
+    pub(crate) fn or_max_radius(mut self, words: &'static str, largest: Rational) -> Self {
         self.ways.push(Way::MaxRadius { words, largest });
         self
     }
@@ -77,7 +76,9 @@ impl Fault {
     /// The message with the first way out that works. Without surfaces any `max_radius` works.
     pub(crate) fn message(&self, surfaces: &[Surface], works: impl Fn(&Change<'_>) -> bool) -> String {
         let offered = self.ways.iter().find_map(|way| match way {
-            Way::MaxRadius { words, largest } if surfaces.is_empty() => Some(format!("{words}{largest}`")),
+            Way::MaxRadius { words, largest } if surfaces.is_empty() => {
+                Some(format!("{words}{}`", decimal(largest)))
+            }
             Way::MaxRadius { words, largest } => {
                 within_series(words, largest, surfaces, |radius| works(&Change::MaxRadius(radius)))
             }
@@ -93,15 +94,14 @@ impl Fault {
 /// How to write the largest `max_radius` that works, or a short number not far below it.
 fn within_series(
     words: &str,
-    largest: &str,
+    largest: &Rational,
     surfaces: &[Surface],
     works: impl Fn(&Rational) -> bool,
 ) -> Option<String> {
-    let inside = rim::inside(largest, surfaces);
-    let radius = literal::number(&inside).ok()?;
+    let radius = rim::inside(largest, surfaces);
     if works(&radius) {
-        let reason = if inside == largest { "" } else { ", as the series of a surface ends there" };
-        return Some(format!("{words}{inside}`{reason}"));
+        let reason = if radius == *largest { "" } else { ", as the series of a surface ends there" };
+        return Some(format!("{words}{}`{reason}", decimal(&radius)));
     }
     let parts = [fraction(3, 4), fraction(1, 2), fraction(1, 4)];
     parts.iter().find_map(|part| {

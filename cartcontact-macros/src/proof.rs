@@ -102,7 +102,7 @@ fn unlimited(extent: Extent, end: &mut End) -> Fault {
 
 /// Adds the remedy for a range that goes too far. `largest` is the largest decimal below its end, if there is an `f64`
 /// there.
-fn with_remedy(fault: Fault, largest: Option<String>, words: &'static str, otherwise: &str) -> Fault {
+fn with_remedy(fault: Fault, largest: Option<Rational>, words: &'static str, otherwise: &str) -> Fault {
     match largest {
         Some(largest) => fault.or_max_radius(words, largest).otherwise(otherwise),
         None => fault.otherwise("use a smaller unit of length"),

@@ -16,7 +16,7 @@ pub(crate) struct End {
 /// So many bits that seven digits hardly ever need a narrower root.
 const BITS: u64 = 48;
 /// Outside this range, numbers of seven digits have no `f64` next to them.
-const DECIMAL_EXPONENTS: RangeInclusive<i64> = -307..=307;
+const DECIMAL_EXPONENTS: RangeInclusive<i32> = -307..=307;
 /// Outside this range, only the power of ten of an end is computed: higher powers would take long.
 const SHOWN_EXPONENTS: RangeInclusive<i64> = -1000..=1000;
 
@@ -34,7 +34,7 @@ impl End {
     /// `f64`.
     ///
     /// The radius lies in (mantissa, mantissa + 1] units of the seventh digit: six digits are rounded from there.
-    pub(crate) fn decimals(&mut self) -> (String, Option<String>) {
+    pub(crate) fn decimals(&mut self) -> (String, Option<Rational>) {
         self.root.narrow(BITS);
         let exponent = self.decimal_exponent();
         if !SHOWN_EXPONENTS.contains(&exponent) {
@@ -44,14 +44,14 @@ impl End {
         let (fine, coarse) = (unit(exponent - 6), unit(exponent - 5));
         let mut mantissa = self.mantissa(&fine);
         let digits = (mantissa + 5) / 10;
-        if !DECIMAL_EXPONENTS.contains(&exponent) {
+        if !i32::try_from(exponent).is_ok_and(|exponent| DECIMAL_EXPONENTS.contains(&exponent)) {
             return (scientific(digits, exponent - 5), largest_below(exponent));
         }
         let shown = number::decimal(&(number::integer(digits) * coarse));
         while !self.exceeds_nearest(&(number::integer(mantissa) * &fine)) {
             mantissa -= 1;
         }
-        (shown, Some(number::decimal(&(number::integer(mantissa) * fine))))
+        (shown, Some(number::integer(mantissa) * fine))
     }
 
     fn exceeds_nearest(&mut self, radius: &Rational) -> bool {
@@ -96,8 +96,8 @@ impl End {
 }
 
 /// The largest decimal below an end whose exponent no `f64` has; nothing if the end is too small.
-fn largest_below(exponent: i64) -> Option<String> {
-    (exponent > 0).then(|| format!("1e{}", DECIMAL_EXPONENTS.end()))
+fn largest_below(exponent: i64) -> Option<Rational> {
+    (exponent > 0).then(|| number::integer(10).pow(*DECIMAL_EXPONENTS.end()))
 }
 
 /// `digits` times a power of ten.

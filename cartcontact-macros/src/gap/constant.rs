@@ -2,8 +2,7 @@
 
 use crate::gap::coefficient::Coefficient;
 use crate::gap::evaluate::Evaluator;
-use crate::number::{Rational, decimal};
-use crate::reading::literal;
+use crate::number::{Rational, decimal, is_written};
 use crate::reading::name::unraw;
 use crate::reading::syntax::{Expression, Kind, Summand};
 
@@ -134,6 +133,6 @@ fn signed(value: &Coefficient) -> (char, String) {
 
 fn exactly(number: &Rational) -> String {
     let text = decimal(number);
-    let is_exact = text.contains('/') || literal::number(&text).is_ok_and(|read| read == *number);
+    let is_exact = text.contains('/') || is_written(number);
     if is_exact { text } else { format!("{}/{}", number.numer(), number.denom()) }
 }

@@ -6,7 +6,6 @@ use crate::first_zero::{End, first_zero};
 use crate::gap::coefficient::Coefficient;
 use crate::gap::surface::Surface;
 use crate::number::{Rational, integer, nearest};
-use crate::reading::literal;
 
 /// Nothing for a paraboloid, or if a field decides.
 pub(crate) fn rim(surface: &Surface) -> Option<End> {
@@ -22,9 +21,9 @@ pub(super) fn share_of_rim(surface: &Surface, radius: &Coefficient) -> Option<Ra
 }
 
 /// The decimal if it lies within all rims, otherwise the largest one of seven digits that does.
-pub(crate) fn inside(decimal: &str, surfaces: &[Surface]) -> String {
-    surfaces.iter().filter_map(rim).fold(decimal.to_owned(), |inside, mut rim| {
-        let radius = literal::number(&inside).ok().as_ref().and_then(nearest).and_then(Rational::from_float);
+pub(crate) fn inside(decimal: &Rational, surfaces: &[Surface]) -> Rational {
+    surfaces.iter().filter_map(rim).fold(decimal.clone(), |inside, mut rim| {
+        let radius = nearest(&inside).and_then(Rational::from_float);
         match radius.map(|radius| rim.compare(&radius)) {
             Some(Ordering::Greater) | None => inside,
             Some(_) => rim.decimals().1.unwrap_or(inside),

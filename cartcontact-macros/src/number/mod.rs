@@ -163,7 +163,7 @@ pub(crate) fn decimal(value: &Rational) -> String {
     let shortest = value.to_f64().unwrap_or(0.0);
     let (numerator, denominator) = (value.numer(), value.denom());
     let is_short = numerator.bits() + denominator.bits() < 40;
-    if is_short && !is_binary(value) && !is_written(value, shortest) {
+    if is_short && !is_binary(value) && !is_written(value) {
         format!("{numerator}/{denominator}")
     } else {
         plain(shortest)
@@ -176,9 +176,9 @@ pub(crate) fn operand(value: &Rational) -> String {
     if text.contains('/') { format!("({text})") } else { text }
 }
 
-/// Whether the shortest digits of the `f64` are the number itself.
-fn is_written(value: &Rational, shortest: f64) -> bool {
-    let written = format!("{shortest:e}");
+/// Whether the shortest digits of the nearest `f64` are the number itself.
+pub(crate) fn is_written(value: &Rational) -> bool {
+    let written = format!("{:e}", value.to_f64().unwrap_or(0.0));
     let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = format!("{whole}{decimals}");
