@@ -189,17 +189,17 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::Table::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::OwnUnits,
-                |__a| __steepness(__a, []),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        match __cartcontact::WholePowers::radius(
+            __cartcontact::found_or(
+                __cartcontact::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::OwnUnits,
+                    |__a| __steepness(__a, []),
+                ),
+                move || {
+                    __cartcontact::found_or(
+                        __cartcontact::WholePowers::radius(
                             &__cartcontact::WholePowers::<_, _, _, 2usize, 1> {
                                 coefficients: [
                                     <T as __cartcontact::Scalar>::constant(
@@ -216,62 +216,56 @@ const _: () = {
                             },
                             __load_integral,
                             __limit,
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::invert(
-                                        __load_integral,
-                                        __limit,
-                                        ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.025f64),
-                                                <T as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
+                        move || {
+                            __cartcontact::invert(
+                                __load_integral,
+                                __limit,
+                                ::core::iter::IntoIterator::into_iter([
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.025f64),
+                                        <T as __cartcontact::Scalar>::constant(2.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.000109375f64),
+                                        <T as __cartcontact::Scalar>::constant(4.0f64),
+                                    ),
+                                ]),
+                                false,
+                                |__a| {
+                                    let __x = __a * __a;
+                                    let (__value, __slope) = __cartcontact::value_and_slope(
+                                        __x,
+                                        [
+                                            <T as __cartcontact::Scalar>::constant(
+                                                0.0020833333333333333f64,
                                             ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.000109375f64),
-                                                <T as __cartcontact::Scalar>::constant(4.0f64),
+                                            <T as __cartcontact::Scalar>::constant(
+                                                9.114583333333334e-6f64,
                                             ),
-                                        ]),
-                                        false,
-                                        |__a| {
-                                            let __x = __a * __a;
-                                            let (__value, __slope) = __cartcontact::value_and_slope(
-                                                __x,
-                                                [
-                                                    <T as __cartcontact::Scalar>::constant(
-                                                        0.0020833333333333333f64,
-                                                    ),
-                                                    <T as __cartcontact::Scalar>::constant(
-                                                        9.114583333333334e-6f64,
-                                                    ),
-                                                ],
-                                            );
-                                            let __log_slope = <T as __cartcontact::Scalar>::constant(
-                                                6.0f64,
-                                            ) * __value
-                                                + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
-                                                    * __slope;
-                                            (__value * __x * __x * __x, __log_slope * __x * __x * __x)
-                                        },
-                                        |__a| {
-                                            __cartcontact::in_double_words!(
-                                                __FUSED => { __cartcontact::precise_even_sum:: < _, _,
-                                                __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar >
-                                                ::constant(0.0020833333333333333f64), < T as
-                                                __cartcontact::Scalar >
-                                                ::constant(9.114583333333334e-6f64)]) }
-                                            )
-                                        },
+                                        ],
+                                    );
+                                    let __log_slope = <T as __cartcontact::Scalar>::constant(
+                                        6.0f64,
+                                    ) * __value
+                                        + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
+                                            * __slope;
+                                    (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                                },
+                                |__a| {
+                                    __cartcontact::in_double_words!(
+                                        __FUSED => { __cartcontact::precise_even_sum:: < _, _,
+                                        __FUSED, _ > (__a, 6u32, [< T as __cartcontact::Scalar >
+                                        ::constant(0.0020833333333333333f64), < T as
+                                        __cartcontact::Scalar >
+                                        ::constant(9.114583333333334e-6f64)]) }
                                     )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                                },
+                            )
+                        },
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

@@ -290,33 +290,34 @@ const _: () = {
             __limit: S,
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            match __cartcontact::Table::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::RootOf::<
-                    _,
-                    2,
-                >(
-                    __cartcontact::EqualTerms::of(
-                        (
-                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                            <S as __cartcontact::Scalar>::constant(12.0f64),
+            __cartcontact::found_or(
+                __cartcontact::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::RootOf::<
+                        _,
+                        2,
+                    >(
+                        __cartcontact::EqualTerms::of(
+                            (
+                                __c0
+                                    * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                                <S as __cartcontact::Scalar>::constant(12.0f64),
+                            ),
+                            (
+                                __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                                <S as __cartcontact::Scalar>::constant(13.0f64),
+                            ),
+                            [],
+                            <S as __cartcontact::Scalar>::constant(1.828125f64),
                         ),
-                        (
-                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                            <S as __cartcontact::Scalar>::constant(13.0f64),
-                        ),
-                        [],
-                        <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
+                    |__a| __steepness(__a, [__c0, __c1]),
                 ),
-                |__a| __steepness(__a, [__c0, __c1]),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        match __cartcontact::WholePowers::radius(
+                move || {
+                    __cartcontact::found_or(
+                        __cartcontact::WholePowers::radius(
                             &__cartcontact::WholePowers::<_, _, _, 2usize, 2> {
                                 coefficients: [
                                     __c0
@@ -332,58 +333,52 @@ const _: () = {
                             },
                             __load_integral,
                             __limit,
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::invert(
-                                        __load_integral,
-                                        __limit,
-                                        __cartcontact::positive_terms([
-                                            (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
-                                            (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                                        ]),
-                                        __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
-                                        |__a| {
-                                            __cartcontact::power_sum_and_log_slope(
-                                                __a,
-                                                [
-                                                    (
-                                                        __c0
-                                                            * <S as __cartcontact::Scalar>::constant(
-                                                                0.08333333333333333f64,
-                                                            ),
-                                                        __cartcontact::Exponent::whole(6),
+                        ),
+                        move || {
+                            __cartcontact::invert(
+                                __load_integral,
+                                __limit,
+                                __cartcontact::positive_terms([
+                                    (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
+                                    (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                                ]),
+                                __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
+                                |__a| {
+                                    __cartcontact::power_sum_and_log_slope(
+                                        __a,
+                                        [
+                                            (
+                                                __c0
+                                                    * <S as __cartcontact::Scalar>::constant(
+                                                        0.08333333333333333f64,
                                                     ),
-                                                    (
-                                                        __c1
-                                                            * <S as __cartcontact::Scalar>::constant(
-                                                                0.08547008547008547f64,
-                                                            ),
-                                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
+                                                __cartcontact::Exponent::whole(6),
+                                            ),
+                                            (
+                                                __c1
+                                                    * <S as __cartcontact::Scalar>::constant(
+                                                        0.08547008547008547f64,
                                                     ),
-                                                ],
-                                            )
-                                        },
-                                        |__a| {
-                                            __cartcontact::in_double_words!(
-                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
-                                                (__a, [(__c0 * < S as __cartcontact::Scalar >
-                                                ::constant(0.08333333333333333f64),
-                                                __cartcontact::Exponent::whole(6)), (__c1 * < S as
-                                                __cartcontact::Scalar > ::constant(0.08547008547008547f64),
-                                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
-                                            )
-                                        },
+                                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
+                                            ),
+                                        ],
                                     )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                                },
+                                |__a| {
+                                    __cartcontact::in_double_words!(
+                                        __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                        (__a, [(__c0 * < S as __cartcontact::Scalar >
+                                        ::constant(0.08333333333333333f64),
+                                        __cartcontact::Exponent::whole(6)), (__c1 * < S as
+                                        __cartcontact::Scalar > ::constant(0.08547008547008547f64),
+                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
+                                    )
+                                },
+                            )
+                        },
+                    )
+                },
+            )
         }
         #[inline(always)]
         fn radius(
@@ -392,35 +387,36 @@ const _: () = {
         ) -> ::core::result::Result<S, __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             let __limit = <S as __cartcontact::Scalar>::infinity();
-            match __cartcontact::Table::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::RootOf::<
-                    _,
-                    2,
-                >(
-                    __cartcontact::EqualTerms::of(
-                        (
-                            __c0 * <S as __cartcontact::Scalar>::constant(0.15234375f64),
-                            <S as __cartcontact::Scalar>::constant(12.0f64),
+            __cartcontact::found_or(
+                __cartcontact::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::RootOf::<
+                        _,
+                        2,
+                    >(
+                        __cartcontact::EqualTerms::of(
+                            (
+                                __c0
+                                    * <S as __cartcontact::Scalar>::constant(0.15234375f64),
+                                <S as __cartcontact::Scalar>::constant(12.0f64),
+                            ),
+                            (
+                                __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
+                                <S as __cartcontact::Scalar>::constant(13.0f64),
+                            ),
+                            [],
+                            <S as __cartcontact::Scalar>::constant(1.828125f64),
                         ),
-                        (
-                            __c1 * <S as __cartcontact::Scalar>::constant(0.15625f64),
-                            <S as __cartcontact::Scalar>::constant(13.0f64),
-                        ),
-                        [],
-                        <S as __cartcontact::Scalar>::constant(1.828125f64),
                     ),
+                    |__a| __steepness(__a, [__c0, __c1]),
                 ),
-                |__a| __steepness(__a, [__c0, __c1]),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-                        let __limit = __cartcontact::GapProfile::max_radius(self);
-                        match __cartcontact::WholePowers::radius(
+                move || {
+                    let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+                    let __limit = __cartcontact::GapProfile::max_radius(self);
+                    __cartcontact::found_or(
+                        __cartcontact::WholePowers::radius(
                             &__cartcontact::WholePowers::<_, _, _, 2usize, 2> {
                                 coefficients: [
                                     __c0
@@ -436,23 +432,17 @@ const _: () = {
                             },
                             __load_integral,
                             __limit,
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::GapProfile::radius_within(
-                                        self,
-                                        __load_integral,
-                                        __limit,
-                                    )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                        ),
+                        move || {
+                            __cartcontact::GapProfile::radius_within(
+                                self,
+                                __load_integral,
+                                __limit,
+                            )
+                        },
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

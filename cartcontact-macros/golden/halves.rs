@@ -195,17 +195,17 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::Table::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::RootOf::<_, 2>(__cartcontact::OwnUnits),
-                |__a| __steepness(__a, []),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        match __cartcontact::radius_of_real_powers(
+            __cartcontact::found_or(
+                __cartcontact::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::RootOf::<_, 2>(__cartcontact::OwnUnits),
+                    |__a| __steepness(__a, []),
+                ),
+                move || {
+                    __cartcontact::found_or(
+                        __cartcontact::radius_of_real_powers(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
@@ -258,63 +258,57 @@ const _: () = {
                                     ),
                                 ],
                             ),
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::invert(
-                                        __load_integral,
-                                        __limit,
-                                        ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.01f64),
-                                                <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
+                        move || {
+                            __cartcontact::invert(
+                                __load_integral,
+                                __limit,
+                                ::core::iter::IntoIterator::into_iter([
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.01f64),
+                                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.003f64),
+                                        <T as __cartcontact::Scalar>::constant(2.5f64),
+                                    ),
+                                ]),
+                                false,
+                                |__a| {
+                                    __cartcontact::power_sum_and_log_slope(
+                                        __a,
+                                        [
+                                            (
+                                                <T as __cartcontact::Scalar>::constant(
+                                                    0.0007792207792207792f64,
+                                                ),
+                                                __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                             ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.003f64),
-                                                <T as __cartcontact::Scalar>::constant(2.5f64),
+                                            (
+                                                <T as __cartcontact::Scalar>::constant(
+                                                    0.0002564102564102564f64,
+                                                ),
+                                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
                                             ),
-                                        ]),
-                                        false,
-                                        |__a| {
-                                            __cartcontact::power_sum_and_log_slope(
-                                                __a,
-                                                [
-                                                    (
-                                                        <T as __cartcontact::Scalar>::constant(
-                                                            0.0007792207792207792f64,
-                                                        ),
-                                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
-                                                    ),
-                                                    (
-                                                        <T as __cartcontact::Scalar>::constant(
-                                                            0.0002564102564102564f64,
-                                                        ),
-                                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
-                                                    ),
-                                                ],
-                                            )
-                                        },
-                                        |__a| {
-                                            __cartcontact::in_double_words!(
-                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
-                                                (__a, [(< T as __cartcontact::Scalar >
-                                                ::constant(0.0007792207792207792f64),
-                                                __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
-                                                __cartcontact::Scalar >
-                                                ::constant(0.0002564102564102564f64),
-                                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
-                                            )
-                                        },
+                                        ],
                                     )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                                },
+                                |__a| {
+                                    __cartcontact::in_double_words!(
+                                        __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                        (__a, [(< T as __cartcontact::Scalar >
+                                        ::constant(0.0007792207792207792f64),
+                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+                                        __cartcontact::Scalar >
+                                        ::constant(0.0002564102564102564f64),
+                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0))]) }
+                                    )
+                                },
+                            )
+                        },
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

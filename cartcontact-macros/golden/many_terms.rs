@@ -372,18 +372,18 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::Curves::radius(
-                __cartcontact::Curves {
-                    double: &__CURVES,
-                    single: &__CURVES_OF_SINGLE,
-                },
-                __load_integral,
-                __limit,
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        match __cartcontact::WholePowers::radius(
+            __cartcontact::found_or(
+                __cartcontact::Curves::radius(
+                    __cartcontact::Curves {
+                        double: &__CURVES,
+                        single: &__CURVES_OF_SINGLE,
+                    },
+                    __load_integral,
+                    __limit,
+                ),
+                move || {
+                    __cartcontact::found_or(
+                        __cartcontact::WholePowers::radius(
                             &__cartcontact::WholePowers::<_, _, _, 12usize, 1> {
                                 coefficients: [
                                     <T as __cartcontact::Scalar>::constant(0.00625f64),
@@ -424,132 +424,126 @@ const _: () = {
                             },
                             __load_integral,
                             __limit,
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::invert(
-                                        __load_integral,
-                                        __limit,
-                                        ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.075f64),
-                                                <T as __cartcontact::Scalar>::constant(2.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.000140625f64),
-                                                <T as __cartcontact::Scalar>::constant(4.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(6.4453125e-7f64),
-                                                <T as __cartcontact::Scalar>::constant(6.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    3.936767578125e-9f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(8.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    2.739715576171875e-11f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(10.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    2.0517826080322267e-13f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(12.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    1.6115248203277588e-15f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(14.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    1.309244055300951e-17f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(16.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    1.0910117416642606e-19f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(18.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    9.273546740587335e-22f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(20.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    8.00896072814794e-24f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(22.0f64),
-                                            ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(
-                                                    7.007838130931532e-26f64,
-                                                ),
-                                                <T as __cartcontact::Scalar>::constant(24.0f64),
-                                            ),
+                        ),
+                        move || {
+                            __cartcontact::invert(
+                                __load_integral,
+                                __limit,
+                                ::core::iter::IntoIterator::into_iter([
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.075f64),
+                                        <T as __cartcontact::Scalar>::constant(2.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.000140625f64),
+                                        <T as __cartcontact::Scalar>::constant(4.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(6.4453125e-7f64),
+                                        <T as __cartcontact::Scalar>::constant(6.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            3.936767578125e-9f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(8.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            2.739715576171875e-11f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(10.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            2.0517826080322267e-13f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(12.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            1.6115248203277588e-15f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(14.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            1.309244055300951e-17f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(16.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            1.0910117416642606e-19f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(18.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            9.273546740587335e-22f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(20.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            8.00896072814794e-24f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(22.0f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(
+                                            7.007838130931532e-26f64,
+                                        ),
+                                        <T as __cartcontact::Scalar>::constant(24.0f64),
+                                    ),
+                                ]),
+                                false,
+                                |__a| {
+                                    let __x = __a * __a;
+                                    let (__value, __slope) = __cartcontact::value_and_slope(
+                                        __x,
+                                        __cartcontact::constants::<
+                                            T,
+                                            _,
+                                        >([
+                                            0.00625,
+                                            1.171875e-5,
+                                            4.833984375e-8,
+                                            2.62451171875e-10,
+                                            1.6307830810546874e-12,
+                                            1.0991692543029785e-14,
+                                            7.833801209926605e-17,
+                                            5.818862468004227e-19,
+                                            4.4632298522628844e-21,
+                                            3.512707098707324e-23,
+                                            2.82367205159062e-25,
+                                            2.310276306900505e-27,
                                         ]),
-                                        false,
-                                        |__a| {
-                                            let __x = __a * __a;
-                                            let (__value, __slope) = __cartcontact::value_and_slope(
-                                                __x,
-                                                __cartcontact::constants::<
-                                                    T,
-                                                    _,
-                                                >([
-                                                    0.00625,
-                                                    1.171875e-5,
-                                                    4.833984375e-8,
-                                                    2.62451171875e-10,
-                                                    1.6307830810546874e-12,
-                                                    1.0991692543029785e-14,
-                                                    7.833801209926605e-17,
-                                                    5.818862468004227e-19,
-                                                    4.4632298522628844e-21,
-                                                    3.512707098707324e-23,
-                                                    2.82367205159062e-25,
-                                                    2.310276306900505e-27,
-                                                ]),
-                                            );
-                                            let __log_slope = <T as __cartcontact::Scalar>::constant(
-                                                6.0f64,
-                                            ) * __value
-                                                + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
-                                                    * __slope;
-                                            (__value * __x * __x * __x, __log_slope * __x * __x * __x)
-                                        },
-                                        |__a| {
-                                            __cartcontact::in_double_words!(
-                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
-                                                (__a, __cartcontact::whole_terms(& [(0.00625, 6),
-                                                (1.171875e-5, 8), (4.833984375e-8, 10), (2.62451171875e-10,
-                                                12), (1.6307830810546874e-12, 14), (1.0991692543029785e-14,
-                                                16), (7.833801209926605e-17, 18), (5.818862468004227e-19,
-                                                20), (4.4632298522628844e-21, 22), (3.512707098707324e-23,
-                                                24), (2.82367205159062e-25, 26), (2.310276306900505e-27,
-                                                28)])) }
-                                            )
-                                        },
+                                    );
+                                    let __log_slope = <T as __cartcontact::Scalar>::constant(
+                                        6.0f64,
+                                    ) * __value
+                                        + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
+                                            * __slope;
+                                    (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                                },
+                                |__a| {
+                                    __cartcontact::in_double_words!(
+                                        __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                        (__a, __cartcontact::whole_terms(& [(0.00625, 6),
+                                        (1.171875e-5, 8), (4.833984375e-8, 10), (2.62451171875e-10,
+                                        12), (1.6307830810546874e-12, 14), (1.0991692543029785e-14,
+                                        16), (7.833801209926605e-17, 18), (5.818862468004227e-19,
+                                        20), (4.4632298522628844e-21, 22), (3.512707098707324e-23,
+                                        24), (2.82367205159062e-25, 26), (2.310276306900505e-27,
+                                        28)])) }
                                     )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                                },
+                            )
+                        },
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

@@ -197,33 +197,31 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
-            match __cartcontact::Roots::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::SingleTerm::<
-                    _,
-                    6,
-                    1,
-                    4,
-                >::of_inverse({
-                    let __field_radius = <T as __cartcontact::Scalar>::constant(
-                        self.radius,
-                    );
-                    <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
-                }),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        __cartcontact::invert_one_term(
-                            __load_integral,
-                            (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                            __limit,
-                        )
-                    })
-                }
-            }
+            __cartcontact::found_or(
+                __cartcontact::Roots::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                        4,
+                    >::of_inverse({
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                    }),
+                ),
+                move || {
+                    __cartcontact::invert_one_term(
+                        __load_integral,
+                        (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                        __limit,
+                    )
+                },
+            )
         }
         #[inline(always)]
         fn radius(
@@ -232,34 +230,32 @@ const _: () = {
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0]: [T; 1usize] = __coefficients(self);
             let __limit = <T as __cartcontact::Scalar>::infinity();
-            match __cartcontact::Roots::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::SingleTerm::<
-                    _,
-                    6,
-                    1,
-                    4,
-                >::of_inverse({
-                    let __field_radius = <T as __cartcontact::Scalar>::constant(
-                        self.radius,
-                    );
-                    <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
-                }),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        let __limit = __cartcontact::GapProfile::max_radius(self);
-                        __cartcontact::GapProfile::radius_within(
-                            self,
-                            __load_integral,
-                            __limit,
-                        )
-                    })
-                }
-            }
+            __cartcontact::found_or(
+                __cartcontact::Roots::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::SingleTerm::<
+                        _,
+                        6,
+                        1,
+                        4,
+                    >::of_inverse({
+                        let __field_radius = <T as __cartcontact::Scalar>::constant(
+                            self.radius,
+                        );
+                        <T as __cartcontact::Scalar>::constant(2.0f64) * __field_radius
+                    }),
+                ),
+                move || {
+                    let __limit = __cartcontact::GapProfile::max_radius(self);
+                    __cartcontact::GapProfile::radius_within(
+                        self,
+                        __load_integral,
+                        __limit,
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

@@ -153,27 +153,25 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::Table::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::OwnUnits,
-                |__a| __steepness(__a, []),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        __cartcontact::invert_one_term(
-                            __load_integral,
-                            (
-                                <T as __cartcontact::Scalar>::constant(0.025f64),
-                                <T as __cartcontact::Scalar>::constant(2.0f64),
-                            ),
-                            __limit,
-                        )
-                    })
-                }
-            }
+            __cartcontact::found_or(
+                __cartcontact::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::OwnUnits,
+                    |__a| __steepness(__a, []),
+                ),
+                move || {
+                    __cartcontact::invert_one_term(
+                        __load_integral,
+                        (
+                            <T as __cartcontact::Scalar>::constant(0.025f64),
+                            <T as __cartcontact::Scalar>::constant(2.0f64),
+                        ),
+                        __limit,
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

@@ -263,28 +263,28 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            match __cartcontact::Table::radius(
-                &__TABLE,
-                __load_integral,
-                __limit,
-                __cartcontact::EqualTerms::of(
-                    (
-                        __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                        <T as __cartcontact::Scalar>::constant(6.0f64),
+            __cartcontact::found_or(
+                __cartcontact::Table::radius(
+                    &__TABLE,
+                    __load_integral,
+                    __limit,
+                    __cartcontact::EqualTerms::of(
+                        (
+                            __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                            <T as __cartcontact::Scalar>::constant(6.0f64),
+                        ),
+                        (
+                            __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
+                            <T as __cartcontact::Scalar>::constant(8.0f64),
+                        ),
+                        [],
+                        <T as __cartcontact::Scalar>::constant(1.5f64),
                     ),
-                    (
-                        __c1 * <T as __cartcontact::Scalar>::constant(0.125f64),
-                        <T as __cartcontact::Scalar>::constant(8.0f64),
-                    ),
-                    [],
-                    <T as __cartcontact::Scalar>::constant(1.5f64),
+                    |__a| __steepness(__a, [__c0, __c1]),
                 ),
-                |__a| __steepness(__a, [__c0, __c1]),
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        match __cartcontact::WholePowers::radius(
+                move || {
+                    __cartcontact::found_or(
+                        __cartcontact::WholePowers::radius(
                             &__cartcontact::WholePowers::<_, _, _, 2usize, 1> {
                                 coefficients: [
                                     __c0 * <T as __cartcontact::Scalar>::constant(0.125f64),
@@ -297,58 +297,52 @@ const _: () = {
                             },
                             __load_integral,
                             __limit,
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::invert(
-                                        __load_integral,
-                                        __limit,
-                                        __cartcontact::positive_terms([
-                                            (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
-                                            (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                                        ]),
-                                        false,
-                                        |__a| {
-                                            let __x = __a * __a;
-                                            let (__value, __slope) = __cartcontact::value_and_slope(
-                                                __x,
-                                                [
-                                                    __c0
-                                                        * <T as __cartcontact::Scalar>::constant(
-                                                            0.08333333333333333f64,
-                                                        ),
-                                                    __c1
-                                                        * <T as __cartcontact::Scalar>::constant(
-                                                            0.08333333333333333f64,
-                                                        ),
-                                                ],
-                                            );
-                                            let __log_slope = <T as __cartcontact::Scalar>::constant(
-                                                6.0f64,
-                                            ) * __value
-                                                + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
-                                                    * __slope;
-                                            (__value * __x * __x * __x, __log_slope * __x * __x * __x)
-                                        },
-                                        |__a| {
-                                            __cartcontact::in_double_words!(
-                                                __FUSED => { __cartcontact::precise_even_sum:: < _, _,
-                                                __FUSED, _ > (__a, 6u32, [__c0 * < T as
-                                                __cartcontact::Scalar > ::constant(0.08333333333333333f64),
-                                                __c1 * < T as __cartcontact::Scalar >
-                                                ::constant(0.08333333333333333f64)]) }
-                                            )
-                                        },
+                        ),
+                        move || {
+                            __cartcontact::invert(
+                                __load_integral,
+                                __limit,
+                                __cartcontact::positive_terms([
+                                    (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                                    (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                                ]),
+                                false,
+                                |__a| {
+                                    let __x = __a * __a;
+                                    let (__value, __slope) = __cartcontact::value_and_slope(
+                                        __x,
+                                        [
+                                            __c0
+                                                * <T as __cartcontact::Scalar>::constant(
+                                                    0.08333333333333333f64,
+                                                ),
+                                            __c1
+                                                * <T as __cartcontact::Scalar>::constant(
+                                                    0.08333333333333333f64,
+                                                ),
+                                        ],
+                                    );
+                                    let __log_slope = <T as __cartcontact::Scalar>::constant(
+                                        6.0f64,
+                                    ) * __value
+                                        + <T as __cartcontact::Scalar>::constant(2.0f64) * __x
+                                            * __slope;
+                                    (__value * __x * __x * __x, __log_slope * __x * __x * __x)
+                                },
+                                |__a| {
+                                    __cartcontact::in_double_words!(
+                                        __FUSED => { __cartcontact::precise_even_sum:: < _, _,
+                                        __FUSED, _ > (__a, 6u32, [__c0 * < T as
+                                        __cartcontact::Scalar > ::constant(0.08333333333333333f64),
+                                        __c1 * < T as __cartcontact::Scalar >
+                                        ::constant(0.08333333333333333f64)]) }
                                     )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                                },
+                            )
+                        },
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

@@ -202,18 +202,18 @@ const _: () = {
             __load_integral: T,
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
-            match __cartcontact::Curves::radius(
-                __cartcontact::Curves {
-                    double: &__CURVES,
-                    single: &__CURVES_OF_SINGLE,
-                },
-                __load_integral,
-                __limit,
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        match __cartcontact::radius_of_real_powers(
+            __cartcontact::found_or(
+                __cartcontact::Curves::radius(
+                    __cartcontact::Curves {
+                        double: &__CURVES,
+                        single: &__CURVES_OF_SINGLE,
+                    },
+                    __load_integral,
+                    __limit,
+                ),
+                move || {
+                    __cartcontact::found_or(
+                        __cartcontact::radius_of_real_powers(
                             __load_integral,
                             __limit,
                             ::core::iter::IntoIterator::into_iter([
@@ -266,63 +266,57 @@ const _: () = {
                                     ),
                                 ],
                             ),
-                        ) {
-                            ::core::option::Option::Some(__a) => {
-                                ::core::result::Result::Ok(__a)
-                            }
-                            ::core::option::Option::None => {
-                                __cartcontact::out_of_line(move || {
-                                    __cartcontact::invert(
-                                        __load_integral,
-                                        __limit,
-                                        ::core::iter::IntoIterator::into_iter([
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.01f64),
-                                                <T as __cartcontact::Scalar>::constant(1.5f64),
+                        ),
+                        move || {
+                            __cartcontact::invert(
+                                __load_integral,
+                                __limit,
+                                ::core::iter::IntoIterator::into_iter([
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.01f64),
+                                        <T as __cartcontact::Scalar>::constant(1.5f64),
+                                    ),
+                                    __cartcontact::PositiveTerm::of(
+                                        <T as __cartcontact::Scalar>::constant(0.002f64),
+                                        <T as __cartcontact::Scalar>::constant(3.25f64),
+                                    ),
+                                ]),
+                                false,
+                                |__a| {
+                                    __cartcontact::power_sum_and_log_slope(
+                                        __a,
+                                        [
+                                            (
+                                                <T as __cartcontact::Scalar>::constant(
+                                                    0.0007792207792207792f64,
+                                                ),
+                                                __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
                                             ),
-                                            __cartcontact::PositiveTerm::of(
-                                                <T as __cartcontact::Scalar>::constant(0.002f64),
-                                                <T as __cartcontact::Scalar>::constant(3.25f64),
+                                            (
+                                                <T as __cartcontact::Scalar>::constant(
+                                                    0.00017077175697865354f64,
+                                                ),
+                                                __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
                                             ),
-                                        ]),
-                                        false,
-                                        |__a| {
-                                            __cartcontact::power_sum_and_log_slope(
-                                                __a,
-                                                [
-                                                    (
-                                                        <T as __cartcontact::Scalar>::constant(
-                                                            0.0007792207792207792f64,
-                                                        ),
-                                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0),
-                                                    ),
-                                                    (
-                                                        <T as __cartcontact::Scalar>::constant(
-                                                            0.00017077175697865354f64,
-                                                        ),
-                                                        __cartcontact::Exponent::in_parts(7, 0.25, 0.0),
-                                                    ),
-                                                ],
-                                            )
-                                        },
-                                        |__a| {
-                                            __cartcontact::in_double_words!(
-                                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
-                                                (__a, [(< T as __cartcontact::Scalar >
-                                                ::constant(0.0007792207792207792f64),
-                                                __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
-                                                __cartcontact::Scalar >
-                                                ::constant(0.00017077175697865354f64),
-                                                __cartcontact::Exponent::in_parts(7, 0.25, 0.0))]) }
-                                            )
-                                        },
+                                        ],
                                     )
-                                })
-                            }
-                        }
-                    })
-                }
-            }
+                                },
+                                |__a| {
+                                    __cartcontact::in_double_words!(
+                                        __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                        (__a, [(< T as __cartcontact::Scalar >
+                                        ::constant(0.0007792207792207792f64),
+                                        __cartcontact::Exponent::in_parts(5, 0.5, 0.0)), (< T as
+                                        __cartcontact::Scalar >
+                                        ::constant(0.00017077175697865354f64),
+                                        __cartcontact::Exponent::in_parts(7, 0.25, 0.0))]) }
+                                    )
+                                },
+                            )
+                        },
+                    )
+                },
+            )
         }
         fn radii_within(
             &self,

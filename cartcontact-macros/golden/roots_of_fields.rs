@@ -295,80 +295,79 @@ const _: () = {
             __limit: T,
         ) -> ::core::result::Result<T, __cartcontact::RadiusError> {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            match __cartcontact::WholePowers::radius(
-                &__cartcontact::WholePowers::<_, _, _, 3usize, 2> {
-                    coefficients: [
-                        __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
-                        __c1 * <T as __cartcontact::Scalar>::constant(0.13330078125f64),
-                        __c2 * <T as __cartcontact::Scalar>::constant(0.126953125f64),
-                    ],
-                    powers: [13, 16, 18],
-                    steepness: __quick_steepness,
-                    last_steepness: __last_steepness,
-                    per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
+            __cartcontact::found_or(
+                __cartcontact::WholePowers::radius(
+                    &__cartcontact::WholePowers::<_, _, _, 3usize, 2> {
+                        coefficients: [
+                            __c0 * <T as __cartcontact::Scalar>::constant(0.13671875f64),
+                            __c1
+                                * <T as __cartcontact::Scalar>::constant(0.13330078125f64),
+                            __c2 * <T as __cartcontact::Scalar>::constant(0.126953125f64),
+                        ],
+                        powers: [13, 16, 18],
+                        steepness: __quick_steepness,
+                        last_steepness: __last_steepness,
+                        per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
+                    },
+                    __load_integral,
+                    __limit,
+                ),
+                move || {
+                    __cartcontact::invert(
+                        __load_integral,
+                        __limit,
+                        __cartcontact::positive_terms([
+                            (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
+                            (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                            (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
+                        ]),
+                        __c0 < <T as __cartcontact::Scalar>::constant(0.0f64)
+                            || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64)
+                            || __c2 < <T as __cartcontact::Scalar>::constant(0.0f64),
+                        |__a| {
+                            __cartcontact::power_sum_and_log_slope(
+                                __a,
+                                [
+                                    (
+                                        __c0
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.08547008547008547f64,
+                                            ),
+                                        __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
+                                    ),
+                                    (
+                                        __c1
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.08333333333333333f64,
+                                            ),
+                                        __cartcontact::Exponent::whole(8),
+                                    ),
+                                    (
+                                        __c2
+                                            * <T as __cartcontact::Scalar>::constant(
+                                                0.07936507936507936f64,
+                                            ),
+                                        __cartcontact::Exponent::whole(9),
+                                    ),
+                                ],
+                            )
+                        },
+                        |__a| {
+                            __cartcontact::in_double_words!(
+                                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
+                                (__a, [(__c0 * < T as __cartcontact::Scalar >
+                                ::constant(0.08547008547008547f64),
+                                __cartcontact::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * < T
+                                as __cartcontact::Scalar >
+                                ::constant(0.08333333333333333f64),
+                                __cartcontact::Exponent::whole(8)), (__c2 * < T as
+                                __cartcontact::Scalar > ::constant(0.07936507936507936f64),
+                                __cartcontact::Exponent::whole(9))]) }
+                            )
+                        },
+                    )
                 },
-                __load_integral,
-                __limit,
-            ) {
-                ::core::option::Option::Some(__a) => ::core::result::Result::Ok(__a),
-                ::core::option::Option::None => {
-                    __cartcontact::out_of_line(move || {
-                        __cartcontact::invert(
-                            __load_integral,
-                            __limit,
-                            __cartcontact::positive_terms([
-                                (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
-                                (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                                (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
-                            ]),
-                            __c0 < <T as __cartcontact::Scalar>::constant(0.0f64)
-                                || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64)
-                                || __c2 < <T as __cartcontact::Scalar>::constant(0.0f64),
-                            |__a| {
-                                __cartcontact::power_sum_and_log_slope(
-                                    __a,
-                                    [
-                                        (
-                                            __c0
-                                                * <T as __cartcontact::Scalar>::constant(
-                                                    0.08547008547008547f64,
-                                                ),
-                                            __cartcontact::Exponent::in_parts(6, 0.5, 0.0),
-                                        ),
-                                        (
-                                            __c1
-                                                * <T as __cartcontact::Scalar>::constant(
-                                                    0.08333333333333333f64,
-                                                ),
-                                            __cartcontact::Exponent::whole(8),
-                                        ),
-                                        (
-                                            __c2
-                                                * <T as __cartcontact::Scalar>::constant(
-                                                    0.07936507936507936f64,
-                                                ),
-                                            __cartcontact::Exponent::whole(9),
-                                        ),
-                                    ],
-                                )
-                            },
-                            |__a| {
-                                __cartcontact::in_double_words!(
-                                    __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED >
-                                    (__a, [(__c0 * < T as __cartcontact::Scalar >
-                                    ::constant(0.08547008547008547f64),
-                                    __cartcontact::Exponent::in_parts(6, 0.5, 0.0)), (__c1 * < T
-                                    as __cartcontact::Scalar >
-                                    ::constant(0.08333333333333333f64),
-                                    __cartcontact::Exponent::whole(8)), (__c2 * < T as
-                                    __cartcontact::Scalar > ::constant(0.07936507936507936f64),
-                                    __cartcontact::Exponent::whole(9))]) }
-                                )
-                            },
-                        )
-                    })
-                }
-            }
+            )
         }
         fn radii_within(
             &self,

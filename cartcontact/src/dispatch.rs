@@ -71,6 +71,15 @@ macro_rules! in_double_words {
     };
 }
 
+/// What has been found, otherwise the result of `work`, [out of line](out_of_line).
+#[inline(always)]
+pub fn found_or<T, E>(found: Option<T>, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+    match found {
+        Some(found) => Ok(found),
+        None => out_of_line(work),
+    }
+}
+
 /// Calls `work` in a cold function of its own, so that the quick path before it stays small.
 #[cold]
 #[inline(never)]

@@ -6,7 +6,7 @@ pub use crate::admissibility::{
     check_coefficients, check_constants, check_positive, check_product, check_range_of_fields, checked_range,
     inside_surfaces, not_above, not_below_zero,
 };
-pub use crate::dispatch::{fused_or_split, out_of_line};
+pub use crate::dispatch::{found_or, fused_or_split};
 pub use crate::evaluate::coefficient::{Precise, finite_or, rounded};
 pub use crate::evaluate::double_power::power_sum;
 pub use crate::evaluate::horner::{

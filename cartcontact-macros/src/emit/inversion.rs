@@ -183,13 +183,8 @@ fn general(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream 
 
 /// The radius that may have been found, otherwise the one by `general`, out of line.
 fn found_or_general(found: &TokenStream, general: &TokenStream, names: &Names) -> TokenStream {
-    let (out_of_line, a) = (names.generated("out_of_line"), local("a"));
-    quote! {
-        match #found {
-            ::core::option::Option::Some(#a) => ::core::result::Result::Ok(#a),
-            ::core::option::Option::None => #out_of_line(move || { #general }),
-        }
-    }
+    let found_or = names.generated("found_or");
+    quote!(#found_or(#found, move || { #general }))
 }
 
 /// The method for slices; `radii` is its result.
