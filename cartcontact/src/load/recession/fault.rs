@@ -23,9 +23,12 @@ impl<T: Scalar> Fault<T> {
 
     /// The fault of an impulse up to a time, if it is not finite. Early on, a valid impulse may be negative by
     /// rounding; more than that is a contradiction.
-    pub(super) fn of_impulse((time, impulse): (T, T)) -> Option<Self> {
-        let error = || LoadError::InvalidImpulse { time: time.value(), impulse: impulse.value() };
-        (!impulse.is_finite()).then(|| Self::IsInvalid(time, error()))
+    pub(super) fn check_impulse((time, impulse): (T, T)) -> Result<(), Self> {
+        if impulse.is_finite() {
+            return Ok(());
+        }
+        let (at, impulse) = (time.value(), impulse.value());
+        Err(Self::IsInvalid(time, LoadError::InvalidImpulse { time: at, impulse }))
     }
 
     /// Since when the history is not covered.

@@ -23,9 +23,10 @@ pub(super) use descent::Descent;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
-    if load.is_linear_between_knots() {
+    let covered = if load.is_linear_between_knots() {
         straight::first_fault(load, chi, t)
     } else {
         search::first_fault(load, chi, t)
-    }
+    };
+    covered.err()
 }

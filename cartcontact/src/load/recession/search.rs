@@ -38,7 +38,7 @@ const MOST_DOUBTS: u32 = 128;
 const SHORTEST_SHARE: f64 = 1.0 / 131_072.0;
 
 /// The first fault of a history up to `t`.
-pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Result<(), Fault<T>> {
     let zero = T::zero();
     let (negligible, tolerance) = tolerances(load, chi, t);
     let mut search = Search {
@@ -55,12 +55,9 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     };
     while search.time < t {
         let end = knot_between(load, search.time, t).unwrap_or(t);
-        let fault = search.follow(end);
-        if fault.is_some() {
-            return fault;
-        }
+        search.follow(end)?;
     }
-    None
+    Ok(())
 }
 
 /// A search in progress.
@@ -138,7 +135,7 @@ impl Halving {
 
 impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     /// Continues to a time before which there is no knot, and through a jump there.
-    fn follow(&mut self, end: T) -> Option<Fault<T>> {
+    fn follow(&mut self, end: T) -> Result<(), Fault<T>> {
         let mut step = end - self.time;
         let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
         let least = least_step(end);
@@ -149,10 +146,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step = stop - self.time;
             let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
             let impulse = self.load.impulse(stop);
-            let fault = self.invalid(&force, (stop, impulse));
-            if fault.is_some() {
-                return fault;
-            }
+            self.check(&force, (stop, impulse))?;
             let halving = Halving::of(step, (least, short), (self.time, end));
             self.crest = match self.finding(&force, (stop, impulse), halving) {
                 None => {
@@ -160,7 +154,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
                     continue;
                 }
                 Some(Finding::Falls(since) | Finding::SeemsToFall(since)) => {
-                    return Some(Fault::Falls(since));
+                    return Err(Fault::Falls(since));
                 }
                 Some(Finding::Rises(crest) | Finding::Unclear(crest)) => {
                     Crest { panels: crest.panels.saturating_add(1), ..crest }
@@ -175,14 +169,14 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             }
             // Also where no knot reports a jump.
             if let Some(since) = self.jump() {
-                return Some(Fault::Falls(since));
+                return Err(Fault::Falls(since));
             }
             if let Some(contradiction) = self.suspicion.take_if(|suspicion| suspicion.ends_by(stop)) {
-                return Some(Fault::Contradicts(contradiction));
+                return Err(Fault::Contradicts(contradiction));
             }
             step += step;
         }
-        None
+        Ok(())
     }
 
     /// Takes a fall from knot to knot that keeps the bound F/(1 + χ Δt), as it is rounded, for none, as along
@@ -227,10 +221,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         of_all.min(most).max(of_one)
     }
 
-    /// The first invalid force of a panel, or the impulse at its end if that is not finite.
-    fn invalid(&self, force: &ForceSeries<T>, (end, impulse): (T, T)) -> Option<Fault<T>> {
-        let force = force.invalid_force(end, self.negligible);
-        force.map(Fault::of_force).or_else(|| Fault::of_impulse((end, impulse)))
+    /// Fails if a force of a panel is invalid, or the impulse at its end is not finite.
+    fn check(&self, force: &ForceSeries<T>, (end, impulse): (T, T)) -> Result<(), Fault<T>> {
+        match force.invalid_force(end, self.negligible) {
+            Some(invalid) => Err(Fault::of_force(invalid)),
+            None => Fault::check_impulse((end, impulse)),
+        }
     }
 
     /// Passes a jump of the load, if there is one, and returns since when the hereditary load falls, if it does.
@@ -351,7 +347,7 @@ mod tests {
     fn a_search_between_neighbouring_numbers_ends() -> Result<(), LoadError> {
         let knots = [(0.0, 4_200_073.5), (1.967_558_4e-14, 4_307_520.5), (1.967_566e-14, 4_314_350.5)];
         let load = Counted { load: PiecewiseLinear::new(knots)?, calls: Cell::new(0) };
-        assert!(first_fault(&load, 0.013_237_532, 3.143_362_8e-10).is_none());
+        assert!(first_fault(&load, 0.013_237_532, 3.143_362_8e-10).is_ok());
         Ok(())
     }
 }

@@ -11,8 +11,8 @@ use crate::load::rounding::is_force;
 use crate::load::{Load, MOST_PIECES, Piece, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
 
-/// The first fault of a history up to `t`.
-pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+/// Fails with the first fault of a history up to `t`.
+pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Result<(), Fault<T>> {
     let (negligible, tolerance) = tolerances(load, chi, t);
     let mut walk = Walk {
         t,
@@ -24,17 +24,10 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
     let mut pieces = [Piece::none(); MOST_PIECES];
     while walk.end.0 < t {
         for piece in pieces_between(load, (walk.end.0, t), &mut pieces) {
-            let step = Piece { start: walk.end, end: piece.start };
-            let fault = walk.pass(&step).or_else(|| walk.pass(piece));
-            if fault.is_some() {
-                return fault;
-            }
+            walk.pass(&Piece { start: walk.end, end: piece.start })?;
+            walk.pass(piece)?;
         }
-        let impulse = load.impulse(walk.end.0);
-        let fault = walk.fault_of_impulse(impulse, tolerance);
-        if fault.is_some() {
-            return fault;
-        }
+        walk.check_impulse(load.impulse(walk.end.0), tolerance)?;
     }
     walk.pass(&Piece { start: walk.end, end: (t, load.force(t)) })
 }
@@ -53,21 +46,22 @@ struct Walk<T> {
 
 impl<T: Scalar> Walk<T> {
     /// Continues along a piece that begins now.
-    fn pass(&mut self, piece: &Piece<T>) -> Option<Fault<T>> {
-        let invalid =
-            [piece.start, piece.end].into_iter().find(|&(_, force)| !is_force(force, self.negligible));
-        if let Some(invalid) = invalid {
-            return Some(Fault::of_force(invalid));
+    fn pass(&mut self, piece: &Piece<T>) -> Result<(), Fault<T>> {
+        for (time, force) in [piece.start, piece.end] {
+            if !is_force(force, self.negligible) {
+                return Err(Fault::of_force((time, force)));
+            }
         }
         self.end = piece.end;
         self.integral.add(piece.impulse());
-        self.descent.pass(piece, self.t).map(Fault::Falls)
+        self.descent.pass(piece, self.t).map_or(Ok(()), |since| Err(Fault::Falls(since)))
     }
 
-    /// What is wrong with the impulse up to now.
-    fn fault_of_impulse(&self, impulse: T, tolerance: T) -> Option<Fault<T>> {
+    /// Compares the impulse up to now with the integral of the force.
+    fn check_impulse(&self, impulse: T, tolerance: T) -> Result<(), Fault<T>> {
         let now = (self.end.0, impulse);
-        let contradiction = || Contradiction::with_integral(now, self.integral.value, tolerance);
-        Fault::of_impulse(now).or_else(|| contradiction().map(Fault::Contradicts))
+        Fault::check_impulse(now)?;
+        let contradiction = Contradiction::with_integral(now, self.integral.value, tolerance);
+        contradiction.map_or(Ok(()), |contradiction| Err(Fault::Contradicts(contradiction)))
     }
 }
