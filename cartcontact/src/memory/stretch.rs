@@ -94,23 +94,7 @@ impl<'a, T: Scalar> Course<'a, T> {
 
     /// Whether the forces at its ends determine those between them.
     pub(super) fn is_straight(&self) -> bool {
-        match self {
-            Self::Step { .. } | Self::Linear { .. } => true,
-            Self::Smooth(_) => false,
-        }
-    }
-
-    /// How long before the end Y was smaller than at the end by `deficit`, of any course but a smooth one.
-    #[inline(always)]
-    pub(super) fn age_if_straight(&self, deficit: T) -> T {
-        match *self {
-            Self::Step { age, .. } => age,
-            Self::Linear { line, .. } => line.age(deficit),
-            Self::Smooth(_) => {
-                debug_assert!(false, "a straight load has a smooth course");
-                T::zero()
-            }
-        }
+        !matches!(self, Self::Smooth(_))
     }
 }
 
@@ -166,9 +150,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// How long before the end Y was smaller than at the end by `deficit`.
     #[inline(always)]
     pub(super) fn age(&self, deficit: T) -> T {
-        match self.course {
+        match *self.course {
+            Course::Step { age, .. } => age,
+            Course::Linear { line, .. } => line.age(deficit),
             Course::Smooth(force) if self.may_be_smooth() => force.age(deficit),
-            straight => straight.age_if_straight(deficit),
+            Course::Smooth(_) => T::zero(),
         }
     }
 

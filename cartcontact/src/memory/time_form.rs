@@ -141,8 +141,10 @@ where
 
     /// The increment by a rule over the panel of a substitution, and whether the rule resolves the radius.
     fn increment_of_panel(&self, rule: &Rule, substitution: Substitution<T>) -> (Increment<T>, bool) {
-        let mut rows = Rows::none();
-        let (load_integrals, weights, radii) = rows.of(rule);
+        let nodes = ..rule.len();
+        let [mut load_integrals, mut weights, mut radii] = [Row::zero(); 3];
+        let (load_integrals, weights) = (&mut load_integrals.0[nodes], &mut weights.0[nodes]);
+        let radii = &mut radii.0[nodes];
         half_wide(
             #[inline(always)]
             || self.fill(rule, substitution, load_integrals, weights),
@@ -184,25 +186,6 @@ where
             }
         }
         radii.iter_mut().for_each(|s| *s = greater(self.low, *s));
-    }
-}
-
-/// The nodes of a panel.
-struct Rows<T> {
-    load_integrals: Row<T>,
-    weights: Row<T>,
-    radii: Row<T>,
-}
-
-impl<T: Scalar> Rows<T> {
-    fn none() -> Self {
-        Self { load_integrals: Row::zero(), weights: Row::zero(), radii: Row::zero() }
-    }
-
-    /// As many places as a rule has nodes, in every row.
-    fn of(&mut self, rule: &Rule) -> (&mut [T], &mut [T], &mut [T]) {
-        let nodes = ..rule.len();
-        (&mut self.load_integrals.0[nodes], &mut self.weights.0[nodes], &mut self.radii.0[nodes])
     }
 }
 
