@@ -83,6 +83,6 @@ pub fn found_or<T, E>(found: Option<T>, work: impl FnOnce() -> Result<T, E>) -> 
 /// Calls `work` in a cold function of its own, so that the quick path before it stays small.
 #[cold]
 #[inline(never)]
-pub fn out_of_line<R>(work: impl FnOnce() -> R) -> R {
+pub(crate) fn out_of_line<R>(work: impl FnOnce() -> R) -> R {
     work()
 }

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::Scalar;
 use crate::admissibility::checked_range;
-use crate::dispatch::out_of_line;
+use crate::dispatch::found_or;
 use crate::evaluate::double_power::{power_sum, weighted_power_sum};
 use crate::evaluate::power::{power_sum_and_log_slope, power_sum_drop, quick_power_sum};
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
@@ -213,10 +213,7 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
             #[inline(always)]
             |a, scale| halved_power_sum_steepness(a, scale, self.precise_load_integral_terms()),
         );
-        match found {
-            Some(radius) => Ok(radius),
-            None => out_of_line(|| self.general_radius_within(load_integral, limit)),
-        }
+        found_or(found, || self.general_radius_within(load_integral, limit))
     }
 
     fn max_radius(&self) -> T {
