@@ -1,9 +1,9 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! Low even exponents have kernels of their own, without a division; so have low whole exponents where a kernel is one
-//! of many that are summed, and low multiples of 1/4, with roots. All others go through one whose time grows more slowly
-//! with the exponent. All kernels are part of the run-time crate: those that are asked for themselves carry the rounding
-//! error of every operation along, which is too long to be written out.
+//! Low even exponents have kernels of their own, without a division; so have, where a kernel is one of many that are
+//! summed, higher even ones, low whole exponents, and low multiples of 1/4, with roots. All others go through one whose
+//! time grows more slowly with the exponent. All kernels are part of the run-time crate: those that are asked for
+//! themselves carry the rounding error of every operation along, which is too long to be written out.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -16,12 +16,15 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
-/// The highest even exponent of a kernel that is rounded once, and of a quick kernel; the highest of a quick kernel for
-/// all whole exponents, and for multiples of 1/4. For a single higher power the general kernel rounds less.
+/// The highest even exponent of a kernel that is rounded once.
 const HIGHEST_EVEN: u32 = 8;
-const HIGHEST_QUICK_EVEN: u32 = 24;
+/// The highest exponents of quick kernels: in powers of r², as Horner's rule repeats the rounding of a² with each of
+/// them; in powers of r, if all exponents are even and otherwise; and in those of its fourth root.
+const HIGHEST_QUICK_EVEN: u32 = 6;
+const HIGHEST_QUICK_EVEN_IN_R: u32 = 24;
 const HIGHEST_QUICK_WHOLE: u32 = 12;
 const HIGHEST_QUICK_QUARTER: u32 = 6;
+/// The highest of a single term: for a higher one the general kernel rounds less.
 const HIGHEST_ALONE: u32 = 8;
 
 /// The kernel for callers, and the quick one that pressures are summed from.
@@ -59,7 +62,9 @@ fn quick_kernel(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenSt
     if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
         return call(&names.generated("quick_even_pressure_kernel"), &weights(2));
     }
-    if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some() {
+    if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some()
+        || highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN_IN_R)).is_some()
+    {
         return call(&names.generated("quick_whole_pressure_kernel"), &weights(1));
     }
     let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients));

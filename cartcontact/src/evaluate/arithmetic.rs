@@ -1,5 +1,5 @@
-//! The arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, words
-//! corrected for rounded squares, and double words where the result itself is asked for.
+//! The arithmetics in which kernels are evaluated: plain words where a result is one of many that are summed, and double
+//! words where the result itself is asked for.
 
 use super::double_power::double_term;
 use super::power::term;
@@ -8,8 +8,8 @@ use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 
-/// What polynomials need from numbers made of words of type `T`.
-pub(crate) trait Ring<T>: Copy {
+/// What kernels need from numbers made of words of type `T`.
+pub(crate) trait Arithmetic<T>: Copy {
     fn of(word: T) -> Self;
     fn sum(x: T, y: T) -> Self;
     fn product(x: T, y: T) -> Self;
@@ -18,10 +18,6 @@ pub(crate) trait Ring<T>: Copy {
     fn times(self, other: Self) -> Self;
     fn times_word(self, word: T) -> Self;
     fn rounded(self) -> T;
-}
-
-/// What other functions need from them.
-pub(crate) trait Arithmetic<T>: Ring<T> {
     /// n, rounded to what the number can hold.
     fn exponent(n: Exponent<T>) -> Self;
     /// c x^n.
@@ -37,7 +33,7 @@ pub(crate) trait Arithmetic<T>: Ring<T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Word<T>(T);
 
-impl<T: Scalar> Ring<T> for Word<T> {
+impl<T: Scalar> Arithmetic<T> for Word<T> {
     #[inline(always)]
     fn of(word: T) -> Self {
         Self(word)
@@ -70,9 +66,6 @@ impl<T: Scalar> Ring<T> for Word<T> {
     fn rounded(self) -> T {
         self.0
     }
-}
-
-impl<T: Scalar> Arithmetic<T> for Word<T> {
     #[inline(always)]
     fn exponent(n: Exponent<T>) -> Self {
         Self(n.value())
@@ -95,53 +88,7 @@ impl<T: Scalar> Arithmetic<T> for Word<T> {
     }
 }
 
-/// A word with a first-order correction for the rounding of the products it was built from. Its own operations are
-/// rounded.
-///
-/// Horner's rule repeats the rounding error of its argument in every step with the same sign.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Corrected<T> {
-    value: T,
-    lacks: T,
-}
-
-impl<T: Scalar> Ring<T> for Corrected<T> {
-    #[inline(always)]
-    fn of(word: T) -> Self {
-        Self { value: word, lacks: T::zero() }
-    }
-    #[inline(always)]
-    fn sum(x: T, y: T) -> Self {
-        Self::of(x + y)
-    }
-    #[inline(always)]
-    fn product(x: T, y: T) -> Self {
-        let product = <DoubleWord<T>>::product(x, y);
-        Self { value: product.high(), lacks: product.low() }
-    }
-    #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        Self { value: self.value + other.value, lacks: self.lacks + other.lacks }
-    }
-    #[inline(always)]
-    fn plus_word(self, word: T) -> Self {
-        Self { value: self.value + word, lacks: self.lacks }
-    }
-    #[inline(always)]
-    fn times(self, other: Self) -> Self {
-        Self { value: self.value * other.value, lacks: self.value * other.lacks + self.lacks * other.value }
-    }
-    #[inline(always)]
-    fn times_word(self, word: T) -> Self {
-        Self { value: self.value * word, lacks: self.lacks * word }
-    }
-    #[inline(always)]
-    fn rounded(self) -> T {
-        self.value + self.lacks
-    }
-}
-
-impl<T: Scalar, const FUSED: bool> Ring<T> for DoubleWord<T, FUSED> {
+impl<T: Scalar, const FUSED: bool> Arithmetic<T> for DoubleWord<T, FUSED> {
     #[inline(always)]
     fn of(word: T) -> Self {
         Self::of(word)
@@ -174,9 +121,6 @@ impl<T: Scalar, const FUSED: bool> Ring<T> for DoubleWord<T, FUSED> {
     fn rounded(self) -> T {
         Self::rounded(self)
     }
-}
-
-impl<T: Scalar, const FUSED: bool> Arithmetic<T> for DoubleWord<T, FUSED> {
     #[inline(always)]
     fn exponent(n: Exponent<T>) -> Self {
         n.double()

@@ -5,7 +5,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::arithmetic::Ring;
+use super::arithmetic::Arithmetic;
 use super::double_power::double_term;
 use super::power::real_power;
 use crate::Scalar;
@@ -28,7 +28,7 @@ impl<T: Scalar> Coefficient<T> for T {
 
 /// The coefficient as a number of an arithmetic.
 #[inline(always)]
-pub(crate) fn number<T: Scalar, A: Ring<T>>(coefficient: impl Coefficient<T>) -> A {
+pub(crate) fn number<T: Scalar, A: Arithmetic<T>>(coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
         (word, None) => A::of(word),
         (high, Some(low)) => A::sum(high, low),
@@ -37,7 +37,7 @@ pub(crate) fn number<T: Scalar, A: Ring<T>>(coefficient: impl Coefficient<T>) ->
 
 /// The coefficient added to a number.
 #[inline(always)]
-pub(crate) fn added<T: Scalar, A: Ring<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
+pub(crate) fn added<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
         (word, None) => number.plus_word(word),
         (high, Some(low)) => number.plus(A::sum(high, low)),
@@ -46,7 +46,7 @@ pub(crate) fn added<T: Scalar, A: Ring<T>>(number: A, coefficient: impl Coeffici
 
 /// The product of a number and the coefficient.
 #[inline(always)]
-pub(crate) fn multiplied<T: Scalar, A: Ring<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
+pub(crate) fn multiplied<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
         (word, None) => number.times_word(word),
         (high, Some(low)) => number.times(A::sum(high, low)),

@@ -7,7 +7,7 @@
 //!
 //! Source of K: I. Argatov, Mech. Res. Commun. 38 (2011), Eqs. (26), (28), doi 10.1016/j.mechrescom.2010.11.006.
 
-use super::arithmetic::{Arithmetic, Corrected, Ring, Word};
+use super::arithmetic::{Arithmetic, Word};
 use super::coefficient::{Coefficient, added, multiplied, number, rounded};
 use super::kernel_of_term::{Order, Position};
 use super::power::{plain_whole_term, quarter_root};
@@ -15,9 +15,6 @@ use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::scalar::has_no_derivatives;
-
-/// Up to this many even powers repeat the rounding of a² too little to matter.
-const MOST_UNCORRECTED_POWERS: usize = 3;
 
 /// G(a, r) of the gap Σ C r^n over the terms (C, n), zero for r ≥ a, rounded once.
 #[inline(always)]
@@ -55,16 +52,11 @@ pub fn even_pressure_kernel<T: Scalar, C: Coefficient<T>, const FUSED: bool, con
 /// [`even_pressure_kernel`] in plain arithmetic, within 8 ε.
 #[inline(always)]
 pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
-    let plain = || sum_of_even_kernels::<T, Word<T>>(a, r, &weights).rounded();
-    if N <= MOST_UNCORRECTED_POWERS {
-        return plain();
-    }
-    let sum = sum_of_even_kernels::<T, Corrected<T>>(a, r, &weights).rounded();
-    // Beyond 2^996 the exact squares overflow although the rounded ones do not.
-    if sum.is_finite() { sum } else { plain() }
+    let sum: Word<T> = sum_of_even_kernels(a, r, &weights);
+    sum.rounded()
 }
 
-/// G(a, r) of a gap of low whole powers in plain arithmetic, zero for r ≥ a, within 8 ε: `weights[n − 1]` is
+/// G(a, r) of a gap of whole powers in plain arithmetic, zero for r ≥ a, within 8 ε: `weights[n − 1]` is
 /// C/(2 (n+2)²).
 #[inline(always)]
 pub fn quick_whole_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
@@ -116,7 +108,7 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
 ///
 /// all of it by Horner's rule, so that nothing on the way is larger than the weights or the result.
 #[inline(always)]
-fn sum_of_even_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[impl Coefficient<T>]) -> A {
+fn sum_of_even_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[impl Coefficient<T>]) -> A {
     let (a_squared, r_squared) = (A::product(a, a), A::product(r, r));
     let inset = A::sum(a, -r).times(A::sum(a, r));
     match nested_sums(a_squared, r_squared, weights) {
@@ -133,7 +125,7 @@ fn sum_of_even_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[impl Coeffi
 ///
 /// so that with the D and Σ r^j D_j of [`nested_sums`] the sum is a D + 2 r Σ r^j D_j.
 #[inline(always)]
-fn sum_of_whole_kernels<T: Scalar, A: Ring<T>>(a: T, r: T, weights: &[T]) -> A {
+fn sum_of_whole_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[T]) -> A {
     let inset = A::sum(a, -r);
     match nested_sums(A::of(a), A::of(r), weights) {
         Some((d, sum)) if r < a => {
@@ -184,7 +176,7 @@ fn sum_in_root<T: Scalar, const D: usize, const N: usize>(a: T, r: T, weights: &
 
 /// D_0 and Σ_j r^j D_j, with D_j = E_j + a D_{j+1} and E_j = w_{j+1} + a E_{j+1}.
 #[inline(always)]
-fn nested_sums<T: Scalar, A: Ring<T>>(a: A, r: A, weights: &[impl Coefficient<T>]) -> Option<(A, A)> {
+fn nested_sums<T: Scalar, A: Arithmetic<T>>(a: A, r: A, weights: &[impl Coefficient<T>]) -> Option<(A, A)> {
     let (&highest, lower) = weights.split_last()?;
     let Some((&second, lower)) = lower.split_last() else {
         return Some((number(highest), number(highest)));
