@@ -273,7 +273,7 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::Table::radii_also_outside(
+            __cartcontact::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,

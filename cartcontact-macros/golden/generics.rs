@@ -451,7 +451,7 @@ const _: () = {
             __radii: &mut [S],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::Table::radii_also_outside(
+            __cartcontact::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,

@@ -323,6 +323,7 @@ const _: () = {
                 __cartcontact::RootOf::<_, 2>(__cartcontact::OwnUnits),
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
+                __cartcontact::nowhere,
                 |__load_integral| __cartcontact::GapProfile::radius_within(
                     self,
                     __load_integral,

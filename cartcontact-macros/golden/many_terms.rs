@@ -563,7 +563,7 @@ const _: () = {
             __limit: T,
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
-            __cartcontact::Curves::radii_also_outside(
+            __cartcontact::Curves::radii(
                 __cartcontact::Curves {
                     double: &__CURVES,
                     single: &__CURVES_OF_SINGLE,

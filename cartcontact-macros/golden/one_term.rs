@@ -186,6 +186,7 @@ const _: () = {
                 __cartcontact::OwnUnits,
                 #[inline(always)]
                 move |__a| __steepness(__a, []),
+                __cartcontact::nowhere,
                 |__load_integral| __cartcontact::GapProfile::radius_within(
                     self,
                     __load_integral,

@@ -351,7 +351,7 @@ const _: () = {
             __radii: &mut [T],
         ) -> ::core::result::Result<(), __cartcontact::RadiusError> {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
-            __cartcontact::Table::radii_also_outside(
+            __cartcontact::Table::radii(
                 &__TABLE,
                 (__load_integrals, __radii),
                 __limit,

@@ -331,6 +331,7 @@ const _: () = {
                 },
                 (__load_integrals, __radii),
                 __limit,
+                __cartcontact::nowhere,
                 |__load_integral| __cartcontact::GapProfile::radius_within(
                     self,
                     __load_integral,

@@ -36,7 +36,7 @@ pub use crate::radius::table::curves::{Curves, DoubleCurves, SingleCurves};
 pub use crate::radius::table::roots::{OwnTerm, Roots, SingleTerm};
 pub use crate::radius::table::spans::{AnyPower, Spans};
 pub use crate::radius::table::units::{EqualTerms, OwnUnits, RootOf};
-pub use crate::radius::table::{Quarters, Rows, Table};
+pub use crate::radius::table::{Quarters, Rows, Table, nowhere};
 pub use crate::radius::whole_powers::{WholePowers, radii_of_whole_powers};
 pub use crate::scalar::{constants, from_single};
 pub use crate::{GapProfile, ProfileError, RadiusError, Scalar};

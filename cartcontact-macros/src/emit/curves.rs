@@ -1,7 +1,7 @@
 //! The contact radius as polynomials of the load integral.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::{Names, local, table};
 use crate::start::curves::Curves;
@@ -28,10 +28,10 @@ pub(super) fn radius_and_radii(solve: Option<&TokenStream>, names: &Names) -> [T
     let (kind, [double, single], general) = (names.generated("Curves"), tables(), names.by_radius_within());
     let Names { load_integral, load_integrals, limit, radii, .. } = names;
     let curves = quote!(#kind { double: &#double, single: &#single });
-    let method = format_ident!("{}", if solve.is_some() { "radii_also_outside" } else { "radii" });
-    let solve = solve.map(|solve| quote!(#solve,));
+    let nowhere = names.generated("nowhere");
+    let solve = solve.unwrap_or(&nowhere);
     [
         quote!(#kind::radius(#curves, #load_integral, #limit)),
-        quote!(#kind::#method(#curves, (#load_integrals, #radii), #limit, #solve #general,)),
+        quote!(#kind::radii(#curves, (#load_integrals, #radii), #limit, #solve, #general,)),
     ]
 }

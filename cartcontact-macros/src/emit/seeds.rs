@@ -2,7 +2,7 @@
 
 use num_traits::One;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::coefficients::Coefficients;
 use super::power_sum::{Whole, is_monic, nested, paired, terms};
@@ -40,12 +40,12 @@ pub(super) fn radius_and_radii(
     let kind = names.generated("Table");
     let (Names { load_integral, load_integrals, limit, radii, .. }, a) = (names, local("a"));
     let step = quote!(|#a| #steepness(#a, #variables));
-    let method = format_ident!("{}", if solve.is_some() { "radii_also_outside" } else { "radii" });
-    let solve = solve.map(|solve| quote!(#solve,));
+    let nowhere = names.generated("nowhere");
+    let solve = solve.unwrap_or(&nowhere);
     [
         quote!(#kind::radius(&#table, #load_integral, #limit, #units, #step)),
         quote! {
-            #kind::#method(
+            #kind::radii(
                 &#table,
                 (#load_integrals, #radii),
                 #limit,
@@ -53,7 +53,7 @@ pub(super) fn radius_and_radii(
                 // Without the attribute, wide vectors would end at the call.
                 #[inline(always)]
                 move #step,
-                #solve
+                #solve,
                 #general,
             )
         },

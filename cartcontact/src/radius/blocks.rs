@@ -15,51 +15,16 @@ const BLOCK: usize = 64;
 const SMALL_BLOCK: usize = 16;
 
 impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
-    /// [`fill`] with blocks solved by a step from the rows.
+    /// [`fill`] with blocks solved by a step from the rows, and blocks that are not in the table from a second start by
+    /// `solve`, as by [`WholePowers::solve`](super::whole_powers::WholePowers::solve): those after them may be in the
+    /// table. Where there is no second start, `solve` is [`nowhere`](super::table::nowhere).
     #[inline(always)]
     pub(super) fn find_all<T: Scalar>(
         &self,
         values: (&[T], &mut [T]),
         limit: T,
         step: impl Step<T, N>,
-        general: impl Fn(T) -> Result<T, RadiusError>,
-    ) -> Result<(), RadiusError> {
-        self.find_all_with(values, limit, step, |_, _| 0, general)
-    }
-
-    /// The same with a second start for load integrals outside the table: `solve` calls
-    /// [`WholePowers::solve`](super::whole_powers::WholePowers::solve).
-    #[inline(always)]
-    pub(super) fn find_all_also_outside<T: Scalar>(
-        &self,
-        values: (&[T], &mut [T]),
-        limit: T,
-        step: impl Step<T, N>,
         solve: impl Fn(T, u32) -> (T, bool),
-        general: impl Fn(T) -> Result<T, RadiusError>,
-    ) -> Result<(), RadiusError> {
-        self.find_all_with(
-            values,
-            limit,
-            step,
-            #[inline(always)]
-            |load_integrals, radii| {
-                let in_table = |load_integral| self.find(load_integral, limit, step);
-                find_blocks(load_integrals, radii, limit, &solve, in_table)
-            },
-            general,
-        )
-    }
-
-    /// [`find_all`](Self::find_all) where `others` solves as much of a block that is not in the table as it can, in
-    /// vector code: the blocks after it may be in the table.
-    #[inline(always)]
-    fn find_all_with<T: Scalar>(
-        &self,
-        values: (&[T], &mut [T]),
-        limit: T,
-        step: impl Step<T, N>,
-        others: impl Fn(&[T], &mut [T]) -> usize,
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         let blocks = Blocks { table: self, limit, step };
@@ -70,8 +35,9 @@ impl<const N: usize, const BYTES: usize> Table<N, BYTES> {
             #[inline(always)]
             |load_integrals, radii| match blocks.solve(load_integrals, radii) {
                 0 => {
-                    let block = radii.len().min(BLOCK);
-                    others(&load_integrals[..block], &mut radii[..block])
+                    let block = ..radii.len().min(BLOCK);
+                    let in_table = |load_integral| self.find(load_integral, limit, step);
+                    find_blocks(&load_integrals[block], &mut radii[block], limit, &solve, in_table)
                 }
                 found => found,
             },

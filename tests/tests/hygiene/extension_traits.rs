@@ -8,7 +8,6 @@ use super::{OF_BALL, radius};
 trait Extension: Sized {
     fn radius(self) {}
     fn radii(self) {}
-    fn radii_also_outside(self) {}
     fn solve(self) {}
     fn with_exact_power(self) {}
     fn scaled(self) {}

@@ -33,27 +33,10 @@ impl Table {
         limit: T,
         units: impl Units<T>,
         evaluate: impl Fn(T) -> Steepness<T> + Copy,
-        general: impl Fn(T) -> Result<T, RadiusError>,
-    ) -> Result<(), RadiusError> {
-        self.find_all(values, limit, Halley { units, evaluate }, general)
-    }
-
-    /// `Table::find_all_also_outside` by Halley's step from a cubic.
-    ///
-    /// # Errors
-    ///
-    /// As `Table::find_all`.
-    #[inline]
-    pub fn radii_also_outside<T: Scalar>(
-        &self,
-        values: (&[T], &mut [T]),
-        limit: T,
-        units: impl Units<T>,
-        evaluate: impl Fn(T) -> Steepness<T> + Copy,
         solve: impl Fn(T, u32) -> (T, bool),
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
-        self.find_all_also_outside(values, limit, Halley { units, evaluate }, solve, general)
+        self.find_all(values, limit, Halley { units, evaluate }, solve, general)
     }
 }
 

@@ -53,32 +53,13 @@ impl Curves {
         self,
         values: (&[T], &mut [T]),
         limit: T,
-        general: impl Fn(T) -> Result<T, RadiusError>,
-    ) -> Result<(), RadiusError> {
-        if is_same::<T, f32>() {
-            self.single.find_all(values, limit, SingleCurve, general)
-        } else {
-            self.double.find_all(values, limit, DoubleCurve, general)
-        }
-    }
-
-    /// `Table::find_all_also_outside` by a polynomial.
-    ///
-    /// # Errors
-    ///
-    /// As `Table::find_all`.
-    #[inline]
-    pub fn radii_also_outside<T: Scalar>(
-        self,
-        values: (&[T], &mut [T]),
-        limit: T,
         solve: impl Fn(T, u32) -> (T, bool),
         general: impl Fn(T) -> Result<T, RadiusError>,
     ) -> Result<(), RadiusError> {
         if is_same::<T, f32>() {
-            self.single.find_all_also_outside(values, limit, SingleCurve, solve, general)
+            self.single.find_all(values, limit, SingleCurve, solve, general)
         } else {
-            self.double.find_all_also_outside(values, limit, DoubleCurve, solve, general)
+            self.double.find_all(values, limit, DoubleCurve, solve, general)
         }
     }
 }

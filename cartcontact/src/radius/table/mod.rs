@@ -182,6 +182,12 @@ impl<const N: usize> Row<N> {
     }
 }
 
+/// No second start: the result is not found.
+#[inline(always)]
+pub fn nowhere<T: Scalar>(load_integral: T, _more: u32) -> (T, bool) {
+    (load_integral, false)
+}
+
 /// Where the row of these digits is.
 #[inline(always)]
 fn row_index(digits: u32) -> u8 {
