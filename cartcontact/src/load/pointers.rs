@@ -6,6 +6,7 @@ use crate::Scalar;
 macro_rules! forward {
     ($($(#[$condition:meta])? $pointer:ty;)*) => {$(
         $(#[$condition])?
+        #[deny(clippy::missing_trait_methods, reason = "none may fall back to the provided one")]
         impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for $pointer {
             fn force(&self, t: T) -> T {
                 (**self).force(t)
@@ -74,7 +75,6 @@ mod tests {
         }
         let shared: Arc<dyn Load<f64>> = Arc::new(ramp);
         assert_eq!(radius(shared.clone()), radius(ramp));
-        // Every method is forwarded to the load itself.
         assert!(shared.is_linear_between_knots());
         assert_eq!((shared.next_knot(0.0), shared.force_before(5.0)), (Some(10.0), 60.0));
         assert!(radius(Box::new(Constant(-1.0))).is_none() && Box::new(Constant(-1.0)).check().is_err());
