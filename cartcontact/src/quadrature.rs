@@ -56,7 +56,7 @@ impl Rule {
     pub(crate) const FOUR: &'static Self = &Self::of(NODES_4, (0.1321, 1.512));
     pub(crate) const SIX: &'static Self = &Self::of(NODES_6, (0.8733, 4.269));
     pub(crate) const EIGHT: &'static Self = &Self::of(NODES_8, (2.403, 7.884));
-    pub(crate) const TEN: &'static Self = &Self::of(NODES_10, (4.632, 12.06));
+    pub(crate) const TEN: &'static Self = &Self::of(NODES_10, (4.632, 12.07));
     pub(crate) const TWELVE: &'static Self = &Self::of(NODES_12, (7.447, 16.64));
     pub(crate) const SIXTEEN: &'static Self = &Self::of(NODES_16, (14.42, 26.51));
     /// The rule of 24 nodes.

@@ -218,8 +218,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         radii::fill(self, times, radii, recession_within(self, times))
     }
 
-    /// [`radii`](Self::radii) where the caller knows that the edge does not [recede](Self::recedes_until) up to any
-    /// time.
+    /// [`radii`](Self::radii) where the caller knows that the edge does not recede up to any time.
     pub(crate) fn advancing_radii(&self, times: &[T], radii: &mut [T]) -> Result<(), ContactError> {
         radii::fill(self, times, radii, None)
     }

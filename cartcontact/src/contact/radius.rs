@@ -21,11 +21,11 @@ use crate::scalar::{is_finite_and_not_negative, is_normal_and_positive, smallest
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     #[inline]
     pub(crate) fn radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.common_radius_at(t, || !self.recedes_until(t)).map_or_else(|| self.checked_radius_at(t), Ok)
+        let is_advancing = || self.load.recession(self.medium.chi(), t).is_none();
+        self.common_radius_at(t, is_advancing).map_or_else(|| self.checked_radius_at(t), Ok)
     }
 
-    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not [recede](Self::recedes_until) up to
-    /// `t`.
+    /// [`radius_at`](Self::radius_at) where the caller knows that the edge does not recede up to `t`.
     pub(crate) fn advancing_radius_at(&self, t: T) -> Result<T, ContactError> {
         let checked_radius = || self.checked_radius_under(self.valid_loading(t)?, t);
         self.common_radius_at(t, || true).map_or_else(checked_radius, Ok)
@@ -39,12 +39,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
             Some(since) if t >= since => self.radius_at(t),
             _ => self.advancing_radius_at(t),
         }
-    }
-
-    /// Whether the load falls too fast up to a time.
-    #[inline(always)]
-    pub(crate) fn recedes_until(&self, t: T) -> bool {
-        self.load.recession(self.medium.chi(), t).is_some()
     }
 
     /// The contact radius, if all numbers on the way to it are of common size and the edge never recedes.
@@ -65,7 +59,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius, or the first of its faults.
     #[inline(never)]
     fn checked_radius_at(&self, t: T) -> Result<T, ContactError> {
-        self.checked_radius_under(self.loading_without_recession(t)?, t)
+        let loading = self.valid_loading(t)?;
+        let chi = self.medium.chi();
+        if let Some(since) = self.load.recession(chi, t) {
+            let receding = ContactError::Receding { time: t.value(), since: since.value() };
+            return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
+        }
+        self.checked_radius_under(loading, t)
     }
 
     /// The contact radius under the loading at a time, or why there is none.
@@ -104,17 +104,6 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let has_increments = (power * slope * radius).is_finite();
         let has_pressure = force.is_zero() | is_normal_quotient(force, power);
         radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)
-    }
-
-    /// The [`valid_loading`](Self::valid_loading) at a time up to which the edge never recedes.
-    fn loading_without_recession(&self, t: T) -> Result<Loading<T>, ContactError> {
-        let loading = self.valid_loading(t)?;
-        let chi = self.medium.chi();
-        if let Some(since) = self.load.recession(chi, t) {
-            let receding = ContactError::Receding { time: t.value(), since: since.value() };
-            return Err(self.load.contradiction(chi, t).map_or(receding, ContactError::Load));
-        }
-        Ok(loading)
     }
 
     /// The loading at a time, from a load that a user may have got wrong.

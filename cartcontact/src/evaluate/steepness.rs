@@ -246,7 +246,7 @@ fn precise_fractional_power<T: Scalar>(x: Halved<T>, fraction: T, rest: T) -> Ha
         None => {
             let power = Halved::of(real_fractional_power(x.word(), fraction));
             // The rest is below half a rounding of the fraction, and so little of its logarithm counts.
-            power.grown(rest * rough_ln(x.word()))
+            power.plus_little(power.head() * (rest * rough_ln(x.word())))
         }
     }
 }

@@ -38,10 +38,6 @@ impl<T: Scalar> Load<T> for Constant<T> {
         None
     }
 
-    fn contradiction(&self, _chi: T, _t: T) -> Option<LoadError> {
-        None
-    }
-
     fn check(&self) -> Result<(), LoadError> {
         if is_finite_and_not_negative(self.0) {
             Ok(())

@@ -18,10 +18,11 @@
 //! | `march` | goes from one time to another, knot by knot; `march::steps`: where the load is not straight |
 //! | `run`, `radii_below` | many short straight pieces of the load at once (`run::rule`: which are short enough); their radii, where a profile has no quick way to many |
 //! | `late` | radii that are reached late, one section of time after the other |
-//! | `stretch` | one stretch without a knot: by `radius_form` (held or rising loads) or `time_form` (all others) |
+//! | `stretch` | one stretch without a knot: by `radius_form` (steps, and straight loads that do not fall) or `time_form` (most others) |
 //! | `held` | the integral over the radius of a held load, in one panel |
 //! | `nodes` | the nodes of an integral over the radius |
 //! | `line`, `fading` | how long ago Y was smaller, along a straight load; what is left after some e-foldings |
+//! | `degree` | a J′/J, by which errors of J are divided in a radius |
 //!
 //! Terms used throughout: a *stage* is a time with its contact radius; the *age* of a radius is the time since the edge
 //! passed it; a *fold* is one e-folding, a duration of 1/χ; a *deficit* is the amount by which Y was smaller than at
@@ -29,6 +30,7 @@
 //! *strip* is the ring between the rounded radius and the exact one; the *reach* of a transition is the largest radius
 //! that it holds for.
 
+mod degree;
 mod fading;
 mod held;
 mod increment;

@@ -11,10 +11,10 @@
 //! variance of the powers of J about their mean p. They are between 4 and the highest power q, so that v/(2 p) is below
 //! q/2. The start takes J for the power that it is at the known radius; two steps usually suffice.
 
+use super::degree::degree_of_load_integral;
 use crate::dispatch::wide;
 use crate::numbers::exponential::loss;
 use crate::numbers::logarithm::log_of_ratio;
-use crate::profile::degree::degree_of_load_integral;
 use crate::{GapProfile, Scalar};
 
 /// How many radii are solved for at once.

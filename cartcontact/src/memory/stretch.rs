@@ -1,12 +1,12 @@
 //! One stretch of history without a knot inside, and how long ago the edge passed a radius in it.
 
+use super::degree::{degree_of_load_integral, least_degree};
 use super::fading::Fading;
 use super::line::Line;
 use super::{Increment, time_form};
 use crate::contact::Contact;
 use crate::load::{ForceSeries, Load};
 use crate::numbers::exponential::decay;
-use crate::profile::degree::{degree_of_load_integral, least_degree};
 use crate::{GapProfile, Scalar};
 
 /// Below this degree of J the radius, as a function of time, is steeper than a cube root. Measured: time, as the

@@ -21,13 +21,13 @@
 //! of s.
 
 use super::Increment;
+use super::degree::condition_of_radius;
 use super::nodes::Row;
 use super::stretch::{Course, Stretch};
 use crate::contact::Contact;
 use crate::dispatch::half_wide;
 use crate::load::Load;
 use crate::numbers::exponential::decay;
-use crate::profile::degree::condition_of_radius;
 use crate::quadrature::Rule;
 use crate::scalar::greater;
 use crate::{GapProfile, Scalar};

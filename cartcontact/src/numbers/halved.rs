@@ -117,12 +117,6 @@ impl<T: Scalar> Halved<T> {
         Self { head: self.head * power, rest: self.rest * power }
     }
 
-    /// The product with 1 + `share`, where the share is small.
-    #[inline(always)]
-    pub(crate) fn grown(self, share: T) -> Self {
-        Self { rest: self.rest + self.head * share, ..self }
-    }
-
     /// The sum with a number that is far smaller.
     #[inline(always)]
     pub(crate) fn plus_little(self, little: T) -> Self {

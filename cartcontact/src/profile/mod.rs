@@ -1,6 +1,5 @@
 //! What a solver needs to know about a geometry.
 
-pub(crate) mod degree;
 pub(crate) mod drops_by_roots;
 mod error;
 mod parameters;

@@ -9,9 +9,9 @@
 //! | [`one_term`] | one term, whatever the load integral | the root, Eq. (18) |
 //! | [`newton`] | all else | Newton's method inside a bracket |
 //!
-//! The first row that applies is tried. Load integrals that it cannot handle (zero, NaN, beyond the range) go
-//! [`out_of_line`](crate::dispatch::out_of_line) to the last two rows, which also name the fault. [`blocks`] finds many
-//! radii in vector code.
+//! The first row that applies is tried. Load integrals that it cannot handle (outside its table, zero, NaN, beyond the
+//! range) go [`out_of_line`](crate::dispatch::out_of_line): those outside a table of sums to the fourth row where that
+//! applies, all others to the last two, which also name the fault. [`blocks`] finds many radii in vector code.
 
 mod blocks;
 mod halley;

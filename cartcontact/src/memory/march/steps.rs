@@ -16,9 +16,9 @@
 
 use super::March;
 use crate::load::{ForceSeries, Load, Shortest, least_step, rounding_within_load};
+use crate::memory::degree::condition_of_radius;
 use crate::memory::fading::Fading;
 use crate::memory::stretch::Course;
-use crate::profile::degree::condition_of_radius;
 use crate::{GapProfile, Scalar};
 
 /// The most halvings of steps between knots because of their impulse, which may simply be that of another load. With 32

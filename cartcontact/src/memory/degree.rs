@@ -3,7 +3,7 @@
 use crate::{GapProfile, Scalar};
 
 /// The degree at a radius, which terms of both signs may make nearly vanish; for others 4, the least that it can be.
-pub(crate) fn least_degree<T: Scalar>(profile: &impl GapProfile<T>, a: T) -> T {
+pub(super) fn least_degree<T: Scalar>(profile: &impl GapProfile<T>, a: T) -> T {
     if profile.has_only_positive_terms() {
         T::constant(4.0)
     } else {
@@ -13,12 +13,12 @@ pub(crate) fn least_degree<T: Scalar>(profile: &impl GapProfile<T>, a: T) -> T {
 
 /// How many of its own roundings a radius is off by, at least 1, because the load integral is rounded: many where the
 /// degree of the load integral nearly vanishes.
-pub(crate) fn condition_of_radius<T: Scalar>(profile: &impl GapProfile<T>, a: T) -> T {
+pub(super) fn condition_of_radius<T: Scalar>(profile: &impl GapProfile<T>, a: T) -> T {
     least_degree(profile, a).recip().max(T::one())
 }
 
 /// a J′/J = a⁵ δ₀′/(2 J), the degree of the load integral at a radius, in an order that keeps the fifth power in range.
-pub(crate) fn degree_of_load_integral<T: Scalar>(profile: &impl GapProfile<T>, a: T, load_integral: T) -> T {
+pub(super) fn degree_of_load_integral<T: Scalar>(profile: &impl GapProfile<T>, a: T, load_integral: T) -> T {
     let square = a * a;
     let slope = profile.quick_approach_slope(a);
     (a * slope * T::constant(0.5)) * (square / (load_integral / square))
