@@ -15,7 +15,7 @@
 //! | `proof` | a gap with constant coefficients | the proof that its contact radius is determined |
 //! | `geometry` | attribute and item | gap, range and proof together |
 //! | `closed_forms` | a gap | approach, load integral and log kernel as sums of powers |
-//! | `start` | geometry and closed forms | what leads the solver to the contact radius: a `table` of `seeds` (in `own_units` where coefficients are symbols) or of `roots` (one term), or the leading term |
+//! | `start` | geometry and closed forms | what leads the solver to the contact radius: a `table` of `seeds` (in `own_units` where coefficients are symbols), of `curves` (fractional powers, or many terms) or of `roots` (one term), or the leading term |
 //! | `emit` | item and geometry | the solver |
 //!
 //! All stages compute with exact numbers (`number`). Faults are collected on the way (`diagnostics`) and reported

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{ContactError, Scalar};
 use tests::joint::joint;
-use tests::loads::{Rise, Swing, through};
+use tests::loads::{Rise, Swing, Unannounced, through};
 use tests::profiles::Paraboloid;
 
 const CHI: f64 = 0.02;
@@ -334,17 +334,8 @@ fn the_search_ends_for_loads_that_are_none() {
 fn single_precision_notices_as_well() {
     let fall =
         PiecewiseLinear::new([(0.0_f32, 100.0), (50.0, 0.0)]).unwrap_or_else(|error| unreachable!("{error}"));
-    struct Single<L>(L);
-    impl<L: Load<f32>> Load<f32> for Single<L> {
-        fn force(&self, t: f32) -> f32 {
-            self.0.force(t)
-        }
-        fn impulse(&self, t: f32) -> f32 {
-            self.0.impulse(t)
-        }
-    }
-    assert_eq!(Single(&fall).recession(0.1, 39.9), None);
+    assert_eq!(Unannounced(&fall).recession(0.1, 39.9), None);
     // From 40 s on Y = 260 falls by 0.1 (t − 40)², which is within its rounding for so long.
     let hidden = (8.0 * f32::EPSILON * 260.0 / 0.1).sqrt();
-    assert!(Single(&fall).recession(0.1, 45.0).is_some_and(|since| (since - 40.0).abs() < hidden));
+    assert!(Unannounced(&fall).recession(0.1, 45.0).is_some_and(|since| (since - 40.0).abs() < hidden));
 }

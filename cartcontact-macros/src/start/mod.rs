@@ -23,7 +23,7 @@ const HIGHEST_ROOT_OF_STEPS: i32 = 2;
 const MOST_TERMS_OF_STEPS: usize = 8;
 
 pub(crate) enum Start {
-    /// A polynomial in each row of a table, for constants whose powers are not whole.
+    /// A polynomial in each row of a table, for constants whose powers are not multiples of 1/2, or with many of them.
     Curves(Curves),
     /// A step from the radius to six digits, which is in a table.
     Seeds(Seeds),

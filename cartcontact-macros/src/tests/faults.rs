@@ -147,7 +147,6 @@ fn each_fault_is_named() {
     }
 }
 
-/// A diameter, a curvature or an eccentricity is not a number to copy.
 /// Each reading of what follows `/` is another geometry, so both are written out, and each means what it says.
 #[test]
 fn remedies_of_divisors_say_what_divides() {

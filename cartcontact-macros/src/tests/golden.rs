@@ -1,7 +1,5 @@
 //! Whole expansions compared with those in `golden/`; `UPDATE_GOLDEN=1` renews them.
 
-#![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
-
 use std::path::Path;
 use std::{env, fs};
 

@@ -1,7 +1,5 @@
 //! Attributes and items in an editor, at every keystroke.
 
-#![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
-
 use proc_macro2::TokenStream;
 
 use crate::expand;

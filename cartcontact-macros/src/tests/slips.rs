@@ -162,6 +162,7 @@ fn only_the_digits_of_a_number_are_offered_as_a_conic_constant() {
     }
 }
 
+/// A diameter, a curvature or an eccentricity is not a number to copy.
 #[test]
 fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
     for arguments in

@@ -39,7 +39,7 @@ struct ThreeTerms;
 #[gap_profile(0.02 * r^2 + 1e-3 * r^3 + 1e-4 * r^5 + 3e-6 * r^8)]
 struct FourTerms;
 #[gap_profile(0.05 * r + 0.01 * r^2)]
-struct BluntedCone;
+struct ConeAndParaboloid;
 #[gap_profile(0.05 * r + 0.01 * r^3 + 1e-4 * r^6)]
 struct LongCone;
 #[gap_profile(0.03 * r^2 + 0.002 * r^2.5)]
@@ -49,7 +49,7 @@ struct ManyHalves;
 #[gap_profile(0.02 * r^0.61 + 1e-3 * r^2.29 + 1e-5 * r^4.83)]
 struct ManyHundredths;
 #[gap_profile(0.02 * r^1.5 + 1e-4 * r^3.25)]
-struct RealPowers;
+struct Blunter;
 
 /// A geometry in both formats.
 struct Geometry {
@@ -91,7 +91,7 @@ fn kinds() -> [Kind; 7] {
     [
         kind("one, of any power", generated![QuarterPower, Cone, Paraboloid, Blunt, Flat]),
         kind("whole powers", generated![Patellofemoral, ThreeTerms, FourTerms]),
-        kind("whole powers beginning with r", generated![BluntedCone, LongCone]),
+        kind("whole powers beginning with r", generated![ConeAndParaboloid, LongCone]),
         kind("halves among them", generated![Halves, ManyHalves]),
         kind("multiples of 1/3 to 1/20", generated![Thirds, Quarters, Tenths, Twentieths]),
         kind("other powers", generated![Hundredths, ManyHundredths]),
@@ -109,7 +109,7 @@ fn kinds() -> [Kind; 7] {
 fn under_load() -> Kind {
     Kind {
         name: "any, under a held load",
-        geometries: generated![QuarterPower, BluntedCone, Paraboloid, Patellofemoral, ThreeTerms, RealPowers],
+        geometries: generated![QuarterPower, ConeAndParaboloid, Paraboloid, Patellofemoral, ThreeTerms, Blunter],
     }
 }
 

@@ -25,7 +25,7 @@ macro_rules! terms {
     };
 }
 
-// The cases are a root, tables by whole periods of 5 to 64 octaves, and finally no table.
+// The cases are a root, tables by whole periods of 5 to 64 octaves, and one whose period is longer than a table.
 terms! {
     Root: 0.5, c * r^0.5;
     Cone: 1.0, c * r;
