@@ -79,7 +79,7 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 // | a contact, its radius and its memory | `contact`, `radius`, `memory` |
 // | results at one time, and at many | `snapshot`, `field` |
 // | sums of powers and kernels, for all of these | `evaluate` |
-// | what knows nothing of contacts | `numbers`, `quadrature`, `scalar`, `pairs`, `shown`, `dispatch` (to instructions) |
+// | what knows nothing of contacts | `numbers`, `quadrature`, `scalar`, `pairs`, `pointers`, `shown`, `dispatch` (to instructions) |
 mod admissibility;
 mod contact;
 mod dispatch;
@@ -93,6 +93,7 @@ mod medium;
 mod memory;
 mod numbers;
 mod pairs;
+mod pointers;
 mod polynomial;
 #[cfg(doc)]
 #[doc = include_str!("printed_formulas.md")]

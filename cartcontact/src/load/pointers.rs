@@ -1,53 +1,22 @@
-//! Pointers to a load are loads.
+//! A pointer to a load is the load.
 
 use super::{Load, LoadError, Piece};
 use crate::Scalar;
+use crate::pointers::implement_for_pointers;
 
-macro_rules! forward {
-    ($($(#[$condition:meta])? $pointer:ty;)*) => {$(
-        $(#[$condition])?
-        #[deny(clippy::missing_trait_methods, reason = "none may fall back to the provided one")]
-        impl<T: Scalar, L: Load<T> + ?Sized> Load<T> for $pointer {
-            fn force(&self, t: T) -> T {
-                (**self).force(t)
-            }
-            fn impulse(&self, t: T) -> T {
-                (**self).impulse(t)
-            }
-            fn fill_impulses(&self, times: &[T], impulses: &mut [T]) -> bool {
-                (**self).fill_impulses(times, impulses)
-            }
-            fn force_before(&self, t: T) -> T {
-                (**self).force_before(t)
-            }
-            fn next_knot(&self, t: T) -> Option<T> {
-                (**self).next_knot(t)
-            }
-            fn is_linear_between_knots(&self) -> bool {
-                (**self).is_linear_between_knots()
-            }
-            fn straight_pieces(&self, times: (T, T), pieces: &mut [Piece<T>]) -> usize {
-                (**self).straight_pieces(times, pieces)
-            }
-            fn recession(&self, chi: T, t: T) -> Option<T> {
-                (**self).recession(chi, t)
-            }
-            fn contradiction(&self, chi: T, t: T) -> Option<LoadError> {
-                (**self).contradiction(chi, t)
-            }
-            fn check(&self) -> Result<(), LoadError> {
-                (**self).check()
-            }
-        }
-    )*};
-}
-
-forward! {
-    &L;
-    #[cfg(feature = "std")]
-    std::boxed::Box<L>;
-    #[cfg(feature = "std")]
-    std::sync::Arc<L>;
+implement_for_pointers! {
+    Load {
+        fn force(&self, t: T) -> T;
+        fn impulse(&self, t: T) -> T;
+        fn fill_impulses(&self, times: &[T], impulses: &mut [T]) -> bool;
+        fn force_before(&self, t: T) -> T;
+        fn next_knot(&self, t: T) -> Option<T>;
+        fn is_linear_between_knots(&self) -> bool;
+        fn straight_pieces(&self, times: (T, T), pieces: &mut [Piece<T>]) -> usize;
+        fn recession(&self, chi: T, t: T) -> Option<T>;
+        fn contradiction(&self, chi: T, t: T) -> Option<LoadError>;
+        fn check(&self) -> Result<(), LoadError>;
+    }
 }
 
 #[cfg(all(test, feature = "std"))]

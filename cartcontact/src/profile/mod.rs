@@ -33,6 +33,9 @@ use crate::quadrature::Rule;
 /// smooth between r = 0 and `max_radius`: where its curvature jumps, as in a quadratic spline, pressures are off by some
 /// 1e-9, and where its slope jumps by some 1e-7.
 ///
+/// A reference to a profile is a profile, too; with the feature `std` so are a `Box` and an `Arc`, also of a
+/// `dyn GapProfile<T>`.
+///
 /// # Accuracy
 ///
 /// Sums of powers and the pressure kernel are rounded once, apart from their coefficients, and are within 2 units in

@@ -1,21 +1,11 @@
-//! A reference to a profile is the profile.
+//! A pointer to a profile is the profile.
 
 use super::{GapProfile, ProfileError, RadiusError};
 use crate::Scalar;
+use crate::pointers::implement_for_pointers;
 
-/// Methods that call those of the same names of what a pointer points to.
-macro_rules! forward {
-    ($($(#[$attribute:meta])? fn $method:ident(&self $(, $argument:ident: $kind:ty)*) $(-> $result:ty)?;)*) => {$(
-        $(#[$attribute])?
-        fn $method(&self $(, $argument: $kind)*) $(-> $result)? {
-            (**self).$method($($argument),*)
-        }
-    )*};
-}
-
-#[deny(clippy::missing_trait_methods, reason = "none may fall back to the provided one")]
-impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
-    forward! {
+implement_for_pointers! {
+    GapProfile {
         fn gap(&self, r: T) -> T;
         fn approach(&self, a: T) -> T;
         fn approach_slope(&self, a: T) -> T;
@@ -41,5 +31,34 @@ impl<T: Scalar, P: GapProfile<T> + ?Sized> GapProfile<T> for &P {
         fn has_only_positive_terms(&self) -> bool;
         fn has_quick_radii(&self) -> bool;
         fn check(&self) -> Result<(), ProfileError>;
+    }
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use std::boxed::Box;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::{Contact, Medium, Polynomial, load};
+
+    /// A contact that owns a geometry chosen at run time.
+    fn radius<P: GapProfile<f64> + 'static>(profile: P) -> Option<f64> {
+        let medium = Medium::from_constants(0.375, 0.0015).ok()?;
+        Contact::new(profile, medium, load::Constant(100.0)).ok()?.at(30.0).ok().map(|now| now.radius())
+    }
+
+    #[test]
+    fn a_profile_may_be_boxed_or_shared() -> Result<(), ProfileError> {
+        let paraboloid = Polynomial::new([(0.025, 2.0)])?;
+        let steeper = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?;
+        let boxed: [(Box<dyn GapProfile<f64> + Send + Sync>, _); 2] =
+            [(Box::new(paraboloid), radius(paraboloid)), (Box::new(steeper), radius(steeper))];
+        for (profile, expected) in boxed {
+            assert!(expected.is_some() && radius(profile) == expected, "{expected:?}");
+        }
+        let shared: Arc<dyn GapProfile<f64>> = Arc::new(steeper);
+        assert_eq!(radius(shared), radius(steeper));
+        Ok(())
     }
 }

@@ -109,7 +109,14 @@ fn kinds() -> [Kind; 7] {
 fn under_load() -> Kind {
     Kind {
         name: "any, under a held load",
-        geometries: generated![QuarterPower, ConeAndParaboloid, Paraboloid, Patellofemoral, ThreeTerms, Blunter],
+        geometries: generated![
+            QuarterPower,
+            ConeAndParaboloid,
+            Paraboloid,
+            Patellofemoral,
+            ThreeTerms,
+            Blunter
+        ],
     }
 }
 
