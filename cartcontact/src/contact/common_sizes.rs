@@ -1,9 +1,10 @@
 //! Numbers of common size, with which no formula leaves the format.
 //!
-//! Whether a radius has all its digits depends on χ F, J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two are J/a⁵
-//! and J up to a factor that depends on the exponents. If rate, force, load integral and radius lie between 1/b and b,
-//! all of these lie between b⁻⁶ and b⁶ up to that factor, and are normal numbers: a few comparisons with constants
-//! replace a division and a dozen comparisons. Where numbers are less common, the conditions themselves are checked.
+//! Whether a radius has all its digits depends on χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two
+//! are J/a⁵ and J up to a factor that depends on the exponents. If rate, force, time, load integral and radius lie
+//! between 1/b and b, or time and rate at 0, all of these lie between b⁻⁶ and b⁶ up to that factor, and are normal
+//! numbers: a few comparisons with constants replace a division and a dozen comparisons. Where numbers are less common,
+//! the conditions themselves are checked.
 
 use super::Loading;
 use crate::Scalar;

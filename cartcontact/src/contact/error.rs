@@ -33,7 +33,7 @@ pub enum ContactError {
     BeyondRange {
         /// The time asked for, in s.
         time: f64,
-        /// The time at which the contact leaves the range, in s.
+        /// The time at which the contact leaves the range, in s, or up to 30 roundings of the hereditary load later.
         leaves_at: f64,
         /// The end of the range, in mm.
         max_radius: f64,

@@ -18,14 +18,14 @@ impl<T: Scalar> Loading<T> {
         Self { force, impulse, hereditary: force + chi * impulse }
     }
 
-    /// Whether F, χ F, ∫F and the load integral are normal numbers. A force of zero may be one of them, χ F if χ is zero,
-    /// and an impulse that is no more than a rounding of the force.
+    /// Whether F, χ F, ∫F, the load integral of the force and that of the whole load are normal numbers. A force of zero
+    /// may be one of them, χ F if χ is zero, and an impulse that is no more than a rounding of the force.
     #[inline(always)]
-    pub(super) fn has_digits(&self, chi: T, load_integral: T) -> bool {
+    pub(super) fn has_digits(&self, chi: T, (of_force, load_integral): (T, T)) -> bool {
         let (force, least) = (self.force, smallest_normal());
         let drained = chi * force;
         let has_drained = chi.is_zero() | ((drained >= least) & (drained + drained).is_finite());
-        let has_force = force.is_zero() | ((force >= least) & has_drained);
+        let has_force = force.is_zero() | ((force >= least) & (of_force >= least) & has_drained);
         // An impulse below the normal numbers is off by up to ε times the least of these, which is a rounding of the force
         // if χ times the least is no more than the force.
         let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);

@@ -130,8 +130,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// Whether there is no load, or one with all its digits.
     pub(super) fn has_digits(&self, loading: Loading<T>) -> bool {
+        let of_force = loading.force * self.scales.integral_per_load;
         loading.hereditary.is_zero()
-            || loading.has_digits(self.medium.chi(), self.scales.load_integral(loading))
+            || loading.has_digits(self.medium.chi(), (of_force, self.scales.load_integral(loading)))
     }
 
     /// The last time up to `t` at which the radius is still admissible, or the time of the jump that ends that; by

@@ -103,6 +103,12 @@ impl fmt::Display for LoadError {
                     "check `impulse`, the integral of the force from 0"
                 }
             ),
+            Self::ContradictoryImpulse { from: 0.0, to: 0.0, impulse, .. } => write!(
+                f,
+                "the impulse at time 0 is {}, but it must be 0 there; let `impulse` return the integral of the force \
+                 from 0",
+                Shown(impulse)
+            ),
             Self::ContradictoryImpulse { from, to, impulse, integral } => write!(
                 f,
                 "from time {} to {} the impulse grows by {}, but the integral of the force is {}; check `impulse`, the \

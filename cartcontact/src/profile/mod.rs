@@ -242,7 +242,8 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius).
+    /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius); up to 30
+    /// roundings beyond, which coefficients that depend on fields may be off by, the radius is still that at the end.
     // Always inlined: otherwise it is a call with its result in memory in one program and not in the next.
     #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
@@ -251,6 +252,9 @@ pub trait GapProfile<T: Scalar> {
 
     /// The contact radius as [`radius`](Self::radius) gives it, for a caller who knows the end of the range:
     /// where coefficients depend on fields, [`max_radius`](Self::max_radius) has to be searched for.
+    ///
+    /// A geometry that [`check`](Self::check) refuses, or a limit beyond the end of the range, is not noticed: a radius
+    /// then means nothing.
     ///
     /// # Errors
     ///
@@ -300,8 +304,8 @@ pub trait GapProfile<T: Scalar> {
     /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its
     /// mean over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. With coefficients known
     /// at run time it is found numerically and never too large. It is too small by the rounding of logarithms: mostly by
-    /// less than 100 ε, by hundreds where terms nearly cancel on the way or powers are high, and by some thousand with
-    /// coefficients as small as 1e-30 as well; by 100 ε over the difference of two exponents, if that is small.
+    /// less than 100 ε, by hundreds where terms nearly cancel on the way, powers are high or coefficients large, and by
+    /// some thousand with coefficients as small as 1e-30 as well; by 100 ε over the difference of two exponents, if that is small.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long

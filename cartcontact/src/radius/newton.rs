@@ -79,19 +79,20 @@ pub fn invert<T: Scalar>(
     }
     let seed = Seed::of(target, positive);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
-    if limit.is_finite() && (has_negative_terms || limit <= seed.high) {
-        // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
-        // fields, whose coefficients are rounded here, even this may be less by some roundings.
-        let largest = load_integral(limit);
-        if target > largest * (T::one() + T::default_epsilon() * T::constant(16.0)) {
-            return Err(beyond(target, largest, limit));
-        }
+    // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
+    // fields, whose coefficients are rounded here, even this may be less by some roundings.
+    let is_end_near = limit.is_finite() && (has_negative_terms || limit <= seed.high);
+    let largest = if is_end_near { load_integral(limit) } else { T::infinity() };
+    if target > largest * (T::one() + T::default_epsilon() * T::constant(16.0)) {
+        return Err(beyond(target, largest, limit));
+    }
+    if largest.is_finite() {
         target = lesser(target, largest);
         bracket.high = limit;
     } else if has_negative_terms {
-        while evaluate(bracket.high).0 < target {
-            bracket.high += bracket.high;
-        }
+        // Also where J(`limit`) is the difference of infinite terms.
+        let high = above(target, bracket.high, &evaluate);
+        bracket.high = high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(limit);
     }
     bracket.low = bracket.low.min(bracket.high);
     let close = close_enough(has_negative_terms, seed.highest_power);
@@ -109,6 +110,22 @@ pub fn invert<T: Scalar>(
     let radius = iterate(scaled(target), seed.radius.min(bracket.high), bracket, close, functions);
     // The last step may end a few units in the last place beyond the bracket.
     Ok(lesser(radius, limit))
+}
+
+/// A radius of which J is not below `target`, from `high` on; none if J falls further than it has to rise, as that of a
+/// geometry that is not admissible may: then it is not sought in vain.
+fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> Option<T> {
+    loop {
+        let (value, log_slope) = evaluate(high);
+        if value < target && log_slope < -target {
+            return None;
+        }
+        // Also if terms of both signs overflow.
+        if !(value < target) {
+            return Some(high);
+        }
+        high += high;
+    }
 }
 
 /// The least of the one-term radii, a lower bound of the root and, without negative terms, an upper bound.

@@ -85,6 +85,45 @@ fn a_limit_that_is_none_holds_no_radius() {
     }
 }
 
+/// Nobody checks a geometry before its radii are asked for within a limit, nor that limit.
+#[test]
+fn a_radius_that_does_not_exist_is_not_sought_for_ever() -> Result<(), ProfileError> {
+    let closing: [&dyn GapProfile<f64>; 5] = [
+        &Closing,
+        &Polynomial::new([(0.025, 2.0), (-1e-4, 4.0)])?,
+        &Two { c: 1.0, d: -1.0 },
+        &Two { c: -1.0, d: -1.0 },
+        &Fractional { c: 1.0, d: -1.0 },
+    ];
+    for profile in closing {
+        for load_integral in [1e5, 1e10, 1e100] {
+            for limit in [f64::INFINITY, 1e300, 1e60, 1e5, 20.0] {
+                let is_beyond = |e: &RadiusError| matches!(e, RadiusError::BeyondRange { .. });
+                refused(profile.radius_within(load_integral, limit), is_beyond, "lower the load");
+                let mut radii = [0.0; 2];
+                let found = profile.radii_within(&[load_integral; 2], limit, &mut radii);
+                refused(found, is_beyond, "lower the load");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[gap_profile(0.025 * r^2 - 1e-4 * r^4, max_radius = 10)]
+struct Closing;
+
+#[gap_profile(c * r^2 + d * r^4)]
+struct Two {
+    c: f64,
+    d: f64,
+}
+
+#[gap_profile(c * r^2 + d * r^3.3)]
+struct Fractional {
+    c: f64,
+    d: f64,
+}
+
 /// A ball whose radius comes from a measurement.
 #[gap_profile(r^2 / (2 * radius) - r^4 / (8 * radius^3), max_radius = limit)]
 struct Ball {

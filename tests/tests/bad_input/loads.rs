@@ -124,10 +124,33 @@ fn an_impulse_may_be_negative_by_rounding() -> Result<(), Box<dyn Error>> {
 
 #[test]
 fn an_impulse_belongs_to_its_force() {
-    let contact = contact(Paraboloid, Wrong { force: 100.0, impulse: 512.0 });
     let is_expected =
         |e: &ContactError| matches!(e, ContactError::Load(LoadError::ContradictoryImpulse { .. }));
-    refused(contact.at(10.0), is_expected, "the impulse grows by 512, but the integral of the force is");
+    let doubled = contact(Paraboloid, Offset { start: 0.0, rate: 200.0 });
+    refused(doubled.at(10.0), is_expected, "the impulse grows by");
+    // An antiderivative that is not the one from 0.
+    let late = contact(Paraboloid, Offset { start: 512.0, rate: 100.0 });
+    for time in [0.0, 10.0] {
+        refused(late.at(time), is_expected, "the impulse at time 0 is 512, but it must be 0 there");
+        let mut radii = [0.0; 2];
+        refused(late.radii(&[time; 2], &mut radii), is_expected, "must be 0 there");
+    }
+}
+
+/// A force of 100 N, and an impulse that begins with a number and grows at a rate.
+struct Offset {
+    start: f64,
+    rate: f64,
+}
+
+impl Load<f64> for Offset {
+    fn force(&self, _t: f64) -> f64 {
+        100.0
+    }
+
+    fn impulse(&self, t: f64) -> f64 {
+        self.start + self.rate * t
+    }
 }
 
 #[test]

@@ -17,16 +17,30 @@ mod straight;
 
 use super::Load;
 use crate::Scalar;
-use fault::Fault;
+use contradiction::Contradiction;
+use fault::{Fault, tolerances};
 
 pub(super) use descent::Descent;
 
 /// The first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+    if let Some(fault) = fault_of_start(load, chi, t) {
+        return Some(fault);
+    }
     let covered = if load.is_linear_between_knots() {
         straight::first_fault(load, chi, t)
     } else {
         search::first_fault(load, chi, t)
     };
     covered.err()
+}
+
+/// The fault of an impulse that does not begin at zero by more than it may be off in a history up to `t`.
+fn fault_of_start<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Option<Fault<T>> {
+    let impulse = load.impulse(T::zero());
+    if impulse.is_zero() {
+        return None;
+    }
+    let (_, tolerance) = tolerances(load, chi, t);
+    Contradiction::with_integral((T::zero(), impulse), T::zero(), tolerance).map(Fault::Contradicts)
 }
