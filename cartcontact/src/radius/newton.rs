@@ -115,17 +115,16 @@ pub fn invert<T: Scalar>(
 /// A radius of which J is not below `target`, from `high` on; none if J falls further than it has to rise, as that of a
 /// geometry that is not admissible may: then it is not sought in vain.
 fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> Option<T> {
-    loop {
-        let (value, log_slope) = evaluate(high);
-        if value < target && log_slope < -target {
+    let (mut value, mut log_slope) = evaluate(high);
+    // Not a number, if terms of both signs overflow, ends it too.
+    while value < target {
+        if log_slope < -target {
             return None;
         }
-        // Also if terms of both signs overflow.
-        if !(value < target) {
-            return Some(high);
-        }
         high += high;
+        (value, log_slope) = evaluate(high);
     }
+    Some(high)
 }
 
 /// The least of the one-term radii, a lower bound of the root and, without negative terms, an upper bound.

@@ -36,3 +36,25 @@ fn rates_out_of_range_are_refused() -> Result<(), Box<dyn core::error::Error>> {
     }
     Ok(())
 }
+
+/// J is in range, but what the force adds to it in an e-folding, 4 F/(π m), has lost its digits.
+#[test]
+fn pressures_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error>> {
+    let contact = |m, chi, force| {
+        let medium = Medium::from_constants(m, chi)?;
+        Contact::new(Polynomial::new([(0.025, 2.0)])?, medium, Constant(force))
+    };
+    for size in [1e15, 1e20, 1e30] {
+        let contact = contact(1e300, size, 1.0 / size)?;
+        assert!(matches!(contact.at(1.0), Err(ContactError::Unrepresentable { .. })), "{size:e}");
+        let mut radii = [0.0; 2];
+        let found = contact.radii(&[1.0; 2], &mut radii);
+        assert!(matches!(found, Err(ContactError::Unrepresentable { .. })), "{size:e}");
+    }
+    // After many e-foldings P is a paraboloid.
+    let contact = contact(1e300, 1e10, 1e-5)?;
+    let now = contact.at(1.0)?;
+    let exact = 2.0 * now.force() / (core::f64::consts::PI * now.radius() * now.radius());
+    assert!((now.peak_pressure() / exact - 1.0).abs() < 1e-9);
+    Ok(())
+}
