@@ -226,10 +226,11 @@ impl<'a> Parser<'a> {
             let nested = self.fault(
                 place,
                 format!(
-                    "the expression is nested too deeply; remove parentheses, as at most {MAXIMUM_DEPTH} levels are \
-                     read"
+                    "the expression is nested too deeply; remove parentheses, signs or powers, as at most \
+                     {MAXIMUM_DEPTH} levels are read"
                 ),
             );
+            while self.next_sign().is_some() {}
             self.skip_term();
             return nested;
         }
