@@ -13,6 +13,7 @@ macro_rules! implement_for_pointers {
         $($(#[$attribute:meta])? fn $method:ident(&self $(, $argument:ident: $kind:ty)*) $(-> $result:ty)?;)*
     }) => {
         #[deny(clippy::missing_trait_methods, reason = "none may fall back to the provided one")]
+        #[diagnostic::do_not_recommend]
         impl<T: Scalar, P: $name<T> + ?Sized> $name<T> for $pointer {
             $(
                 $(#[$attribute])?
