@@ -28,7 +28,7 @@ pub enum LoadError {
     ContradictoryImpulse {
         /// The beginning of the period in which they differ, in s.
         from: f64,
-        /// Its end, in s.
+        /// Its end, in s; 0 like its beginning if the impulse does not begin at zero.
         to: f64,
         /// By how much the impulse grows, in N s.
         impulse: f64,
