@@ -86,21 +86,6 @@ impl Bernstein {
         self.numbers.sign(index, self.error).is_some()
     }
 
-    /// A lower bound of the curvature, whose Bernstein coefficients are the second differences times n (n - 1).
-    pub(crate) fn least_curvature(&self) -> BigInt {
-        let degree = self.degree();
-        let least = self.numbers.second_differences().least() - 4 * self.error;
-        least * (degree * degree.saturating_sub(1))
-    }
-
-    /// Roughly where a convex polynomial has its minimum, in units of 2^-16 of the part. The Bernstein coefficients of
-    /// the slope are the differences times n, and they grow.
-    pub(crate) fn lowest(&self) -> u64 {
-        let last = self.numbers.len() - 1;
-        let falling = (0..last).take_while(|index| self.numbers.exceeds(*index, index + 1)).count();
-        ((2 * falling).saturating_sub(1) << 15) as u64 / last.saturating_sub(1).max(1) as u64
-    }
-
     /// Where all roots of the part may lie, if there are `multiplicity` of them.
     ///
     /// Newton's method for a root of this multiplicity leads from both ends to points near the cluster.

@@ -183,7 +183,7 @@ impl Line<'_> {
     /// The value at a point, with this many correct bits, and its digits; nothing if the value is 0 or next to it.
     fn value(&self, point: &Part, bits: u64) -> Option<(BigInt, u64)> {
         let source = Source::whole(self.whole);
-        let [error, _] = source.errors();
+        let error = source.error();
         let mut digits = point.bits + MORE_DIGITS;
         while digits < self.whole.length + self.whole.degree() * point.bits + bits + MORE_DIGITS {
             let value = source.value(point, digits)?;
@@ -207,7 +207,7 @@ impl Line<'_> {
     fn newton(&self, offset: &BigInt, bits: u64) -> Option<BigInt> {
         let point = self.point(offset);
         let (value, digits) = self.value(&point, bits)?;
-        let slope = Source::whole(self.whole).derivative(1, &point, &Part::whole(), digits as i64);
+        let slope = Source::whole(self.whole).derivative(1, &point, digits as i64);
         let scale = (self.whole.exponent - self.exponent) as u64;
         (slope < BigInt::zero()).then(|| offset - (value << scale) / slope)
     }

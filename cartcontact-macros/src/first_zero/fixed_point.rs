@@ -86,24 +86,6 @@ impl Numbers {
         shortest
     }
 
-    /// The smallest number.
-    pub(crate) fn least(&self) -> BigInt {
-        let mut least = 0;
-        for index in 1..self.count {
-            if self.exceeds(least, index) {
-                least = index;
-            }
-        }
-        if self.count == 0 { BigInt::zero() } else { self.value(least) }
-    }
-
-    /// Whether a number is greater than another.
-    pub(crate) fn exceeds(&self, index: usize, other: usize) -> bool {
-        let mut ranks = self.ranks.iter().rev();
-        let unlike = ranks.find(|rank| at(rank, index) != at(rank, other));
-        unlike.is_some_and(|rank| at(rank, index) > at(rank, other))
-    }
-
     /// The first digits of a number, enough for 30 bits or all of them, and how many digits follow.
     fn leading(&self, index: usize) -> (i128, usize) {
         let mut leading: i128 = 0;
@@ -203,20 +185,6 @@ impl Numbers {
         }
         shifted.trim();
         shifted
-    }
-
-    /// v_i − 2 v_{i+1} + v_{i+2} for all i.
-    pub(crate) fn second_differences(&self) -> Numbers {
-        let count = self.count.saturating_sub(2);
-        let mut differences = Numbers::zeros(self.ranks.len(), count);
-        for (rank, target) in self.ranks.iter().zip(&mut differences.ranks) {
-            for index in 0..count {
-                target[index / BLOCK][index % BLOCK] =
-                    at(rank, index) - 2 * at(rank, index + 1) + at(rank, index + 2);
-            }
-        }
-        differences.carry();
-        differences
     }
 
     fn carry(&mut self) {

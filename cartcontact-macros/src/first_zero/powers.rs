@@ -18,8 +18,6 @@
 //!   the quotient of p, which has other signs at the ends, is monotonic, and has one root.
 //! - As many changes over a piece as over the whole, both counted with the degree d: over the rest the coefficients of
 //!   q have one sign, and at the ends they are more than 1, so that |q| > 2^(1-d) there.
-//! - Second differences that are all more than 1: the curvature of q is more than d (d − 1) times that, and r adds less
-//!   than n² η.
 //!
 //! In the first two cases an end may also be known by the sign of p alone. With the values of r there given to q, as a
 //! linear function, r has a factor x(1 − x), the others less than 2 n η; and x(1 − x) is what is left of the bounds

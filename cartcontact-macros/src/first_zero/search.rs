@@ -9,16 +9,15 @@
 //!
 //! Halving alone needs a step for every bit by which two roots differ. A cluster of k roots at c gives p'/p = k/(x -
 //! c) nearby, so c is close to a - k p(a)/p'(a). Where both ends a of an interval lead to nearly the same point, a
-//! small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at. Two sign
-//! changes that are left where the polynomial is convex are decided by its minimum (`minimum`).
+//! small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at.
 //!
 //! An interval has no more digits than its signs need, as digits are most of the work, and around a cluster fewer and
 //! fewer powers count (`powers`). Missing digits come from an interval around it (`source`).
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
-//! between two complex roots. Every step shortens the interval at least by half, or doubles the digits of an interval
-//! until all signs are certain.
+//! between two complex roots. Every step shortens the interval at least by half, or gives it more digits until all
+//! signs are certain.
 //!
 //! G. E. Collins, A. G. Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976,
 //! 272-275, doi 10.1145/800205.806346; A. Eigenwillig, L. Kettner, W. Krandick, K. Mehlhorn, S. Schmitt, N. Wolpert,
@@ -28,14 +27,13 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
 use crate::first_zero::TooIntricate;
 use crate::first_zero::bernstein::{Bernstein, SignChanges};
 use crate::first_zero::common_divisor::square_free;
 use crate::first_zero::first_root::{FirstRoot, RootPlace};
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
-use crate::first_zero::minimum::{Bracket, Minimum};
 use crate::first_zero::outline::Outline;
 use crate::first_zero::part::{Part, Whole};
 use crate::first_zero::powers::Powers;
@@ -69,7 +67,7 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
             return Err(TooIntricate);
         }
         let whole = Whole::new(&polynomial, exponent);
-        if let Some(place) = (Search { whole: &whole, enough: 0 }).first_place()? {
+        if let Some(place) = (Search { whole: &whole }).first_place()? {
             return Ok(Some(FirstRoot::new(polynomial, place)));
         }
     }
@@ -79,8 +77,6 @@ pub(crate) fn first_root(polynomial: &IntegerPolynomial) -> Result<Option<FirstR
 /// The search for the first root from 2^exponent to 2^(exponent + 1).
 struct Search<'a> {
     whole: &'a Whole<'a>,
-    /// The bits of a point that were enough for the last minimum to decide.
-    enough: u64,
 }
 
 /// A part of the interval with the polynomial over it.
@@ -112,7 +108,7 @@ struct Missed {
 }
 
 impl<'a> Search<'a> {
-    fn first_place(&mut self) -> Result<Option<RootPlace>, TooIntricate> {
+    fn first_place(&self) -> Result<Option<RootPlace>, TooIntricate> {
         let missed = Missed { count: 0, width: 0 };
         let mut ahead =
             vec![self.candidate(Part::whole(), Source::whole(self.whole), self.few_digits(), missed)];
@@ -134,20 +130,11 @@ impl<'a> Search<'a> {
                     let digits = front.source.digits().min(MAXIMUM_DIGITS);
                     ahead.push(self.with_digits(front, digits)?);
                 }
-                SignChanges { most: count, .. } => {
-                    let curvature = if count == 2 { front.local.least_curvature() } else { BigInt::zero() };
-                    if curvature.is_positive() {
-                        if let Some(place) = self.beside_minimum(&front, curvature)? {
-                            return Ok(Some(place));
-                        }
-                        continue;
-                    }
-                    match self.around_cluster(&mut front, count) {
-                        Around::Piece(closer) => ahead.push(closer),
-                        Around::Unclear(digits) => ahead.push(self.with_digits(front, digits)?),
-                        Around::Nothing => ahead.extend(front.halves()),
-                    }
-                }
+                SignChanges { most: count, .. } => match self.around_cluster(&mut front, count) {
+                    Around::Piece(closer) => ahead.push(closer),
+                    Around::Unclear(digits) => ahead.push(self.with_digits(front, digits)?),
+                    Around::Nothing => ahead.extend(front.halves()),
+                },
             }
         }
         Ok(None)
@@ -158,7 +145,7 @@ impl<'a> Search<'a> {
     fn sign_at(&self, part: &Part, end: u32, source: &Source<'a>, digits: u64) -> Ordering {
         let point = part.within(&end.into(), 0, 0);
         let source = source.for_values(digits + MORE_DIGITS);
-        let [error, _] = source.errors();
+        let error = source.error();
         match source.value(&point, digits + MORE_DIGITS) {
             Some(value) if value.magnitude() >= &error.into() => value.cmp(&BigInt::zero()),
             _ => self.whole.sign_at(part, end),
@@ -204,7 +191,7 @@ impl<'a> Search<'a> {
     /// none.
     fn digits_at(&self, part: &Part, end: u32, most: u64) -> Option<u64> {
         let source = Source::whole(self.whole);
-        let [error, _] = source.errors();
+        let error = source.error();
         let value = source.value(&part.within(&end.into(), 0, 0), most)?;
         (value.magnitude() >= &error.into()).then(|| most - value.bits() + KEPT_DIGITS)
     }
@@ -287,20 +274,6 @@ impl<'a> Search<'a> {
             digits = self.more(digits);
         }
         Around::Nothing
-    }
-
-    /// The first root of a polynomial that is convex over the front, where it has two changes of sign.
-    fn beside_minimum(
-        &mut self,
-        front: &Candidate<'a>,
-        curvature: BigInt,
-    ) -> Result<Option<RootPlace>, TooIntricate> {
-        let minimum = Minimum::new(&front.part, &front.source, curvature, front.digits);
-        let bracket = minimum.roots(front.local.lowest(), &mut self.enough, MAXIMUM_DIGITS)?;
-        Ok(bracket.map(|Bracket { lower, upper, bits }| {
-            let [lower, upper] = [lower, upper].map(|offset| front.part.within(&offset, bits, bits));
-            self.between(&lower, &upper.end(0), upper.bits)
-        }))
     }
 
     /// At offset/2^bits of the interval.

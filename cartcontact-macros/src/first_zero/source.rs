@@ -5,9 +5,8 @@
 //! that it was cut out of: missing digits come from there, where numbers are shorter and powers fewer than those of the
 //! whole polynomial.
 //!
-//! **Error.** A polynomial over a part is as many units off as its source, and one or two more (`powers`). Where
-//! Bernstein's coefficients are less than e units off, the slope is less than 2 n e units off. Derivatives by Horner's
-//! rule (`horner`) lose less than their factor and 2 in each step, which is at most n^k + 2 for the k-th. This loss
+//! **Error.** A polynomial over a part is as many units off as its source, and one or two more (`powers`). Derivatives
+//! by Horner's rule (`horner`) lose less than their factor and 2 in each step, which is at most n^k + 2 for the k-th. This loss
 //! does not grow any more over a part, where the variable is at most 1, and at most 2^j times over the whole. With
 //! guard digits for (n + 1)^(k+1), for 2^n over the whole, and 3 more, it is less than one unit, and rounding the
 //! result loses another one.
@@ -111,10 +110,9 @@ impl<'a> Source<'a> {
         self.near.as_ref().map_or(0, |near| near.spent)
     }
 
-    /// The bounds for the errors of values and slopes.
-    pub(crate) fn errors(&self) -> [u64; 2] {
-        let own = self.near.as_ref().map_or(0, |near| near.known.borrow().powers.error as u64 + 1);
-        [own + 2, 2 * self.degree() * (own + 2)]
+    /// The bound for the error of a value.
+    pub(crate) fn error(&self) -> u64 {
+        self.near.as_ref().map_or(0, |near| near.known.borrow().powers.error as u64 + 1) + 2
     }
 
     /// How many digits it has; no limit for the whole.
@@ -140,29 +138,24 @@ impl<'a> Source<'a> {
             None => (point.offset.clone(), point.bits),
             Some(near) => near.part.locate(point),
         };
-        (offset.bits() <= bits).then(|| self.derivative(0, point, point, digits as i64))
+        (offset.bits() <= bits).then(|| self.derivative(0, point, digits as i64))
     }
 
-    /// A derivative at the beginning of `point` by the variable of `part`, in units of 2^-digits. Value and slope are
-    /// less than `errors` from the true ones if the source has that many digits.
-    pub(crate) fn derivative(&self, order: u64, point: &Part, part: &Part, digits: i64) -> BigInt {
+    /// A derivative at a point by the variable of the source, in units of 2^-digits. A value is less than `error` from
+    /// the true one if the source has that many digits.
+    pub(crate) fn derivative(&self, order: u64, point: &Part, digits: i64) -> BigInt {
         let degree = self.degree();
         let guard = (order + 1) as i64 * i64::from(u64::BITS - degree.leading_zeros()) + 3;
         let (value, unit) = match &self.near {
             None => {
-                let finer = digits - (order * part.width) as i64;
                 let at = Abscissa::new(&point.offset, point.bits, true);
-                let fine = finer + guard + degree as i64;
-                let (value, unit) = self.whole.table(fine).derivative(order as usize, &at, fine);
-                (value, unit + digits - finer)
+                let fine = digits + guard + degree as i64;
+                self.whole.table(fine).derivative(order as usize, &at, fine)
             }
             Some(near) => {
-                let finer = digits - (order * (part.width - near.part.width)) as i64;
                 let (offset, bits) = near.part.locate(point);
                 let at = Abscissa::new(&offset, bits, false);
-                let table = near.table();
-                let (value, unit) = table.derivative(order as usize, &at, finer + guard);
-                (value, unit + digits - finer)
+                near.table().derivative(order as usize, &at, digits + guard)
             }
         };
         shifted(&value, digits - unit)
