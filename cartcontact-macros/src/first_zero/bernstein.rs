@@ -30,13 +30,9 @@ pub(crate) struct SignChanges {
 }
 
 impl Bernstein {
-    /// Rounding the powers adds less than two units to their error; leaving some of them out adds less than one more.
+    /// Rounding the powers adds less than two units to their error.
     pub(crate) fn new(powers: &Powers, is_exact: bool) -> Self {
-        Bernstein { numbers: powers.bernstein(), error: powers.error + 3, is_exact }
-    }
-
-    pub(crate) fn degree(&self) -> u64 {
-        self.numbers.len().saturating_sub(1) as u64
+        Bernstein { numbers: powers.bernstein(), error: powers.error + 2, is_exact }
     }
 
     /// The polynomial over both halves of the part, by de Casteljau's algorithm: means of neighbours do not enlarge the
@@ -204,7 +200,6 @@ fn either(left: Option<(usize, usize)>, right: Option<(usize, usize)>) -> Option
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
     use super::*;
     use crate::first_zero::fixed_point::binomials;
     use crate::first_zero::integer_polynomial::IntegerPolynomial;
@@ -285,31 +280,6 @@ mod tests {
                         close(half, &part.within(&offset.into(), 1, 1), cut);
                     }
                 }
-            }
-        }
-    }
-
-    /// Values at eighths of short parts.
-    #[test]
-    fn what_is_left_out_is_negligible() {
-        let polynomial = polynomial(20);
-        let whole = Whole::new(&polynomial, 0);
-        for part in parts().into_iter().skip(2) {
-            let powers = interval(&whole, whole.length + 10).powers_over(&part, whole.length + 10);
-            let local = Bernstein::new(&powers.without_negligible().unwrap(), false);
-            let degree = local.degree() as usize;
-            assert!(degree < 12, "{degree}");
-            for eighths in 0..=8_u32 {
-                let terms = (0..=degree).map(|j| {
-                    let weights = [(eighths, j), (8 - eighths, degree - j)];
-                    let [upper, lower] = weights.map(|(ends, power)| BigInt::from(ends).pow(power as u32));
-                    local.numbers.value(j) * &binomials(degree)[j] * upper * lower
-                });
-                let point = part.within(&eighths.into(), 3, 3);
-                let exact = polynomial.value_at(&point.end(0), point.bits) << (10 + 3 * degree);
-                let difference = (terms.sum::<BigInt>() << (point.bits * 20)) - exact;
-                let unit = BigInt::one() << (point.bits * 20 + 3 * degree as u64);
-                assert!(difference.magnitude() < (unit * local.error).magnitude(), "{part:?}, {eighths}");
             }
         }
     }

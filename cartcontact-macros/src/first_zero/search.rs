@@ -11,8 +11,8 @@
 //! c) nearby, so c is close to a - k p(a)/p'(a). Where both ends a of an interval lead to nearly the same point, a
 //! small interval around it is tried: if it keeps all k sign changes, nothing else is left to look at.
 //!
-//! An interval has no more digits than its signs need, as digits are most of the work, and around a cluster fewer and
-//! fewer powers count (`powers`). Missing digits come from an interval around it (`source`).
+//! An interval has no more digits than its signs need, as digits are most of the work. Missing digits come from an
+//! interval around it (`source`).
 //!
 //! Termination: the roots are simple (repeated ones are made so first), and by the theorem of the two circles
 //! (Obreshkoff, Ostrowski) there are 0 changes or 1 once the interval is shorter than a fraction of the distance
@@ -84,20 +84,11 @@ struct Candidate<'a> {
     part: Part,
     local: Bernstein,
     digits: u64,
-    /// Where more digits come from; it has the same degree.
+    /// Where more digits come from.
     source: Source<'a>,
     missed: Missed,
     /// The number of digits before, and how many changes were uncertain with them.
     before: (u64, usize),
-}
-
-/// What lies around the roots of a candidate.
-enum Around<'a> {
-    /// An interval that has all of them.
-    Piece(Candidate<'a>),
-    /// Perhaps such an interval: the candidate with this many digits will tell.
-    Unclear(u64),
-    Nothing,
 }
 
 /// An interval 2^-width long did not have all of `count` roots.
@@ -131,9 +122,8 @@ impl<'a> Search<'a> {
                     ahead.push(self.with_digits(front, digits)?);
                 }
                 SignChanges { most: count, .. } => match self.around_cluster(&mut front, count) {
-                    Around::Piece(closer) => ahead.push(closer),
-                    Around::Unclear(digits) => ahead.push(self.with_digits(front, digits)?),
-                    Around::Nothing => ahead.extend(front.halves()),
+                    Some(piece) => ahead.push(piece),
+                    None => ahead.extend(front.halves()),
                 },
             }
         }
@@ -158,13 +148,10 @@ impl<'a> Search<'a> {
         self.whole.degree() + 64
     }
 
-    /// A part with this many digits, from a source that has them, without the powers that are then negligible.
+    /// A part with this many digits, from a source that has them.
     fn candidate(&self, part: Part, source: Source<'a>, digits: u64, missed: Missed) -> Candidate<'a> {
-        let has_all_powers = source.degree() == self.whole.degree();
-        let is_exact = has_all_powers && self.whole.is_exact_over(&part, digits);
+        let is_exact = self.whole.is_exact_over(&part, digits);
         let powers = source.powers_over(&part, digits);
-        let fewer = if part.width > 0 && !is_exact { powers.without_negligible() } else { None };
-        let powers = fewer.unwrap_or(powers);
         let local = Bernstein::new(&powers, is_exact);
         Candidate::new(part, source, (powers, local), digits, missed)
     }
@@ -212,7 +199,7 @@ impl<'a> Search<'a> {
     ///
     /// If an interval has missed some roots, the next one tried is halfway in bits; unless the roots turn out to fit
     /// into an interval as short, so that the first one was in the wrong place.
-    fn around_cluster(&self, front: &mut Candidate<'a>, count: usize) -> Around<'a> {
+    fn around_cluster(&self, front: &mut Candidate<'a>, count: usize) -> Option<Candidate<'a>> {
         let cluster = front.local.cluster(count);
         let width = front.part.width;
         let (short, longest) = match front.missed {
@@ -222,58 +209,45 @@ impl<'a> Search<'a> {
             _ => (cluster.short_piece(width), u64::MAX),
         };
         for (offset, bits) in short.into_iter().chain(cluster.long_piece(longest)) {
-            match self.piece(front, &offset, bits, count) {
-                Around::Nothing => front.missed = Missed { count, width: width + bits - 2 },
-                found => return found,
+            let piece = self.piece(front, &offset, bits, count);
+            if piece.is_some() {
+                return piece;
             }
+            front.missed = Missed { count, width: width + bits - 2 };
         }
-        Around::Nothing
+        None
     }
 
     /// The part of the front from offset/2^bits on that is 2^(2-bits) long, if it has `count` sign changes.
     ///
     /// Around k roots the values shrink by k bits with every halving, starting from about the smallest number of the
-    /// front; this gives the digits that the piece takes. The changes of both must be counted with the same powers, so
-    /// the front is computed anew if its powers have fewer digits.
-    fn piece(&self, front: &Candidate<'a>, offset: &BigInt, bits: u64, count: usize) -> Around<'a> {
+    /// front; this gives the digits that the piece takes.
+    fn piece(
+        &self,
+        front: &Candidate<'a>,
+        offset: &BigInt,
+        bits: u64,
+        count: usize,
+    ) -> Option<Candidate<'a>> {
         let part = front.part.within(offset, bits, bits - 2);
-        let (is_first, is_last) = (offset.is_zero(), (offset + 4_u32).bits() > bits);
-        let degree = front.local.degree();
         let smaller = count as u64 * (bits - 2);
         let mut digits = front.digits + smaller + 32 - front.local.shortest().min(front.digits);
         while digits <= MAXIMUM_DIGITS {
             let source = front.source.with_digits(digits);
-            if source.degree() != degree {
-                // So many more digits are rather a sign that the piece is too short.
-                let is_likely = digits <= 2 * front.source.digits();
-                return if is_likely {
-                    Around::Unclear(digits + SURPLUS.max(smaller))
-                } else {
-                    Around::Nothing
-                };
-            }
             digits = (digits + SURPLUS.max(smaller)).min(source.digits());
             let powers = source.powers_over(&part, digits);
             let local = Bernstein::new(&powers, false);
             let (start, SignChanges { least, most }) =
                 local.sign_changes(&|end| self.sign_at(&part, end, &source, digits));
-            let known = |end| front.local.knows_end(end) && local.knows_end(end);
-            let knows_rest = (is_first || known(0)) && (is_last || known(1));
-            if start == Some(Ordering::Equal)
-                || most < count
-                || !(degree == self.whole.degree() || knows_rest)
-            {
-                return Around::Nothing;
+            if start == Some(Ordering::Equal) || most < count {
+                return None;
             }
             if least == count {
-                let fewer = powers.without_negligible();
-                let local = fewer.as_ref().map_or(local, |fewer| Bernstein::new(fewer, false));
-                let polynomial = (fewer.unwrap_or(powers), local);
-                return Around::Piece(Candidate::new(part, source, polynomial, digits, front.missed));
+                return Some(Candidate::new(part, source, (powers, local), digits, front.missed));
             }
             digits = self.more(digits);
         }
-        Around::Nothing
+        None
     }
 
     /// At offset/2^bits of the interval.

@@ -2,8 +2,7 @@
 //!
 //! Digits that a cluster of roots has used up are zero in all numbers around it, and most of the others are no longer
 //! needed once the cluster has split into smaller ones. So every interval has few digits, and remembers the intervals
-//! that it was cut out of: missing digits come from there, where numbers are shorter and powers fewer than those of the
-//! whole polynomial.
+//! that it was cut out of: missing digits come from there, where numbers are shorter than those of the whole polynomial.
 //!
 //! **Error.** A polynomial over a part is as many units off as its source, and one or two more (`powers`). Derivatives
 //! by Horner's rule (`horner`) lose less than their factor and 2 in each step, which is at most n^k + 2 for the k-th. This loss
@@ -60,13 +59,10 @@ impl<'a> Source<'a> {
         Source { whole: self.whole, near: Some(Rc::new(Near { part, spent, wider: self, known })) }
     }
 
-    /// The nearest source that has this many digits, or can have them without more powers.
+    /// This source with at least that many digits.
     pub(crate) fn with_digits(&self, digits: u64) -> Self {
         match &self.near {
             Some(near) if self.digits() < digits => {
-                if self.degree() < self.whole.degree() {
-                    return near.wider.with_digits(digits);
-                }
                 // More are likely to be asked for.
                 let digits = digits + digits / 4;
                 let powers = near.wider.having(digits).powers_over(&near.part, digits);
@@ -82,7 +78,6 @@ impl<'a> Source<'a> {
         match &self.near {
             Some(near) if self.digits() < digits => match near.wider.is_whole() {
                 true => near.wider.clone(),
-                false if self.degree() < self.whole.degree() => near.wider.for_values(digits),
                 // Numbers of the whole are hardly longer.
                 false if 4 * near.spent < digits => Source::whole(self.whole),
                 false => self.with_digits(digits),
@@ -120,10 +115,6 @@ impl<'a> Source<'a> {
         self.near.as_ref().map_or(u64::MAX, |near| near.known.borrow().digits)
     }
 
-    pub(crate) fn degree(&self) -> u64 {
-        self.near.as_ref().map_or_else(|| self.whole.degree(), |near| near.known.borrow().powers.degree())
-    }
-
     /// In powers from the beginning of a part on, with no more digits than there are.
     pub(crate) fn powers_over(&self, part: &Part, digits: u64) -> Powers {
         let Some(near) = &self.near else { return self.whole.powers(digits) };
@@ -144,7 +135,7 @@ impl<'a> Source<'a> {
     /// A derivative at a point by the variable of the source, in units of 2^-digits. A value is less than `error` from
     /// the true one if the source has that many digits.
     pub(crate) fn derivative(&self, order: u64, point: &Part, digits: i64) -> BigInt {
-        let degree = self.degree();
+        let degree = self.whole.degree();
         let guard = (order + 1) as i64 * i64::from(u64::BITS - degree.leading_zeros()) + 3;
         let (value, unit) = match &self.near {
             None => {
