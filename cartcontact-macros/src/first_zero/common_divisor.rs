@@ -11,16 +11,10 @@
 //! the test division proves the answer, and the loop ends because only finitely many primes mislead it. Degree 0 modulo
 //! one prime settles the common case, that there is no common divisor.
 //!
-//! That leading coefficient may be much longer than the divisor itself. Divided by it, the result has fractions for
-//! coefficients, and a fraction follows from its residue as soon as the product is longer than its numerator and
-//! denominator together. So the result is also tried as fractions now and then.
-//!
 //! W. S. Brown, On Euclid's algorithm and the computation of polynomial greatest common divisors, J. ACM 18 (1971)
-//! 478-504; P. S. Wang, A p-adic algorithm for univariate partial fractions, SYMSAC 1981, 212-217, doi
-//! 10.1145/800206.806398.
+//! 478-504.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
@@ -98,46 +92,33 @@ fn from_images(
         if loss == 0 {
             return None;
         }
-        let leading = reduce(leading, prime);
-        let image = Image { residues: scaled(residues, leading, prime), loss };
-        let candidate = match joined.join(&image, inverse(leading, prime), prime) {
-            true => Some(joined.coefficients.clone()),
-            false if is_worth_a_look(joined.primes) => joined.fractions(),
-            false => None,
-        };
-        let candidate = candidate.map(|coefficients| IntegerPolynomial::new(coefficients).primitive());
-        if let Some(result) = candidate.and_then(|candidate| result(candidate, joined.loss)) {
-            return Some(result);
+        let image = Image { residues: scaled(residues, reduce(leading, prime), prime), loss };
+        if joined.join(&image, prime) {
+            let candidate = IntegerPolynomial::new(joined.coefficients.clone()).primitive();
+            if let Some(result) = result(candidate, joined.loss) {
+                return Some(result);
+            }
         }
     }
-}
-
-/// Whether to try the result as fractions after this many primes; a try costs as much as some of them.
-fn is_worth_a_look(primes: usize) -> bool {
-    primes > 1 && primes.is_power_of_two()
 }
 
 /// The result of the primes so far, with coefficients in (-modulus/2, modulus/2].
 struct Joined {
     coefficients: Vec<BigInt>,
-    /// The reciprocal of the last coefficient.
-    inverse: BigInt,
     modulus: BigInt,
-    primes: usize,
     loss: usize,
 }
 
 impl Joined {
     fn nothing() -> Self {
-        let [inverse, modulus] = [BigInt::zero(), BigInt::one()];
-        Joined { coefficients: Vec::new(), inverse, modulus, primes: 0, loss: usize::MAX }
+        Joined { coefficients: Vec::new(), modulus: BigInt::one(), loss: usize::MAX }
     }
 
     /// Takes in one more prime; returns whether the result stayed the same.
-    fn join(&mut self, image: &Image, inverse_residue: u64, prime: u64) -> bool {
+    fn join(&mut self, image: &Image, prime: u64) -> bool {
         if image.loss < self.loss {
             let coefficients = vec![BigInt::zero(); image.residues.len()];
-            *self = Joined { coefficients, loss: image.loss, ..Joined::nothing() };
+            *self = Joined { coefficients, modulus: BigInt::one(), loss: image.loss };
         } else if image.loss > self.loss {
             return false;
         }
@@ -147,53 +128,8 @@ impl Joined {
         for (coefficient, &residue) in self.coefficients.iter_mut().zip(&image.residues) {
             unchanged &= !step.add(coefficient, residue);
         }
-        step.add(&mut self.inverse, inverse_residue);
         self.modulus *= prime;
-        self.primes += 1;
         unchanged
-    }
-
-    /// The numerators of the result divided by its leading coefficient, as fractions with one denominator; nothing if
-    /// that denominator is not short.
-    fn fractions(&self) -> Option<Vec<BigInt>> {
-        let mut denominator = BigInt::one();
-        for coefficient in &self.coefficients {
-            let value = self.centred(coefficient * &self.inverse * &denominator);
-            if !self.is_short(&value) {
-                denominator *= self.denominator(value);
-            }
-            if !self.is_short(&denominator) {
-                return None;
-            }
-        }
-        let factor = &self.inverse * denominator;
-        let mut numerators = self.coefficients.clone();
-        for numerator in &mut numerators {
-            *numerator = self.centred(&*numerator * &factor);
-        }
-        Some(numerators)
-    }
-
-    /// The denominator of the fraction with short parts that a residue stands for, by Euclid's algorithm until the
-    /// remainder is short.
-    fn denominator(&self, residue: BigInt) -> BigInt {
-        let (mut last, mut rest) = (self.modulus.clone(), residue.abs());
-        let (mut last_factor, mut factor) = (BigInt::zero(), BigInt::one());
-        while !self.is_short(&rest) {
-            let (quotient, next) = last.div_rem(&rest);
-            (last, rest) = (rest, next);
-            (last_factor, factor) = (factor.clone(), last_factor + quotient * factor);
-        }
-        factor
-    }
-
-    fn is_short(&self, value: &BigInt) -> bool {
-        2 * value.bits() < self.modulus.bits()
-    }
-
-    fn centred(&self, value: BigInt) -> BigInt {
-        let residue = value.mod_floor(&self.modulus);
-        if &residue << 1 > self.modulus { residue - &self.modulus } else { residue }
     }
 }
 
