@@ -15,7 +15,6 @@ use crate::first_zero::common_divisor::common_divisor;
 use crate::first_zero::compared_power::Power;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::part::{Part, Whole};
-use crate::first_zero::source::Source;
 use crate::number::Rational;
 
 /// A positive root that has no positive root below it.
@@ -182,12 +181,11 @@ impl Line<'_> {
 
     /// The value at a point, with this many correct bits, and its digits; nothing if the value is 0 or next to it.
     fn value(&self, point: &Part, bits: u64) -> Option<(BigInt, u64)> {
-        let source = Source::whole(self.whole);
-        let error = source.error();
         let mut digits = point.bits + MORE_DIGITS;
         while digits < self.whole.length + self.whole.degree() * point.bits + bits + MORE_DIGITS {
-            let value = source.value(point, digits)?;
-            if value.magnitude() >> bits >= error.into() {
+            if let Some(value) = self.whole.value(point, digits)
+                && value.bits() > bits + 1
+            {
                 return Some((value, digits));
             }
             digits *= 2;
@@ -207,7 +205,7 @@ impl Line<'_> {
     fn newton(&self, offset: &BigInt, bits: u64) -> Option<BigInt> {
         let point = self.point(offset);
         let (value, digits) = self.value(&point, bits)?;
-        let slope = Source::whole(self.whole).derivative(1, &point, digits as i64);
+        let slope = self.whole.slope(&point, digits);
         let scale = (self.whole.exponent - self.exponent) as u64;
         (slope < BigInt::zero()).then(|| offset - (value << scale) / slope)
     }

@@ -1,8 +1,8 @@
-//! Values and derivatives of a polynomial at a point, in fixed point, by Horner's rule.
+//! Value and slope of a polynomial at a point from 1 to 2, in fixed point, by Horner's rule.
 //!
 //! Cargo does not optimise macros, so calls, checks and allocations take most of the time of big-integer products. Here
-//! coefficients are cut at whole words and the point is a fraction of whole words, so nothing is shifted. Words of a
-//! product that hardly matter for its last word are not formed, and a row of words is a loop without calls.
+//! coefficients are cut at whole words and the point is 1 and a fraction of whole words, so nothing is shifted. Words of
+//! a product that hardly matter for its last word are not formed, and a row of words is a loop without calls.
 //!
 //! **Error.** The columns of a product that are not formed lie behind the first column that is cut off; as there are
 //! fewer than 2^32 words, they add up to less than 2^-31 of a unit. Cutting off the others loses less than one unit,
@@ -19,22 +19,9 @@ pub(crate) struct CoefficientTable {
     pub(crate) digits: i64,
 }
 
-/// A number from 0 to 1 as the words behind its binary point, or 1 more than that.
-pub(crate) struct Abscissa {
-    words: Vec<u64>,
-    exceeds_one: bool,
-}
-
 const WORD: u64 = u64::BITS as u64;
 /// This many columns of a product are formed behind its unit.
 const FORMED: usize = 2;
-
-impl Abscissa {
-    /// offset/2^bits, which is less than 1, or 1 more than that.
-    pub(crate) fn new(offset: &BigInt, bits: u64, exceeds_one: bool) -> Self {
-        Abscissa { words: fraction(offset, bits), exceeds_one }
-    }
-}
 
 /// The words behind the point of offset/2^bits, which is less than 1.
 pub(crate) fn fraction(offset: &BigInt, bits: u64) -> Vec<u64> {
@@ -52,18 +39,19 @@ impl CoefficientTable {
         CoefficientTable { coefficients, longest, digits }
     }
 
-    /// A derivative at a point and the digits of its unit, which are `digits` or up to 63 more.
-    pub(crate) fn derivative(&self, order: usize, at: &Abscissa, digits: i64) -> (BigInt, i64) {
+    /// The value (order 0) or the slope (1) at 1 + fraction, and the digits of its unit, which are `digits` or up to 63
+    /// more.
+    pub(crate) fn derivative(&self, order: u32, fraction: &[u64], digits: i64) -> (BigInt, i64) {
         let cut = (self.digits - digits).max(0) as usize / WORD as usize;
         let room = self.longest.saturating_sub(cut) + 2;
         let mut value = Value { is_negative: false, words: vec![0; room], first: 0 };
         let mut coefficients = self.coefficients.as_slice();
         while let [left @ .., (is_negative, words)] = coefficients
-            && left.len() >= order
+            && left.len() >= order as usize
         {
-            value.multiply(at, room);
+            value.multiply(fraction, room);
             if let Some(words) = words.get(cut..) {
-                value.add(*is_negative, words, falling(left.len(), order));
+                value.add(*is_negative, words, (left.len() as u64).pow(order));
             }
             coefficients = left;
         }
@@ -71,16 +59,6 @@ impl CoefficientTable {
         let value = if value.is_negative { -size } else { size };
         (value, self.digits - (cut as u64 * WORD) as i64)
     }
-}
-
-/// power (power − 1) … with this many factors.
-fn falling(power: usize, factors: usize) -> u64 {
-    let (mut product, mut less) = (1, 0);
-    while less < factors {
-        product *= (power - less) as u64;
-        less += 1;
-    }
-    product
 }
 
 /// An integer with its sign; there may be zeros before its first word.
@@ -92,9 +70,9 @@ struct Value {
 }
 
 impl Value {
-    /// Cuts off what is behind the unit. The result has room for at least `room` words.
-    fn multiply(&mut self, at: &Abscissa, room: usize) {
-        let (mut own, fraction) = (&self.words[self.first..], at.words.as_slice());
+    /// Multiplies by 1 + fraction and cuts off what is behind the unit. The result has room for at least `room` words.
+    fn multiply(&mut self, fraction: &[u64], room: usize) {
+        let mut own = &self.words[self.first..];
         while let [left @ .., 0] = own {
             own = left;
         }
@@ -111,10 +89,8 @@ impl Value {
             }
             place += 1;
         }
-        if at.exceeds_one {
-            let carry = add_row(&mut sums[formed..], own, 1, 0);
-            sums[formed + own.len()] += carry;
-        }
+        let carry = add_row(&mut sums[formed..], own, 1, 0);
+        sums[formed + own.len()] += carry;
         (self.words, self.first) = (product, formed);
     }
 
@@ -203,11 +179,11 @@ fn subtract_row(mut sums: &mut [u64], mut row: &[u64], factor: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_traits::Zero;
+    use num_traits::{One, Zero};
 
-    /// Against the exact derivatives at t and at 1 + t, with words cut off and without.
+    /// Against the exact ones, with words cut off and without.
     #[test]
-    fn derivatives_are_as_near_as_they_say() {
+    fn values_and_slopes_are_as_near_as_they_say() {
         let number = |power: u32| {
             let size: BigInt = (BigInt::from(7 * power + 1) << 700) >> (power * 61 % 690);
             if power % 3 == 1 { -size } else { size }
@@ -215,25 +191,20 @@ mod tests {
         let coefficients: Vec<BigInt> = (0..20).map(number).collect();
         let table = CoefficientTable::new(&coefficients, 800);
         for (offset, bits) in [(0_u64, 0), (1, 1), (u64::MAX, 64), (5, 300), (1 << 40 | 1, 41)] {
-            for (exceeds_one, order) in
-                [false, true].into_iter().flat_map(|exceeds| [0, 1, 2].map(|k| (exceeds, k)))
-            {
-                let x = BigInt::from(offset) + (BigInt::from(u8::from(exceeds_one)) << bits);
+            for order in [0, 1] {
+                let x = BigInt::from(offset) + (BigInt::one() << bits);
                 let mut exact = BigInt::zero();
-                for power in (order..20).rev() {
-                    let factor: usize = (power - order + 1..=power).product();
-                    exact = exact * &x + ((&coefficients[power] * factor) << (bits * (19 - power) as u64));
+                for power in (order..20_u32).rev() {
+                    let factor = power.pow(order);
+                    exact = exact * &x + ((&coefficients[power as usize] * factor) << (bits * (19 - power)));
                 }
                 for digits in [800, 700, 500, 136] {
-                    let at = Abscissa::new(&offset.into(), bits, exceeds_one);
-                    let (value, unit) = table.derivative(order, &at, digits);
-                    let scale = bits * (19 - order) as u64;
-                    let difference = (value << (scale + (800 - unit) as u64)) - &exact;
-                    let most = BigInt::from(20 * (19_i64.pow(order as u32) + 2))
-                        << (if exceeds_one { 20 } else { 0 });
-                    let most: BigInt = most << (scale + (800 - unit) as u64);
+                    let (value, unit) =
+                        table.derivative(order, &fraction(&offset.into(), bits.into()), digits);
+                    let scale = i64::from(bits * (19 - order)) + 800 - unit;
+                    let most: BigInt = BigInt::from(20 * (19_i64.pow(order) + 2)) << 20;
                     assert!(
-                        difference.magnitude() < most.magnitude(),
+                        ((value << scale) - &exact).magnitude() < (most << scale).magnitude(),
                         "{offset}/2^{bits}, {order}, {digits}"
                     );
                 }

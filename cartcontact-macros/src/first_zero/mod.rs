@@ -6,7 +6,7 @@
 //! | what | modules |
 //! |---|---|
 //! | q, and the part of it without multiple roots | `integer_polynomial`, `common_divisor` |
-//! | isolating its smallest positive root | `search`, on ever smaller parts of an interval: `source` and `part` with its digits, `bernstein` with its signs, and `outline` where no part has a root |
+//! | isolating its smallest positive root | `search`, on ever smaller parts of an interval: `source` and `part` with its digits, `bernstein` with its signs; `outline` says where no root is |
 //! | what these compute with | `fixed_point`, `horner`, `taylor`, `powers`, `interval_power` |
 //! | the root, and the end of the range | `first_root`, `end`; `compared_power` orders it among others |
 

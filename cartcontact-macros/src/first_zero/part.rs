@@ -7,17 +7,21 @@
 //! **Error.** Cutting the coefficients c_j of the whole loses less than one unit of each. The Taylor shift to the
 //! beginning only adds integers, so number j of the result is less than C(n+1, j+1) units off: less than `powers`
 //! allows.
+//!
+//! **Values.** Horner's rule (`horner`) loses less than the factor of the coefficient and 2 in each step: at most 3 for a
+//! value, and n + 2 for a slope. As points are at most 2, that grows at most 2^j times in the j steps that follow. With
+//! guard digits for 2^n, for n + 1 steps, in a slope for n + 1 once more, and 3 others, it is less than one unit, and
+//! rounding the result loses another one.
 
 use core::cell::RefCell;
 use core::cmp::Ordering;
-use std::rc::Rc;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::fixed_point::Numbers;
-use crate::first_zero::horner::CoefficientTable;
+use crate::first_zero::horner::{CoefficientTable, fraction};
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::powers::{GUARD, Powers};
 use crate::number::shifted;
@@ -67,7 +71,7 @@ pub(crate) struct Whole<'a> {
     /// The length of the longest of the integers, in bits.
     pub(crate) length: u64,
     /// The coefficients with as many digits as were asked for so far.
-    table: RefCell<Rc<CoefficientTable>>,
+    table: RefCell<CoefficientTable>,
 }
 
 impl<'a> Whole<'a> {
@@ -77,7 +81,7 @@ impl<'a> Whole<'a> {
             Some((lowest + exponent * power, coefficient.bits() as i64 + exponent * power))
         });
         let (bottom, top) = ends.reduce(|all, own| (all.0.min(own.0), all.1.max(own.1))).unwrap_or_default();
-        let table = RefCell::new(Rc::new(CoefficientTable::new(&[], i64::MIN)));
+        let table = RefCell::new(CoefficientTable::new(&[], i64::MIN));
         Whole { polynomial, exponent, top, length: (top - bottom) as u64, table }
     }
 
@@ -91,19 +95,33 @@ impl<'a> Whole<'a> {
     }
 
     /// The coefficients, cut so that the longest has this many binary digits.
-    pub(crate) fn coefficients(&self, digits: i64) -> Vec<BigInt> {
+    fn coefficients(&self, digits: i64) -> Vec<BigInt> {
         let coefficients = self.polynomial.coefficients().iter().zip(0_i64..);
         let missing = |power: i64| self.exponent * power + digits - self.top;
         coefficients.map(|(coefficient, power)| shifted(coefficient, missing(power))).collect()
     }
 
-    /// The coefficients with at least this many digits, for values at points.
-    pub(crate) fn table(&self, digits: i64) -> Rc<CoefficientTable> {
+    /// The value at the beginning of a part in units of 2^-digits, less than two units from the true one; nothing if
+    /// that leaves its sign open, or at the end of the interval.
+    pub(crate) fn value(&self, point: &Part, digits: u64) -> Option<BigInt> {
+        let is_inside = point.offset.bits() <= point.bits;
+        is_inside.then(|| self.derivative(0, point, digits)).filter(|value| value.bits() > 1)
+    }
+
+    /// The slope at the beginning of a part, in units of 2^-digits and less than two units from the true one.
+    pub(crate) fn slope(&self, point: &Part, digits: u64) -> BigInt {
+        self.derivative(1, point, digits)
+    }
+
+    fn derivative(&self, order: u32, point: &Part, digits: u64) -> BigInt {
+        let steps = u64::BITS - self.degree().leading_zeros();
+        let fine = (digits + self.degree() + u64::from((order + 1) * steps) + 3) as i64;
         let mut table = self.table.borrow_mut();
-        if table.digits < digits {
-            *table = Rc::new(CoefficientTable::new(&self.coefficients(digits), digits));
+        if table.digits < fine {
+            *table = CoefficientTable::new(&self.coefficients(fine), fine);
         }
-        table.clone()
+        let (value, unit) = table.derivative(order, &fraction(&point.offset, point.bits), fine);
+        shifted(&value, digits as i64 - unit)
     }
 
     /// Whether numbers over the part are zero if this many digits leave their sign open: the unit is then finer than a

@@ -26,6 +26,7 @@ pub(crate) struct Powers {
 
 /// Digits that are lost on the way to Bernstein's basis over part of an interval, besides one for every power.
 pub(crate) const GUARD: u64 = 60;
+
 impl Powers {
     pub(crate) fn degree(&self) -> u64 {
         self.numbers.len().saturating_sub(1) as u64

@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
             vec![self.candidate(Part::whole(), Source::whole(self.whole), self.few_digits(), missed)];
         while let Some(mut front) = ahead.pop() {
             let (start, changes) =
-                front.local.sign_changes(&|end| self.sign_at(&front.part, end, &front.source, front.digits));
+                front.local.sign_changes(&|end| self.sign_at(&front.part, end, front.digits));
             match changes {
                 _ if start == Some(Ordering::Equal) => {
                     return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
@@ -132,13 +132,11 @@ impl<'a> Search<'a> {
 
     /// The sign at the lower end (0) or the upper end (1) of a part, for which `digits` are not enough: with more
     /// digits, and with all of them if these leave it open.
-    fn sign_at(&self, part: &Part, end: u32, source: &Source<'a>, digits: u64) -> Ordering {
+    fn sign_at(&self, part: &Part, end: u32, digits: u64) -> Ordering {
         let point = part.within(&end.into(), 0, 0);
-        let source = source.for_values(digits + MORE_DIGITS);
-        let error = source.error();
-        match source.value(&point, digits + MORE_DIGITS) {
-            Some(value) if value.magnitude() >= &error.into() => value.cmp(&BigInt::zero()),
-            _ => self.whole.sign_at(part, end),
+        match self.whole.value(&point, digits + MORE_DIGITS) {
+            Some(value) => value.cmp(&BigInt::zero()),
+            None => self.whole.sign_at(part, end),
         }
     }
 
@@ -177,10 +175,8 @@ impl<'a> Search<'a> {
     /// The digits down to where the value at an end of a part begins, and some more; nothing if `most` digits show
     /// none.
     fn digits_at(&self, part: &Part, end: u32, most: u64) -> Option<u64> {
-        let source = Source::whole(self.whole);
-        let error = source.error();
-        let value = source.value(&part.within(&end.into(), 0, 0), most)?;
-        (value.magnitude() >= &error.into()).then(|| most - value.bits() + KEPT_DIGITS)
+        let value = self.whole.value(&part.within(&end.into(), 0, 0), most)?;
+        Some(most - value.bits() + KEPT_DIGITS)
     }
 
     fn with_digits(&self, candidate: Candidate<'a>, digits: u64) -> Result<Candidate<'a>, TooIntricate> {
@@ -188,7 +184,8 @@ impl<'a> Search<'a> {
             return Err(TooIntricate);
         }
         let Candidate { part, source, missed, .. } = candidate;
-        Ok(self.candidate(part, source.with_digits(digits), digits, missed))
+        source.grow(digits);
+        Ok(self.candidate(part, source, digits, missed))
     }
 
     fn more(&self, digits: u64) -> u64 {
@@ -233,16 +230,17 @@ impl<'a> Search<'a> {
         let smaller = count as u64 * (bits - 2);
         let mut digits = front.digits + smaller + 32 - front.local.shortest().min(front.digits);
         while digits <= MAXIMUM_DIGITS {
-            let source = front.source.with_digits(digits);
-            digits = (digits + SURPLUS.max(smaller)).min(source.digits());
-            let powers = source.powers_over(&part, digits);
+            front.source.grow(digits);
+            digits = (digits + SURPLUS.max(smaller)).min(front.source.digits());
+            let powers = front.source.powers_over(&part, digits);
             let local = Bernstein::new(&powers, false);
             let (start, SignChanges { least, most }) =
-                local.sign_changes(&|end| self.sign_at(&part, end, &source, digits));
+                local.sign_changes(&|end| self.sign_at(&part, end, digits));
             if start == Some(Ordering::Equal) || most < count {
                 return None;
             }
             if least == count {
+                let source = front.source.clone();
                 return Some(Candidate::new(part, source, (powers, local), digits, front.missed));
             }
             digits = self.more(digits);
