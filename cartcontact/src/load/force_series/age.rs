@@ -9,8 +9,8 @@ impl<T: Scalar> ForceSeries<T> {
     pub(crate) fn shortfall(&self, folds: T) -> (T, T) {
         let per_fold = T::constant(2.0) / self.folds;
         let before_end = folds * per_fold;
-        let x = T::one() - before_end;
-        (before_end * self.mean_growth_at(x), self.growth_at(x) * per_fold)
+        let here = self.at(T::one() - before_end);
+        (before_end * here.mean_growth, here.growth * per_fold)
     }
 
     /// How long before the end the hereditary load was smaller by `deficit`.

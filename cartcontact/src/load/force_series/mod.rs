@@ -50,6 +50,12 @@ pub(crate) struct ForceSeries<T> {
     mean_growth: Coefficients<T>,
 }
 
+/// dY/dξ, and its mean from there to the end.
+struct Local<T> {
+    growth: T,
+    mean_growth: T,
+}
+
 impl<T: Scalar> ForceSeries<T> {
     /// The first node in time; nodes are counted from the end.
     pub(crate) const START: usize = DEGREE;
@@ -200,7 +206,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// By how much the hereditary load grows in all.
     pub(crate) fn gain(&self) -> T {
-        T::constant(2.0) * self.mean_growth_at(-T::one())
+        T::constant(2.0) * self.at(-T::one()).mean_growth
     }
 
     /// By how much the hereditary load grows from each node to the end.
@@ -256,7 +262,7 @@ impl<T: Scalar> ForceSeries<T> {
         // The nodes are less than 1/2 apart, so this goes down to the spacing of numbers.
         for _ in 0..60 {
             let middle = (rising + falling) * half;
-            if self.growth_at(middle) > T::zero() {
+            if self.at(middle).growth > T::zero() {
                 rising = middle;
             } else {
                 falling = middle;
@@ -277,14 +283,15 @@ impl<T: Scalar> ForceSeries<T> {
         rounding_within_load(self.size) + change * (end / self.duration) * T::default_epsilon()
     }
 
-    /// dY/dξ.
-    fn growth_at(&self, x: T) -> T {
-        sum_at(&self.growth[..self.length], x)
-    }
-
-    /// Its mean from ξ to the end.
-    fn mean_growth_at(&self, x: T) -> T {
-        sum_at(&self.mean_growth[..self.length], x)
+    fn at(&self, x: T) -> Local<T> {
+        let mut local = Local { growth: self.growth[0], mean_growth: self.mean_growth[0] };
+        let (mut before, mut value) = (T::one(), x);
+        for degree in 1..self.length {
+            local.growth += self.growth[degree] * value;
+            local.mean_growth += self.mean_growth[degree] * value;
+            (before, value) = (value, (x + x) * value - before);
+        }
+        local
     }
 }
 
