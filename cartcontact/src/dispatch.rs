@@ -71,7 +71,7 @@ macro_rules! in_double_words {
     };
 }
 
-/// What has been found, otherwise the result of `work`, [out of line](out_of_line).
+/// What has been found, otherwise the result of `work`, out of line.
 #[inline(always)]
 pub fn found_or<T, E>(found: Option<T>, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     match found {
