@@ -125,7 +125,7 @@ fn check_without_range(
     if !complete {
         Gap::check_rest(shape.powers, diagnostics);
     } else if !shape.surfaces.is_empty() {
-        drop(Gap::terms(shape.powers, constant, diagnostics));
+        drop(Gap::checked_terms(shape.powers, constant, diagnostics));
     } else if let Some(gap) = Gap::new(shape.powers, constant, extent, diagnostics)
         && let Err(fault) = proof::prove(&gap, &Wanted::UpToSomewhere)
     {

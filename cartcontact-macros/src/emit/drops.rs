@@ -10,7 +10,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{self, HIGHEST_IN_SQUARE, Whole, terms};
+use super::power_sum::{self, HIGHEST_IN_SQUARE, WholeExponents, terms};
 use super::{Names, local};
 use crate::closed_forms::{ClosedForms, PowerSum};
 
@@ -66,9 +66,9 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     let names = coefficients.names;
     let sum = &forms.load_integral;
     let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
-    let whole = Whole::of(sum)?;
+    let whole = WholeExponents::of(sum)?;
     let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
-    let slope = Whole::of(&forms.approach_slope)?;
+    let slope = WholeExponents::of(&forms.approach_slope)?;
     let has_quick_slope = power_sum::is_quick_in_vectors(&forms.approach_slope);
     let highest = if is_even && has_quick_slope { HIGHEST_IN_SQUARE } else { HIGHEST_POWER };
     if whole.highest() > highest {
@@ -117,7 +117,7 @@ fn of_quarters(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<W
         if part.summands.is_empty() {
             return Some(quote!([]));
         }
-        let whole = Whole::up_to(HIGHEST_DROP_BESIDE_ROOT, part)?;
+        let whole = WholeExponents::up_to(HIGHEST_DROP_BESIDE_ROOT, part)?;
         Some(whole.dense((0, 1), part, coefficients))
     };
     let parts = sum.in_quarters()?.iter().map(dense).collect::<Option<Vec<_>>>()?;

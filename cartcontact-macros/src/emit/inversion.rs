@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{self, Whole, terms};
+use super::power_sum::{self, WholeExponents, terms};
 use super::{Names, curves, leading_term, local, roots, seeds};
 use crate::closed_forms::ClosedForms;
 use crate::gap::range::Range;
@@ -63,7 +63,7 @@ fn quick_radii(gap: &Gap, forms: &ClosedForms, start: Option<&Start>, names: &Na
     let of_positive_terms = quote!(#krate::GapProfile::<#scalar>::has_only_positive_terms(self));
     let truth = match start? {
         Start::Curves(_) | Start::Roots(_) => quote!(true),
-        Start::Seeds(_) if Whole::of(&forms.stepped.load_integral).is_none() => return None,
+        Start::Seeds(_) if WholeExponents::of(&forms.stepped.load_integral).is_none() => return None,
         // Values of other signs than those of the table are rare.
         Start::Seeds(seeds) if gap.is_constant() || seeds.factors.iter().any(|&factor| factor < 0.0) => {
             quote!(true)
@@ -249,7 +249,7 @@ fn value_and_log_slope(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> 
     let names = coefficients.names;
     let sum = &forms.load_integral;
     let [a, x, value, slope, log_slope] = ["a", "x", "value", "slope", "log_slope"].map(local);
-    let Some(whole) = Whole::up_to(HIGHEST_DENSE_POWER, sum) else {
+    let Some(whole) = WholeExponents::up_to(HIGHEST_DENSE_POWER, sum) else {
         let (function, terms) = (names.generated("power_sum_and_log_slope"), terms(sum, coefficients));
         return quote!(#function(#a, #terms));
     };

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, nested, paired, terms};
+use super::power_sum::{WholeExponents, nested, paired, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, Stepped};
 use crate::number::{Rational, integer};
@@ -101,8 +101,8 @@ pub(super) fn has_whole_powers(forms: &ClosedForms) -> bool {
 }
 
 /// The powers of J, if they are whole and not too high.
-fn whole(stepped: &Stepped) -> Option<Whole> {
-    Whole::up_to(HIGHEST_POWER, &stepped.load_integral)
+fn whole(stepped: &Stepped) -> Option<WholeExponents> {
+    WholeExponents::up_to(HIGHEST_POWER, &stepped.load_integral)
 }
 
 /// The functions that compute J and its derivatives, with any coefficients.

@@ -39,11 +39,11 @@ const HIGHEST_OF_FEW: u32 = 24;
 const LONGEST_PRODUCT: u32 = 3;
 
 /// The whole exponents of a sum of powers.
-pub(super) struct Whole {
+pub(super) struct WholeExponents {
     pub(super) exponents: Vec<u32>,
 }
 
-impl Whole {
+impl WholeExponents {
     /// None if an exponent is fractional or negative.
     pub(super) fn of(sum: &PowerSum) -> Option<Self> {
         let exponents = sum.summands.iter().map(|summand| whole_number(&summand.exponent));
@@ -124,7 +124,7 @@ impl Whole {
 /// precise; and the operations that it takes.
 pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> (TokenStream, Operations) {
     let names = coefficients.names;
-    let Some(whole) = Whole::of(sum).filter(Whole::is_dense) else {
+    let Some(whole) = WholeExponents::of(sum).filter(WholeExponents::is_dense) else {
         let (power_sum, terms, fused) =
             (names.generated("power_sum"), terms(sum, coefficients), &names.fused);
         let code = quote!(#power_sum::<_, _, _, #fused>(#x, #terms));
@@ -144,13 +144,13 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) 
 
 /// Whether [`quick_value`] is Horner's rule without roots, which vectors go through.
 pub(super) fn is_quick_in_vectors(sum: &PowerSum) -> bool {
-    Whole::of(sum).is_some_and(|whole| whole.is_low() || whole.is_low_in_square())
+    WholeExponents::of(sum).is_some_and(|whole| whole.is_low() || whole.is_low_in_square())
 }
 
 /// The value of the sum at `x` in the cheapest form with an error below 7 ε.
 pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    match Whole::of(sum) {
+    match WholeExponents::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
         Some(whole) if whole.is_low_in_square() => {
             let (even_sum, lowest) = (names.generated("quick_even_sum"), whole.lowest());
@@ -168,7 +168,7 @@ pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients
 /// are missing. Every step rounds, at random.
 pub(super) fn value_in_vectors(
     sum: &PowerSum,
-    whole: &Whole,
+    whole: &WholeExponents,
     x: &Ident,
     coefficients: &Coefficients<'_>,
 ) -> TokenStream {
@@ -182,7 +182,7 @@ pub(super) fn value_in_vectors(
 fn in_quarters(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     let (mut bindings, mut values) = (TokenStream::new(), Vec::new());
     for (quarters, part) in (0_u8..).zip(sum.in_quarters()?) {
-        let whole = Whole::of(&part)?;
+        let whole = WholeExponents::of(&part)?;
         let is_low = if quarters == 0 { whole.is_low() } else { whole.highest() <= HIGHEST_BESIDE_ROOT };
         if !is_low {
             return None;
@@ -204,7 +204,7 @@ fn in_quarters(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Op
 }
 
 /// Horner's rule with every power written as repeated multiplication, so that nothing overflows before the result.
-fn horner(sum: &PowerSum, whole: &Whole, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+fn horner(sum: &PowerSum, whole: &WholeExponents, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
     let nested = nested((whole, is_monic(sum)), &variable, factors, coefficients.names);
@@ -220,7 +220,7 @@ pub(super) fn is_monic(sum: &PowerSum) -> bool {
 /// Horner's rule for a sum with these `factors` divided by its lowest power. The leading term of a monic sum takes no
 /// multiplication.
 pub(super) fn nested(
-    (whole, mut is_monic): (&Whole, bool),
+    (whole, mut is_monic): (&WholeExponents, bool),
     variable: &Ident,
     factors: Vec<TokenStream>,
     names: &Names,
@@ -247,7 +247,7 @@ pub(super) fn nested(
 /// If both derivatives had the same form, compilers would put them side by side into one vector, and its halves would
 /// wait for each other.
 pub(super) fn paired(
-    whole: &Whole,
+    whole: &WholeExponents,
     variable: &Ident,
     factors: Vec<TokenStream>,
     names: &Names,

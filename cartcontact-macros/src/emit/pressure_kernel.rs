@@ -11,7 +11,7 @@ use quote::quote;
 use super::coefficients::Coefficients;
 use super::local;
 use super::operations::Operations;
-use super::power_sum::{self, Whole, whole_number};
+use super::power_sum::{self, WholeExponents, whole_number};
 use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
@@ -113,15 +113,15 @@ fn highest_multiple(gap: &Gap, step: u32, highest: u32) -> Option<u32> {
 /// C step/(2 (n+2)²) for all multiples n of `step` up to the highest, zero where there is no term.
 fn weights(step: u32, log_kernel: &PowerSum, coefficients: &Coefficients<'_>) -> TokenStream {
     let halved = log_kernel.weighted(|_| fraction(step, 2));
-    let dense = |whole: Whole| whole.dense((step + 2, step), &halved, coefficients);
-    Whole::of(&halved).map(dense).unwrap_or_default()
+    let dense = |whole: WholeExponents| whole.dense((step + 2, step), &halved, coefficients);
+    WholeExponents::of(&halved).map(dense).unwrap_or_default()
 }
 
 /// The kernel in the root of the radius with this index, if all powers are whole there, and low.
 fn kernel_in_root(index: u32, forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     // The exponents n + 2, multiplied by the index.
     let weights = forms.log_kernel.in_root(index).weighted(|_| fraction(1, 2 * index));
-    let whole = Whole::up_to((HIGHEST_QUICK_QUARTER + 2) * index, &weights)?;
+    let whole = WholeExponents::up_to((HIGHEST_QUICK_QUARTER + 2) * index, &weights)?;
     let number = |number: u32| Literal::u32_unsuffixed(number);
     let pairs = whole.exponents.iter().zip(&weights.summands).map(|(power, summand)| {
         let (factor, k) = (coefficients.factor(summand), number(power - 2 * index));

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{Whole, is_monic, nested, paired, terms};
+use super::power_sum::{WholeExponents, is_monic, nested, paired, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Stepped};
 use crate::number::{Rational, integer};
@@ -102,7 +102,7 @@ fn equal_terms(
 fn body(stepped: &Stepped, unit: &Rational, a: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
     let Stepped { load_integral, root, .. } = stepped;
-    let Some(whole) = Whole::of(load_integral) else {
+    let Some(whole) = WholeExponents::of(load_integral) else {
         let (function, terms) = (names.generated("power_sum_steepness"), terms(load_integral, coefficients));
         return quote!(#function(#a, #terms));
     };

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::power_sum::Whole;
+use super::power_sum::WholeExponents;
 use super::{Names, local};
 use crate::number::{Rational, integer, literal};
 
@@ -27,10 +27,10 @@ pub(super) fn function(
     }
 }
 
-/// The value at `a` for whole powers, from J and its derivatives as sums in the [`variable`](Whole::variable), divided
+/// The value at `a` for whole powers, from J and its derivatives as sums in the [`variable`](WholeExponents::variable), divided
 /// by its lowest power; a J′ was divided by `unit`, and a² J″/2 by its square. The power may come with its excess.
 pub(super) fn value(
-    (whole, has_excess): (&Whole, bool),
+    (whole, has_excess): (&WholeExponents, bool),
     a: &Ident,
     [value, first, half_second]: &[TokenStream; 3],
     unit: &Rational,
@@ -69,7 +69,7 @@ pub(super) fn value(
 
 /// The same by Horner's rule with powers that are not rounded: those of a root are so high that they would round often.
 pub(super) fn of_nested_powers(
-    whole: &Whole,
+    whole: &WholeExponents,
     factors: impl DoubleEndedIterator<Item = TokenStream> + ExactSizeIterator,
     a: &Ident,
     names: &Names,

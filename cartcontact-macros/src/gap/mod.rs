@@ -66,7 +66,7 @@ impl Gap {
             diagnostics.report(only.extent, message);
             return None;
         }
-        let terms = Gap::terms(polynomial, constant, diagnostics)?;
+        let terms = Gap::checked_terms(polynomial, constant, diagnostics)?;
         if terms.is_empty() {
             diagnostics
                 .report(extent, "the gap is zero everywhere: its terms cancel; write one that opens with r");
@@ -91,7 +91,7 @@ impl Gap {
 
     /// The terms, unless one cannot be part of a gap. Every fault is reported. A constant does not stop it if there are
     /// other terms: whatever removes the constant leaves them as they are.
-    pub(crate) fn terms(
+    pub(crate) fn checked_terms(
         polynomial: Polynomial,
         constant: Option<&WrittenConstant>,
         diagnostics: &mut Diagnostics,

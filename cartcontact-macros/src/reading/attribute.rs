@@ -9,7 +9,7 @@ use quote::quote;
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
 use crate::reading::entry::{
-    Assignment, Entry, Whole, all_options, entries, is_of_r, likely_option, mentions,
+    Assignment, Entry, LastDigits, all_options, entries, is_of_r, likely_option, mentions,
 };
 use crate::reading::literal;
 use crate::reading::name::last_of_path;
@@ -151,7 +151,7 @@ impl Attribute {
     }
 
     /// What to say about an entry that is not an option, unless it is the gap. What can no longer be read is marked.
-    fn mistake(&mut self, entry: &Entry, before: Option<Whole<'_>>, has_bodies: bool) -> Option<String> {
+    fn mistake(&mut self, entry: &Entry, before: Option<LastDigits<'_>>, has_bodies: bool) -> Option<String> {
         if let Some(message) = entry.without_equals() {
             self.mark_option_faulty(entry);
             return Some(message);
@@ -168,8 +168,8 @@ impl Attribute {
 
     /// What to say about the digits after a comma that is meant as a decimal point. The number that they belong to
     /// cannot be read.
-    fn decimals(&mut self, entry: &Entry, before: Option<Whole<'_>>) -> Option<String> {
-        let Whole { digits: whole, is_exponent, option } = before?;
+    fn decimals(&mut self, entry: &Entry, before: Option<LastDigits<'_>>) -> Option<String> {
+        let LastDigits { digits: whole, is_exponent, option } = before?;
         let decimals = entry.first_digits()?;
         // Behind an exponent, a number with a factor is rather the next term.
         if is_exponent && !entry.goes_on_with_sign() {

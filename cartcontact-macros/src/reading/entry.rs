@@ -23,7 +23,7 @@ pub(super) fn all_options() -> String {
 }
 
 /// Digits before a comma that may be meant as a decimal point.
-pub(super) struct Whole<'a> {
+pub(super) struct LastDigits<'a> {
     pub(super) digits: String,
     pub(super) is_exponent: bool,
     /// The option whose value they are; nothing for the gap.
@@ -154,13 +154,17 @@ impl Entry {
     }
 
     /// The digits before the comma that follows this entry.
-    pub(super) fn last_digits(&self) -> Option<Whole<'_>> {
+    pub(super) fn last_digits(&self) -> Option<LastDigits<'_>> {
         let (TokenTree::Literal(digits), before) = self.tokens.split_last()? else { return None };
         let is_exponent = before.last().is_some_and(|token| is_punct(token, '^'));
         let written = digits.to_string();
         let digits = literal::without_points(&written).unwrap_or(written);
         let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
-        is_whole.then(|| Whole { digits, is_exponent, option: self.assignment().map(|option| option.name) })
+        is_whole.then(|| LastDigits {
+            digits,
+            is_exponent,
+            option: self.assignment().map(|option| option.name),
+        })
     }
 
     /// Whether it goes on, if at all, with a sign behind its first token: the end of an expression does.
