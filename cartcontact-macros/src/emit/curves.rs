@@ -22,14 +22,12 @@ fn tables() -> [Ident; 2] {
     ["CURVES", "CURVES_OF_SINGLE"].map(local)
 }
 
-/// The radius from the tables if it is there, and the radii of a slice. Outside the tables they come from `solve`, if
-/// there is such a function, or from `radius_within`.
-pub(super) fn radius_and_radii(solve: Option<&TokenStream>, names: &Names) -> [TokenStream; 2] {
+/// The radius from the tables if it is there, and the radii of a slice. Outside the tables they come from `solve`, or
+/// from `radius_within`.
+pub(super) fn radius_and_radii(solve: &TokenStream, names: &Names) -> [TokenStream; 2] {
     let (kind, [double, single], general) = (names.generated("Curves"), tables(), names.by_radius_within());
     let Names { load_integral, load_integrals, limit, radii, .. } = names;
     let curves = quote!(#kind { double: &#double, single: &#single });
-    let nowhere = names.generated("nowhere");
-    let solve = solve.unwrap_or(&nowhere);
     [
         quote!(#kind::radius(#curves, #load_integral, #limit)),
         quote!(#kind::radii(#curves, (#load_integrals, #radii), #limit, #solve, #general,)),

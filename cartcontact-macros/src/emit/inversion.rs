@@ -84,11 +84,14 @@ fn from_start(
     coefficients: &Coefficients<'_>,
 ) -> (TokenStream, Option<TokenStream>) {
     let is_beside = has_leading_term_beside_table(coefficients.gap());
-    let solve = || is_beside.then(|| leading_term::solve(forms, coefficients)).flatten();
+    let solve = || {
+        let beside = is_beside.then(|| leading_term::solve(forms, coefficients)).flatten();
+        beside.unwrap_or_else(|| coefficients.names.generated("nowhere"))
+    };
     let [radius, radii] = match start {
-        Start::Curves(_) => curves::radius_and_radii(solve().as_ref(), coefficients.names),
+        Start::Curves(_) => curves::radius_and_radii(&solve(), coefficients.names),
         Start::Roots(table) => roots::radius_and_radii(table, &forms.load_integral, coefficients),
-        Start::Seeds(found) => seeds::radius_and_radii(found, &forms.stepped, solve().as_ref(), coefficients),
+        Start::Seeds(found) => seeds::radius_and_radii(found, &forms.stepped, &solve(), coefficients),
         Start::LeadingTerm => {
             let radii = leading_term::radii(forms, coefficients);
             return (leading_term::radius(forms, coefficients), radii);

@@ -180,25 +180,21 @@ impl Checked<'_> {
     }
 
     /// Refuses values of fields in f64 that the format of the contact does not hold.
-    fn in_format(&self) -> TokenStream {
+    fn in_format(&self) -> Option<TokenStream> {
         let is_double = |field: &&Field| field.used && field.kind == FieldKind::F64;
         let fields = self.0.item.fields.iter().filter(is_double).map(|field| &field.ident);
         let names: Vec<String> = fields.clone().map(unraw).collect();
-        if names.is_empty() {
-            return TokenStream::new();
-        }
         let (check, scalar) = (self.names().generated("check_range_of_fields"), &self.names().scalar);
-        quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])?;)
+        let checked = quote!(#check::<#scalar, _>(&[#(#names),*], [#(self.#fields),*])?;);
+        (!names.is_empty()).then_some(checked)
     }
 
     /// Refuses values of fields that were declared positive and are not.
-    fn declared(&self) -> TokenStream {
+    fn declared(&self) -> Option<TokenStream> {
         let (bindings, names, values) = self.named(|field| field.used && field.is_positive);
-        if names.is_empty() {
-            return TokenStream::new();
-        }
         let check = self.names().generated("check_positive");
-        quote!({ #bindings #check(&[#(#names),*], [#(#values),*])?; })
+        let checked = quote!({ #bindings #check(&[#(#names),*], [#(#values),*])?; });
+        (!names.is_empty()).then_some(checked)
     }
 
     /// The bindings of some fields, and their names and variables.

@@ -25,12 +25,12 @@ fn name() -> Ident {
     local("steepness")
 }
 
-/// The radius from the table if it is there, and the radii of a slice. Outside the table they come from `solve`, if
-/// there is such a function, or from `radius_within`.
+/// The radius from the table if it is there, and the radii of a slice. Outside the table they come from `solve`, or
+/// from `radius_within`.
 pub(super) fn radius_and_radii(
     seeds: &Seeds,
     stepped: &Stepped,
-    solve: Option<&TokenStream>,
+    solve: &TokenStream,
     coefficients: &Coefficients<'_>,
 ) -> [TokenStream; 2] {
     let names = coefficients.names;
@@ -40,8 +40,6 @@ pub(super) fn radius_and_radii(
     let kind = names.generated("Table");
     let (Names { load_integral, load_integrals, limit, radii, .. }, a) = (names, local("a"));
     let step = quote!(|#a| #steepness(#a, #variables));
-    let nowhere = names.generated("nowhere");
-    let solve = solve.unwrap_or(&nowhere);
     [
         quote!(#kind::radius(&#table, #load_integral, #limit, #units, #step)),
         quote! {

@@ -27,8 +27,9 @@ pub(super) fn function(
     }
 }
 
-/// The value at `a` for whole powers, from J and its derivatives as sums in the [`variable`](WholeExponents::variable), divided
-/// by its lowest power; a J′ was divided by `unit`, and a² J″/2 by its square. The power may come with its excess.
+/// The value at `a` for whole powers, from J and its derivatives as sums in the [`variable`](WholeExponents::variable),
+/// divided by its lowest power; a J′ was divided by `unit`, and a² J″/2 by its square. The power may come with its
+/// excess.
 pub(super) fn value(
     (whole, has_excess): (&WholeExponents, bool),
     a: &Ident,
