@@ -305,7 +305,8 @@ pub trait GapProfile<T: Scalar> {
     /// mean over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. With coefficients known
     /// at run time it is found numerically and never too large. It is too small by the rounding of logarithms: mostly by
     /// less than 100 ε, by hundreds where terms nearly cancel on the way, powers are high or coefficients large, and by
-    /// some thousand with coefficients as small as 1e-30 as well; by 100 ε over the difference of two exponents, if that is small.
+    /// some thousand with coefficients as small as 1e-30 as well; by 100 ε over the difference of two exponents, if that
+    /// is small.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long

@@ -33,32 +33,3 @@ implement_for_pointers! {
         fn check(&self) -> Result<(), ProfileError>;
     }
 }
-
-#[cfg(all(test, feature = "std"))]
-mod tests {
-    use std::boxed::Box;
-    use std::sync::Arc;
-
-    use super::*;
-    use crate::{Contact, Medium, Polynomial, load};
-
-    /// A contact that owns a geometry chosen at run time.
-    fn radius<P: GapProfile<f64> + 'static>(profile: P) -> Option<f64> {
-        let medium = Medium::from_constants(0.375, 0.0015).ok()?;
-        Contact::new(profile, medium, load::Constant(100.0)).ok()?.at(30.0).ok().map(|now| now.radius())
-    }
-
-    #[test]
-    fn a_profile_may_be_boxed_or_shared() -> Result<(), ProfileError> {
-        let paraboloid = Polynomial::new([(0.025, 2.0)])?;
-        let steeper = Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?;
-        let boxed: [(Box<dyn GapProfile<f64> + Send + Sync>, _); 2] =
-            [(Box::new(paraboloid), radius(paraboloid)), (Box::new(steeper), radius(steeper))];
-        for (profile, expected) in boxed {
-            assert!(expected.is_some() && radius(profile) == expected, "{expected:?}");
-        }
-        let shared: Arc<dyn GapProfile<f64>> = Arc::new(steeper);
-        assert_eq!(radius(shared), radius(steeper));
-        Ok(())
-    }
-}

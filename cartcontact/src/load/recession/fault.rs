@@ -21,8 +21,8 @@ impl<T: Scalar> Fault<T> {
         Self::IsInvalid(time, LoadError::InvalidForce { time: time.value(), force: force.value() })
     }
 
-    /// The fault of an impulse up to a time, if it is not finite. Early on, a valid impulse may be negative by
-    /// rounding; more than that is a contradiction.
+    /// Fails if an impulse up to a time is not finite. Early on, a valid one may be negative by rounding; more than that
+    /// is a contradiction.
     pub(super) fn check_impulse((time, impulse): (T, T)) -> Result<(), Self> {
         if impulse.is_finite() {
             return Ok(());
