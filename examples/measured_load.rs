@@ -18,7 +18,7 @@ use std::process::ExitCode;
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, Layer, Medium, gap_profile};
 use examples::load_record::{Knot, LoadRecord};
-use examples::options;
+use examples::options::{self, OptionError};
 
 const DEFAULT_RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/stair_loading.csv");
 
@@ -45,6 +45,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
     let path = match arguments.as_slice() {
         [] => Path::new(DEFAULT_RECORD),
+        [option] if option.to_str().is_some_and(|text| text.starts_with('-')) => {
+            return Err(OptionError::Unknown(option.display().to_string()).into());
+        }
         [record] => record,
         [_, second, ..] => {
             return Err(format!("only one record is read; leave out `{}`", second.display()).into());

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::fmt;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use cartcontact::ContactError;
@@ -28,8 +29,11 @@ impl LoadRecord {
     ///
     /// If the file cannot be read, and as [`parse`](Self::parse).
     pub fn read(path: &Path) -> Result<Self, Box<dyn Error>> {
-        let text =
-            fs::read_to_string(path).map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
+        let text = fs::read_to_string(path).map_err(|error| {
+            let is_other_text = error.kind() == io::ErrorKind::InvalidData;
+            let remedy = if is_other_text { "; save the table as CSV in UTF-8" } else { "" };
+            format!("cannot read `{}`: {error}{remedy}", path.display())
+        })?;
         Ok(Self::parse(path, &text)?)
     }
 
@@ -135,8 +139,10 @@ impl fmt::Display for RecordError {
         write!(f, "{}:{}: ", self.path.display(), self.line)?;
         match &self.problem {
             Problem::Header(found) => write!(f, "the header is `{found}`, but it must be `{HEADER}`"),
-            Problem::Columns(count) => write!(f, "the row has {count} columns, but it must have 2: {HEADER}"),
-            Problem::Number(cell) => write!(f, "`{cell}` is not a number"),
+            Problem::Columns(count) => {
+                write!(f, "the row has {count} columns, but it must have 2: {HEADER}; decimals have a point")
+            }
+            Problem::Number(cell) => write!(f, "`{cell}` is not a number; write one such as 20.5"),
             Problem::Load(error) => error.fmt(f),
             Problem::Contact(error) => error.fmt(f),
         }
@@ -172,8 +178,11 @@ mod tests {
             ("", "a.csv:1: the header is ``, but it must be `time_s,force_n`"),
             ("time_s;force_n\n0;1\n", "a.csv:1: the header is `time_s;force_n`"),
             ("time_s,force_n\n", "a.csv:1: the load has no knots"),
-            ("time_s,force_n\n0,1\n1,2,3\n", "a.csv:3: the row has 3 columns"),
-            ("time_s,force_n\n0,1\n\n1,two\n", "a.csv:4: `two` is not a number"),
+            (
+                "time_s,force_n\n0,1\n1,2,3\n",
+                "a.csv:3: the row has 3 columns, but it must have 2: time_s,force_n; decimals",
+            ),
+            ("time_s,force_n\n0,1\n\n1,two\n", "a.csv:4: `two` is not a number; write one such as 20.5"),
             ("time_s,force_n\n0,1\n1,-2\n", "a.csv:3: the force at time 1 is -2"),
             ("time_s,force_n\n0,1\n1,NaN\n", "a.csv:3: the force at time 1 is NaN"),
             ("time_s,force_n\n0,1\n2,1\n1,1\n", "a.csv:4: knot 2 is at time 1"),
