@@ -19,7 +19,7 @@ struct Knee {
     plateau: f64,
 }
 
-/// What differs from patient to patient: both radii, thickness, shear modulus, permeability and load.
+/// Both radii in mm, thickness in mm, shear modulus in MPa, permeability in mm⁴/(N s), the same for all, and load in N.
 type Patient = [f64; 6];
 
 fn patients() -> Vec<Patient> {

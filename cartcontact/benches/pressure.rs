@@ -16,7 +16,6 @@ const NODES: usize = 6;
 
 fn pressure(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("pressure");
-    group.bench_function("powf", |b| b.iter(|| black_box(3.7_f64).powf(black_box(1.0 / 6.0))));
     let generated = contact(Patellofemoral);
     group.bench_function("generated, constant load", |b| b.iter(|| pressure_at(&generated, 200.0, 3.0)));
     // χ t = 30, nearly as much as is not faded.
