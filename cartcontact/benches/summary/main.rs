@@ -3,8 +3,8 @@
 //! `cargo bench --bench summary` prints it again; `cargo bench --bench summary -- --write` also writes it into
 //! `benches/RESULTS.md`, and what has a target into the README, between `<!-- ratios:begin -->` and `<!-- ratios:end
 //! -->`, beside the measurements there of processors with other vectors, unless some measurements are more than an hour
-//! older than others, perhaps because their benchmark no longer exists, or some of a group are missing, perhaps because
-//! their names have changed.
+//! older than others, perhaps because their benchmark no longer exists, or some are missing, perhaps because their names
+//! have changed: the whole column is renewed.
 
 mod items;
 mod measurements;
@@ -33,9 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         outdated.map_or(Ok(()), Err)?;
         let missing = items::missing(&measurements);
         if !missing.is_empty() {
-            return Err(
-                format!("Not measured, unlike others of their groups: {}.", missing.join("; ")).into()
-            );
+            return Err(format!("Not measured: {}; run all of `cargo bench`.", missing.join("; ")).into());
         }
         write("benches/RESULTS.md", &Table::of(&items))?;
         write("../README.md", &Table::of(items.iter().filter(|item| item.asked.is_some())))?;
