@@ -11,7 +11,8 @@
 //! - for radii of gaps with terms of both signs, [`RADIUS_OF_DIFFERENCES`];
 //! - for the functions of a radius, the number of terms over [`TERMS`], where there are more;
 //! - for pressures, the greatest condition number of the radii of the history, all of which they remember;
-//! - for pressures of gaps with terms of both signs after a load has fallen, Y/F: what such radii carry has faded as much.
+//! - for pressures of gaps with terms of both signs after a load has fallen, Y/F: what such radii carry has faded as
+//!   much.
 //!
 //! Where a load is an exponential function of time, [`FOLD`] is added.
 //!

@@ -190,8 +190,8 @@ impl<T: Precision> Examination<'_, T> {
         }
     }
 
-    /// Y/F under a load that falls, if terms of both signs make the radii on the way uncertain: what they carry is so much
-    /// less than what they carried.
+    /// Y/F under a load that falls, if terms of both signs make the radii on the way uncertain: what they carry is so
+    /// much less than what they carried.
     fn condition_of_fall(&self, force: T) -> f64 {
         let (knots, time) = (&self.scene.knots, self.scene.time);
         let falls = knots.windows(2).any(|pair| pair[1].1 < pair[0].1 && pair[0].0 < time);

@@ -12,8 +12,8 @@ use super::scene::{Form, Scene};
 ///
 /// Where the rounding of a time is tens of e-foldings, χ t > 1e17, what is remembered lies nearer to the edge than
 /// numbers are spaced, and how much of it a quadrature misses is left to chance: of sixty thousand scenes eight were off
-/// by more than 200, all of them so late, and the worst by 6.7e3. Fuzzing draws many more. The worst in the seeded test is 2.8;
-/// the campaign, which draws no such times, compares with the table.
+/// by more than 200, all of them so late, and the worst by 6.7e3. Fuzzing draws many more. The worst in the seeded test
+/// is 2.8; the campaign, which draws no such times, compares with the table.
 const BALANCE: f64 = 4.5e5;
 
 /// A scene from any sequence of words: most numbers are like those of a joint, some are arbitrary.

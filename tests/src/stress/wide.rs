@@ -129,7 +129,7 @@ impl Wide {
     #[must_use]
     pub fn exp(self) -> Self {
         let folds = (self.value() / core::f64::consts::LN_2).round();
-        // Ten halvings leave |x| < 4e-4, for which eight terms are enough.
+        // Ten halvings leave |x| < 4e-4, for which nine terms are more than enough.
         let reduced = (self - Self::of(folds) * LN_2).scaled(-10);
         let mut series = Self::ZERO;
         for k in (1..=9).rev() {
