@@ -103,8 +103,8 @@ fn histories(group: &mut Group<'_>) {
         group,
         "faded history",
         [
-            ("900 s of knots, the last 760 s count", &|| pressure_at(&short, 900.0, 3.0)),
-            ("9900 s of knots, the last 760 s count", &|| pressure_at(&long, 9900.0, 3.0)),
+            ("900 s of knots, the last 800 s count", &|| pressure_at(&short, 900.0, 3.0)),
+            ("9900 s of knots, the last 800 s count", &|| pressure_at(&long, 9900.0, 3.0)),
         ],
     );
 }
