@@ -25,7 +25,7 @@ pub enum Quantity {
     Pressure,
     /// P(0, t).
     PeakPressure,
-    /// A field against a snapshot.
+    /// A field Pᵢⱼ against a snapshot.
     Field,
     /// 2π ∫ P r dr against F.
     Balance,
@@ -67,7 +67,7 @@ impl Quantity {
         }
     }
 
-    /// Its symbol, at most five characters.
+    /// Its symbol, at most four characters, so that a space is left in columns of five.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -78,10 +78,10 @@ impl Quantity {
             Self::LogKernel => "L",
             Self::PressureKernel => "G",
             Self::Radius => "a",
-            Self::ContactApproach => "δ₀(t)",
+            Self::ContactApproach => "δ(t)",
             Self::Pressure => "P(r)",
             Self::PeakPressure => "P(0)",
-            Self::Field => "field",
+            Self::Field => "Pᵢⱼ",
             Self::Balance => "∫P=F",
         }
     }
