@@ -1,5 +1,5 @@
-//! Loads of a user's own, in single precision, that fall by many e-foldings: what is left of the pressures is small beside
-//! the rounding of those that were.
+//! Loads of a user's own, in single precision, that fall by many e-foldings: what is left of the pressures is small
+//! beside the rounding of those that were.
 
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, GapProfile, Medium};
@@ -9,8 +9,8 @@ use tests::measure::ulps;
 use tests::profiles::{Cone, Paraboloid, Patellofemoral, Quartic};
 use tests::random::Stream;
 
-/// A load that falls exponentially and is held from some time on: in double precision, and rounded to single precision, so
-/// that no exponent is rounded in the force.
+/// A load that falls exponentially and is held from some time on: in double precision, and rounded to single
+/// precision, so that no exponent is rounded in the force.
 #[derive(Clone, Copy, Debug)]
 struct FallAndHold {
     force: f64,

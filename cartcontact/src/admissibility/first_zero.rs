@@ -28,8 +28,8 @@
 use crate::Scalar;
 use crate::scalar::{from_single, smallest_normal};
 
-/// The most steps of the march: where it ends early, because a slope nearly vanishes, the range is too short and never too
-/// long.
+/// The most steps of the march: where it ends early, because a slope nearly vanishes, the range is too short and
+/// never too long.
 const MOST_STEPS: u32 = 20_000;
 
 /// δ₀′ as a sum of exponentials of x = ln r.

@@ -26,8 +26,8 @@ impl<T: Scalar> Loading<T> {
         let drained = chi * force;
         let has_drained = chi.is_zero() | ((drained >= least) & (drained + drained).is_finite());
         let has_force = force.is_zero() | ((force >= least) & (of_force >= least) & has_drained);
-        // An impulse below the normal numbers is off by up to ε times the least of these, which is a rounding of the force
-        // if χ times the least is no more than the force.
+        // An impulse below the normal numbers is off by up to ε times the least of these, which is a rounding of the
+        // force if χ times the least is no more than the force.
         let has_impulse = (chi <= force * least.recip()) | (self.impulse >= least);
         has_force & has_impulse & (load_integral >= least) & load_integral.is_finite()
     }

@@ -106,7 +106,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
             let z = half * (T::one() + x);
             let gain = z * (force_rate + chi * (force + T::constant(0.5) * force_rate * z));
             let a = contact.radius_under_hereditary(hereditary + gain).ok()?;
-            // Of a load that falls as fast as it may this is rounding, which may be negative: raised to zero it would add up.
+            // Of a load that falls as fast as it may this is rounding, which may be negative: raised to zero it would
+            // add up.
             let rate = force_rate + chi * (force + force_rate * z);
             let square = a * a;
             let growth = (T::one() + decay_gain(chi * z)) * square * square;

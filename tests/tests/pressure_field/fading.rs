@@ -1,5 +1,5 @@
-//! Fields under loads that fall about as fast as what they press out drains: the pressures that are left hide no rounding of
-//! those that were.
+//! Fields under loads that fall about as fast as what they press out drains: the pressures that are left hide no
+//! rounding of those that were.
 
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, Medium, Scalar};

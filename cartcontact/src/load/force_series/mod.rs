@@ -92,9 +92,9 @@ impl<T: Scalar> ForceSeries<T> {
     /// Leaves out the coefficients that are noise, in a step that ends at `end`.
     ///
     /// After a long history the times of the nodes are rounded by a share of the step, and the forces with them.
-    /// Coefficients then no longer decrease, but from some degree on are as large as the last. F′ multiplies them by up
-    /// to N², and no quadrature rule resolves such waves. The series still has the forces at both ends, so that steps join, and
-    /// what a pressure gains and loses during them remains that of one history.
+    /// Coefficients then no longer decrease, but from some degree on are as large as the last. F′ multiplies them by
+    /// up to N², and no quadrature rule resolves such waves. The series still has the forces at both ends, so that
+    /// steps join, and what a pressure gains and loses during them remains that of one history.
     fn denoised(mut self, end: T) -> Self {
         let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
         let length = length_above(&self.variation[..self.length], noise).max(2);
@@ -173,7 +173,8 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// Whether the coefficients do not decrease, so that the series meets the force only at the nodes.
     ///
-    /// Any share from 2⁻⁶ to 2⁻¹⁴ would do, and 2 ε as well; with 128 ε rises from zero take more than twice as many forces.
+    /// Any share from 2⁻⁶ to 2⁻¹⁴ would do, and 2 ε as well; with 128 ε rises from zero take more than twice as many
+    /// forces.
     pub(crate) fn is_unresolved(&self) -> bool {
         let varying = self.variation[1..].iter().fold(T::zero(), |sum, c| sum + c.abs());
         let rounding = self.size * T::default_epsilon() * T::constant(16.0);
