@@ -40,6 +40,20 @@ fn write(results: Option<[f32; 4]>, written: &mut [f32; 4]) {
 }
 
 #[unsafe(no_mangle)]
+extern "C" fn radius_and_approach(force: f32, time: f32, written: &mut [f32; 2]) {
+    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(force)).ok());
+    let now = contact.as_ref().and_then(|contact| contact.at(time).ok());
+    *written = now.map_or([f32::NAN; 2], |now| [now.radius(), now.approach()]);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn peak_pressure(force: f32, time: f32, written: &mut [f32; 3]) {
+    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(force)).ok());
+    let now = contact.as_ref().and_then(|contact| contact.at(time).ok());
+    *written = now.map_or([f32::NAN; 3], |now| [now.radius(), now.approach(), now.peak_pressure()]);
+}
+
+#[unsafe(no_mangle)]
 extern "C" fn of_constants(force: f32, time: f32, r: f32, written: &mut [f32; 4]) {
     write(results(Constants, Constant(force), time, r), written);
 }
@@ -60,11 +74,20 @@ extern "C" fn of_a_polynomial(terms: &[(f32, f32); 2], time: f32, r: f32, writte
     write(polynomial.and_then(|gap| results(gap, Constant(100.0), time, r)), written);
 }
 
-/// A record of times and forces.
-#[unsafe(no_mangle)]
-extern "C" fn of_a_record(record: &[(f32, f32); 8], time: f32, r: f32, written: &mut [f32; 4]) {
+/// Of a record of times and forces.
+fn of_knots(record: &[(f32, f32)], time: f32, r: f32, written: &mut [f32; 4]) {
     let load = PiecewiseLinear::new(record).ok();
     write(load.and_then(|load| results(Constants, load, time, r)), written);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_ten_knots(record: &[(f32, f32); 10], time: f32, r: f32, written: &mut [f32; 4]) {
+    of_knots(record, time, r, written);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn of_a_hundred_knots(record: &[(f32, f32); 100], time: f32, r: f32, written: &mut [f32; 4]) {
+    of_knots(record, time, r, written);
 }
 
 /// A load that rises steadily, in N/s.

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Prints the README's table of microcontrollers: flash, stack and instructions of each function of this library.
+
+Run it after `.ci/single_precision`, which builds the library; it needs `pip install unicorn pyelftools`. Flash is what
+the linker keeps if a program calls one function only.
+"""
+
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+from elftools.elf.elffile import ELFFile
+from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_THUMB, Uc
+from unicorn.arm_const import (
+    UC_ARM_REG_C1_C0_2,
+    UC_ARM_REG_FPEXC,
+    UC_ARM_REG_LR,
+    UC_ARM_REG_R0,
+    UC_ARM_REG_S0,
+    UC_ARM_REG_SP,
+)
+
+LIBRARY = Path(__file__).parents[2] / "target/thumbv7em-none-eabihf/release/libmicrocontroller.a"
+PAGE = 0x1000
+# Where nothing else is: the stack grows down from the first, the second holds arrays, to the third functions return.
+STACK, ARRAYS, RETURN = 0x2000_0000, 0x3000_0000, 0x4000_0000
+TIME, FORCE, PLACE = 200.0, 100.0, 3.0
+
+
+def knots(count):
+    """A record up to TIME whose forces rise by a tenth, faster and faster, as pairs of a time and a force."""
+    shares = [k / (count - 1) for k in range(count)]
+    return [x for share in shares for x in (TIME * share, FORCE * (1 + share**2 / 10))]
+
+
+# Name, function, arrays that it reads, numbers, and how many numbers it writes.
+ROWS = [
+    ("radius and approach, held load", "radius_and_approach", [], [FORCE, TIME], 2),
+    ("radius, approach and peak pressure, held load", "peak_pressure", [], [FORCE, TIME], 3),
+    ("the same and a pressure", "of_constants", [], [FORCE, TIME, PLACE], 4),
+    ("the same, coefficients of a field", "of_a_field", [], [20.0, FORCE, TIME, PLACE], 4),
+    ("the same, `Polynomial`", "of_a_polynomial", [[0.025, 2.0, 1.09375e-4, 4.0]], [TIME, PLACE], 4),
+    ("the same, constants, record of 10 knots", "of_ten_knots", [knots(10)], [TIME, PLACE], 4),
+    ("the same, record of 100 knots", "of_a_hundred_knots", [knots(100)], [TIME, PLACE], 4),
+    ("the same, user-defined load that rises steadily", "of_a_load", [], [FORCE / TIME, TIME, PLACE], 4),
+    ("radii at 8 times, held load", "radii", [[25.0 * k for k in range(1, 9)]], [], 8),
+    ("4 × 4 pressures, held load", "pressure_field", [[50.0, 100.0, 150.0, 200.0], [0.0, 2.0, 4.0, 6.0]], [], 16),
+]
+
+
+def linker():
+    """LLD, which is a part of the Rust toolchain."""
+    sysroot = subprocess.run(["rustc", "--print", "sysroot"], check=True, capture_output=True, text=True).stdout
+    return next(Path(sysroot.strip()).glob("lib/rustlib/*/bin/rust-lld"))
+
+
+def linked(function):
+    """The program of one function, as a file."""
+    program = LIBRARY.with_name(f"{function}.elf")
+    subprocess.run(
+        [linker(), "-flavor", "gnu", "--gc-sections", "-e", function, LIBRARY, "-o", program], check=True
+    )
+    return program
+
+
+def run(elf, arrays, numbers, written):
+    """Stack in bytes, instructions, and the numbers written."""
+    machine = Uc(UC_ARCH_ARM, UC_MODE_THUMB)
+    machine.reg_write(UC_ARM_REG_C1_C0_2, machine.reg_read(UC_ARM_REG_C1_C0_2) | 0xF << 20)
+    machine.reg_write(UC_ARM_REG_FPEXC, 0x4000_0000)
+    pages = set()
+    for segment in elf.iter_segments("PT_LOAD"):
+        start, size = segment["p_vaddr"], segment["p_memsz"]
+        pages.update(range(start // PAGE, (start + size) // PAGE + 1))
+    for page in pages:
+        machine.mem_map(page * PAGE, PAGE)
+    for segment in elf.iter_segments("PT_LOAD"):
+        machine.mem_write(segment["p_vaddr"], segment.data())
+    machine.mem_map(STACK - 0x10_0000, 0x10_0000)
+    machine.mem_map(ARRAYS, 0x1_0000)
+    machine.mem_map(RETURN, PAGE)
+    address = ARRAYS
+    for place, array in enumerate([*arrays, [float("nan")] * written]):
+        result = address
+        machine.mem_write(address, struct.pack(f"<{len(array)}f", *array))
+        machine.reg_write(UC_ARM_REG_R0 + place, address)
+        address += 4 * len(array)
+    for place, number in enumerate(numbers):
+        machine.reg_write(UC_ARM_REG_S0 + place, struct.unpack("<I", struct.pack("<f", number))[0])
+    machine.reg_write(UC_ARM_REG_SP, STACK)
+    machine.reg_write(UC_ARM_REG_LR, RETURN | 1)
+    count, lowest = 0, STACK
+
+    def step(machine, *_):
+        nonlocal count, lowest
+        count += 1
+        lowest = min(lowest, machine.reg_read(UC_ARM_REG_SP))
+
+    machine.hook_add(UC_HOOK_CODE, step)
+    machine.emu_start(elf.header["e_entry"] | 1, RETURN)
+    return STACK - lowest, count, struct.unpack(f"<{written}f", machine.mem_read(result, 4 * written))
+
+
+def main():
+    for name, function, *call in ROWS:
+        with linked(function).open("rb") as file:
+            elf = ELFFile(file)
+            flash = sum(segment["p_filesz"] for segment in elf.iter_segments("PT_LOAD"))
+            stack, count, results = run(elf, *call)
+        if any(result != result for result in results):
+            sys.exit(f"{function} has no result: {results}")
+        print(f"| {name} | {flash / 1024:.0f} | {stack / 1024:.1f} | {count} |")
+
+
+main()
