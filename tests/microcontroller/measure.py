@@ -22,9 +22,10 @@ from unicorn.arm_const import (
 )
 
 LIBRARY = Path(__file__).parents[2] / "target/thumbv7em-none-eabihf/release/libmicrocontroller.a"
-PAGE = 0x1000
-# Where nothing else is: the stack grows down from the first, the second holds arrays, to the third functions return.
-STACK, ARRAYS, RETURN = 0x2000_0000, 0x3000_0000, 0x4000_0000
+# The linker lays programs in the first of these. The stack grows down from the second, the third holds arrays, to the
+# fourth functions return.
+PROGRAM, STACK, ARRAYS, RETURN = 0, 0x2000_0000, 0x3000_0000, 0x4000_0000
+ROOM = 0x10_0000
 TIME, FORCE, PLACE = 200.0, 100.0, 3.0
 
 
@@ -55,11 +56,11 @@ def linker():
     return next(Path(sysroot.strip()).glob("lib/rustlib/*/bin/rust-lld"))
 
 
-def linked(function):
+def linked(lld, function):
     """The program of one function, as a file."""
     program = LIBRARY.with_name(f"{function}.elf")
     subprocess.run(
-        [linker(), "-flavor", "gnu", "--gc-sections", "-e", function, LIBRARY, "-o", program], check=True
+        [lld, "-flavor", "gnu", "--gc-sections", "-e", function, LIBRARY, "-o", program], check=True
     )
     return program
 
@@ -69,17 +70,10 @@ def run(elf, arrays, numbers, written):
     machine = Uc(UC_ARCH_ARM, UC_MODE_THUMB)
     machine.reg_write(UC_ARM_REG_C1_C0_2, machine.reg_read(UC_ARM_REG_C1_C0_2) | 0xF << 20)
     machine.reg_write(UC_ARM_REG_FPEXC, 0x4000_0000)
-    pages = set()
-    for segment in elf.iter_segments("PT_LOAD"):
-        start, size = segment["p_vaddr"], segment["p_memsz"]
-        pages.update(range(start // PAGE, (start + size) // PAGE + 1))
-    for page in pages:
-        machine.mem_map(page * PAGE, PAGE)
+    for start in (PROGRAM, STACK - ROOM, ARRAYS, RETURN):
+        machine.mem_map(start, ROOM)
     for segment in elf.iter_segments("PT_LOAD"):
         machine.mem_write(segment["p_vaddr"], segment.data())
-    machine.mem_map(STACK - 0x10_0000, 0x10_0000)
-    machine.mem_map(ARRAYS, 0x1_0000)
-    machine.mem_map(RETURN, PAGE)
     address = ARRAYS
     for place, array in enumerate([*arrays, [float("nan")] * written]):
         result = address
@@ -103,8 +97,9 @@ def run(elf, arrays, numbers, written):
 
 
 def main():
+    lld = linker()
     for name, function, *call in ROWS:
-        with linked(function).open("rb") as file:
+        with linked(lld, function).open("rb") as file:
             elf = ELFFile(file)
             flash = sum(segment["p_filesz"] for segment in elf.iter_segments("PT_LOAD"))
             stack, count, results = run(elf, *call)

@@ -34,23 +34,28 @@ fn results(profile: impl GapProfile<f32>, load: impl Load<f32>, time: f32, r: f3
     Some([now.radius(), now.approach(), now.peak_pressure(), now.pressure(r)])
 }
 
+/// The constants under a held load.
+fn held(force: f32) -> Option<Contact<f32, Constants, Constant<f32>>> {
+    Contact::new(Constants, medium()?, Constant(force)).ok()
+}
+
 /// Writes the results, or NaN.
-fn write(results: Option<[f32; 4]>, written: &mut [f32; 4]) {
-    *written = results.unwrap_or([f32::NAN; 4]);
+fn write<const N: usize>(results: Option<[f32; N]>, written: &mut [f32; N]) {
+    *written = results.unwrap_or([f32::NAN; N]);
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn radius_and_approach(force: f32, time: f32, written: &mut [f32; 2]) {
-    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(force)).ok());
+    let contact = held(force);
     let now = contact.as_ref().and_then(|contact| contact.at(time).ok());
-    *written = now.map_or([f32::NAN; 2], |now| [now.radius(), now.approach()]);
+    write(now.map(|now| [now.radius(), now.approach()]), written);
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn peak_pressure(force: f32, time: f32, written: &mut [f32; 3]) {
-    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(force)).ok());
+    let contact = held(force);
     let now = contact.as_ref().and_then(|contact| contact.at(time).ok());
-    *written = now.map_or([f32::NAN; 3], |now| [now.radius(), now.approach(), now.peak_pressure()]);
+    write(now.map(|now| [now.radius(), now.approach(), now.peak_pressure()]), written);
 }
 
 #[unsafe(no_mangle)]
@@ -109,16 +114,14 @@ extern "C" fn of_a_load(rate: f32, time: f32, r: f32, written: &mut [f32; 4]) {
 
 #[unsafe(no_mangle)]
 extern "C" fn radii(times: &[f32; 8], written: &mut [f32; 8]) {
-    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(100.0)).ok());
-    if contact.is_none_or(|contact| contact.radii(times, written).is_err()) {
+    if held(100.0).is_none_or(|contact| contact.radii(times, written).is_err()) {
         *written = [f32::NAN; 8];
     }
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn pressure_field(times: &[f32; 4], radii: &[f32; 4], written: &mut [f32; 16]) {
-    let contact = medium().and_then(|medium| Contact::new(Constants, medium, Constant(100.0)).ok());
-    if contact.is_none_or(|contact| contact.pressure_field(times, radii, written).is_err()) {
+    if held(100.0).is_none_or(|contact| contact.pressure_field(times, radii, written).is_err()) {
         *written = [f32::NAN; 16];
     }
 }
