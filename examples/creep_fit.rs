@@ -70,7 +70,7 @@ const MOST_STEPS: usize = 50;
 const LEAST_FOLDS: f64 = 1e-6;
 
 fn main() -> ExitCode {
-    examples::run("creep_fit", [], |[]| run())
+    examples::run(run)
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

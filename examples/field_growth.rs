@@ -40,7 +40,7 @@ const RUNS: usize = 40;
 const FIGURE: &str = "target/cartcontact/field_growth.svg";
 
 fn main() -> ExitCode {
-    examples::run("field_growth", [], |[]| run())
+    examples::run(run)
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

@@ -9,7 +9,6 @@
 //! resolution of 0.1 N on a joint that is loaded in three steps and relaxes a little in each hold. The load may
 //! fall, as long as the contact does not become smaller.
 
-use std::env;
 use std::error::Error;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -17,48 +16,33 @@ use std::process::ExitCode;
 
 use cartcontact::load::Load;
 use cartcontact::{Contact, ContactError, Layer, Medium, gap_profile};
+use clap::Parser;
 use examples::load_record::{Knot, LoadRecord};
-use examples::options::{self, OptionError};
 
 const DEFAULT_RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/stair_loading.csv");
 
-const HELP: &str = "\
-Usage: cargo run --release --example measured_load -- [record.csv] > contact.csv
-
-  record.csv  times in s and forces in N under the header time_s,force_n;
-              examples/data/stair_loading.csv if not given
-";
+/// Contact radii, approaches and peak pressures under a measured load.
+#[derive(Debug, Parser)]
+struct Options {
+    /// A CSV file of time_s,force_n; data/stair_loading.csv if not given
+    record: Option<PathBuf>,
+}
 
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]
 struct Patellofemoral;
 
 fn main() -> ExitCode {
-    examples::finish(run())
+    examples::finish(run(&Options::parse()))
 }
 
-fn run() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<_> = env::args_os().skip(1).map(PathBuf::from).collect();
-    let mut out = io::stdout().lock();
-    if arguments.iter().any(|argument| argument.to_str().is_some_and(options::is_help)) {
-        write!(out, "{HELP}")?;
-        return Ok(());
-    }
-    let path = match arguments.as_slice() {
-        [] => Path::new(DEFAULT_RECORD),
-        [option] if option.to_str().is_some_and(|text| text.starts_with('-')) => {
-            return Err(OptionError::Unknown(option.display().to_string()).into());
-        }
-        [record] => record,
-        [_, second, ..] => {
-            return Err(format!("only one record is read; leave out `{}`", second.display()).into());
-        }
-    };
-    let record = LoadRecord::read(path)?;
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let record = LoadRecord::read(options.record.as_deref().unwrap_or(Path::new(DEFAULT_RECORD)))?;
     let layer = Layer { thickness: 1.0, shear_modulus: 0.25, permeability: 2e-3 };
     let contact = Contact::new(Patellofemoral, Medium::between(layer, layer)?, record.load()?)?;
     // All of them before the first is written, so that a load that falls too fast leaves no part of a table.
     let states = states(&contact, record.knots()).map_err(|error| record.locate(error))?;
 
+    let mut out = io::stdout().lock();
     writeln!(out, "time_s,force_n,radius_mm,approach_mm,peak_pressure_mpa")?;
     for (&(time, force), [radius, approach, peak_pressure]) in record.knots().iter().zip(states) {
         writeln!(out, "{time},{force},{radius:.5},{approach:.6},{peak_pressure:.6}")?;

@@ -30,7 +30,7 @@ impl BallInSocket {
 }
 
 fn main() -> ExitCode {
-    examples::run("parameters", [], |[]| run())
+    examples::run(run)
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

@@ -18,8 +18,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use cartcontact::{Contact, ContactError, Layer, Medium, MediumError, ProfileError, gap_profile, load};
+use clap::{Parser, value_parser};
 use examples::histogram::Histogram;
-use examples::options::Flag;
 use indicatif::{ProgressBar, ProgressStyle};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
@@ -49,20 +49,28 @@ const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 /// The path of the figure, relative to the folder in which the program runs.
 const FIGURE: &str = "target/cartcontact/parametric_study.svg";
 
-const SCENES: Flag =
-    Flag { name: "--scenes", about: "how many scenes", default: 1_000_000, least: 100, most: 100_000_000 };
-const THREADS: Flag =
-    Flag { name: "--threads", about: "how many threads share them", default: 1, least: 1, most: 1024 };
-const SEED: Flag =
-    Flag { name: "--seed", about: "which random numbers", default: 1, least: 0, most: u64::MAX };
-
-fn main() -> ExitCode {
-    examples::run("parametric_study", [SCENES, THREADS, SEED], run)
+/// The spread of peak pressures in a population of joints.
+#[derive(Debug, Parser)]
+struct Options {
+    /// How many scenes, a million takes 40 MB
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    #[arg(value_parser = value_parser!(u64).range(100..=100_000_000))]
+    scenes: u64,
+    /// How many threads share them
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u16).range(1..=1024))]
+    threads: u16,
+    /// Which random numbers
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
 }
 
-fn run([scenes, threads, seed]: [u64; 3]) -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    examples::finish(run(&Options::parse()))
+}
+
+fn run(&Options { scenes, threads, seed }: &Options) -> Result<(), Box<dyn Error>> {
     let population = Population::new()?;
-    let threads = usize::try_from(threads)?;
+    let threads = usize::from(threads);
     let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
     let start = Instant::now();
     let study = pool.install(|| Study::of(&population, scenes, seed));

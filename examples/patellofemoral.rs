@@ -46,7 +46,7 @@ const LARGEST_RADIUS: f64 = 9.0;
 const FOLDER: &str = "target/cartcontact";
 
 fn main() -> ExitCode {
-    examples::run("patellofemoral", [], |[]| run())
+    examples::run(run)
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

@@ -41,7 +41,7 @@ fn contact<T: Scalar>(parameters: [T; 6]) -> Result<[T; 3], Box<dyn Error>> {
 }
 
 fn main() -> ExitCode {
-    examples::run("sensitivities", [], |[]| run())
+    examples::run(run)
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

@@ -4,21 +4,22 @@ pub mod figure;
 pub mod histogram;
 pub mod load_record;
 pub mod log_log;
-pub mod options;
 
 use std::error::Error;
 use std::io;
 use std::process::ExitCode;
 
-use options::Flag;
+use clap::Parser;
 
-/// Runs an example with the values of its options, or shows its help.
-pub fn run<const N: usize>(
-    example: &str,
-    flags: [Flag; N],
-    body: impl FnOnce([u64; N]) -> Result<(), Box<dyn Error>>,
-) -> ExitCode {
-    finish(options::read(example, flags).and_then(|values| values.map_or(Ok(()), body)))
+/// The command line of an example that has no options, so that it refuses others.
+#[derive(Debug, Parser)]
+#[command(about = None)]
+struct NoOptions;
+
+/// Runs an example that has no options.
+pub fn run(body: impl FnOnce() -> Result<(), Box<dyn Error>>) -> ExitCode {
+    NoOptions::parse();
+    finish(body())
 }
 
 /// Ends a program: an error is written to the standard error, and the exit code is 1.

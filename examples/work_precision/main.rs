@@ -45,7 +45,7 @@ const LAST_STEPS: [f64; 4] = [1.0, 1e-1, 1e-4, FULL];
 const FIGURE: &str = "target/cartcontact/work_precision.svg";
 
 fn main() -> ExitCode {
-    examples::run("work_precision", [], |[]| run())
+    examples::run(run)
 }
 
 fn run() -> Result<(), Box<dyn Error>> {

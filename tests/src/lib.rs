@@ -1,6 +1,5 @@
 //! What the tests share: geometries, reference values, an error measure, and the table of allowed errors.
 
-pub mod arguments;
 pub mod budget;
 pub mod condition;
 pub mod fractions;

@@ -6,22 +6,27 @@
 
 use std::cell::LazyCell;
 use std::f64::consts::FRAC_PI_4;
-use std::process::ExitCode;
 use std::thread;
 
-use ::tests::arguments::numbers;
 use ::tests::fractions::{Hundredths, Quarters, Tenths, Thirds, Twentieths};
 use ::tests::measure::{Exact, ulps};
 use ::tests::profiles::{Cone, Paraboloid, Patellofemoral};
 use ::tests::random::Stream;
 use ::tests::stress::wide::Wide;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
+use clap::{Parser, value_parser};
 
-const USAGE: &str = "\
-usage: radii [--radii N] [--seed N]
-
-  --radii N   how many random radii of each geometry, 1000000 unless told
-  --seed N    which ones, 1 unless told";
+/// How many contact radii are off by more than one unit in the last place.
+#[derive(Debug, Parser)]
+struct Options {
+    /// How many random radii of each geometry
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    #[arg(value_parser = value_parser!(u64).range(1..))]
+    radii: u64,
+    /// Which ones
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+}
 
 /// The decades of radii, within the tables of all geometries.
 const DECADES: [f64; 2] = [-1.5, 0.75];
@@ -239,29 +244,9 @@ fn exact_load_integral(force: f64, t: f64) -> Wide {
     Wide::of(force) * (Wide::ONE + Wide::of(chi) * Wide::of(t)) / (Wide::FRAC_PI_4 * Wide::of(m))
 }
 
-fn main() -> ExitCode {
-    match request(std::env::args().skip(1)) {
-        Ok(Some((count, seed))) => print_table(count, seed),
-        Ok(None) => println!("{USAGE}"),
-        Err(message) => {
-            eprintln!("{message}\n\n{USAGE}");
-            return ExitCode::from(2);
-        }
-    }
-    ExitCode::SUCCESS
-}
-
-/// The number of radii and the seed; none if only the usage is asked for.
-fn request(arguments: impl Iterator<Item = String>) -> Result<Option<(u64, u64)>, String> {
-    let Some([count, seed]) = numbers(["--radii", "--seed"], arguments)? else { return Ok(None) };
-    if count == Some(0) {
-        return Err("`--radii` must be at least 1".to_owned());
-    }
-    Ok(Some((count.unwrap_or(1_000_000), seed.unwrap_or(1))))
-}
-
 /// Prints a row for every kind: the geometry of which most are off in each format, and the largest error of all.
-fn print_table(count: u64, seed: u64) {
+fn main() {
+    let Options { radii: count, seed } = Options::parse();
     println!("| terms                         | f64  | f32  | largest error |");
     println!("|-------------------------------|------|------|---------------|");
     for kind in kinds() {

@@ -6,17 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ::tests::arguments::numbers;
 use ::tests::stress::campaign::{Campaign, Report};
-
-const USAGE: &str = "\
-usage: stress [--cases N | --seconds S] [--seed N]
-       stress --only CASE [--seed N]
-
-  --cases N     how many random scenes to compute, 100000 unless told
-  --seconds S   compute as many as take S seconds
-  --seed N      which scenes, 1 unless told
-  --only CASE   one scene of a report again: its numbers, and everything about it";
+use clap::{Parser, value_parser};
 
 /// Cases that a worker takes at a time.
 const BATCH: u64 = 32;
@@ -28,26 +19,25 @@ const MARGIN: f64 = 1.3;
 /// How many cases are computed by default.
 const CASES: u64 = 100_000;
 
-/// The parsed arguments.
+/// Computes random scenes and compares them with what they must be.
+#[derive(Debug, Parser)]
 struct Request {
-    seed: u64,
+    /// How many random scenes to compute, 100000 unless told
+    #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..), group = "extent")]
     cases: Option<u64>,
+    /// Compute as many as take so many seconds
+    #[arg(long, value_name = "S", value_parser = value_parser!(u64).range(1..), group = "extent")]
     seconds: Option<u64>,
+    /// One scene of a report again: its numbers, and everything about it
+    #[arg(long, value_name = "CASE", group = "extent")]
     only: Option<u64>,
+    /// Which scenes
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
 }
 
 fn main() -> ExitCode {
-    let request = match Request::read(std::env::args().skip(1)) {
-        Ok(Some(request)) => request,
-        Ok(None) => {
-            println!("{USAGE}");
-            return ExitCode::SUCCESS;
-        }
-        Err(message) => {
-            eprintln!("{message}\n\n{USAGE}");
-            return ExitCode::from(2);
-        }
-    };
+    let request = Request::parse();
     let report = request.run();
     println!("{report}");
     if report.holds() {
@@ -63,22 +53,6 @@ fn main() -> ExitCode {
 }
 
 impl Request {
-    /// Parses the arguments; none if they ask for help.
-    fn read(arguments: impl Iterator<Item = String>) -> Result<Option<Self>, String> {
-        let names = ["--cases", "--seconds", "--seed", "--only"];
-        let Some([cases, seconds, seed, only]) = numbers(names, arguments)? else { return Ok(None) };
-        for (name, number) in [("--cases", cases), ("--seconds", seconds)] {
-            if number == Some(0) {
-                return Err(format!("`{name}` must be at least 1"));
-            }
-        }
-        let request = Self { seed: seed.unwrap_or(1), cases, seconds, only };
-        if [request.cases, request.seconds, request.only].iter().flatten().count() > 1 {
-            return Err("give only one of `--cases`, `--seconds` and `--only`".to_owned());
-        }
-        Ok(Some(request))
-    }
-
     fn run(&self) -> Report {
         let campaign = Campaign { seed: self.seed };
         if let Some(case) = self.only {
@@ -190,18 +164,19 @@ fn shown(duration: Duration) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use clap::error::ErrorKind;
 
-    fn read(arguments: &str) -> Result<Option<Request>, String> {
-        Request::read(arguments.split_whitespace().map(str::to_owned))
-    }
+    use super::*;
 
     #[test]
     fn one_kind_of_campaign_is_asked_for() {
+        let read = |line: &str| Request::try_parse_from(format!("stress {line}").split(' '));
         for both in ["--cases 70 --seconds 1", "--seconds 1 --cases 70", "--only 3 --cases 70"] {
-            assert!(read(both).is_err_and(|message| message.contains("only one of")), "{both}");
+            assert!(read(both).is_err_and(|error| error.kind() == ErrorKind::ArgumentConflict), "{both}");
         }
-        assert!(read("--cases 70 --seed 2").is_ok_and(|request| request.is_some()));
+        assert!(
+            read("--cases 70 --seed 2").is_ok_and(|request| request.cases == Some(70) && request.seed == 2)
+        );
     }
 
     #[test]
