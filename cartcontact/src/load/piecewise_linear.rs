@@ -99,7 +99,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             if knot % stride == 0
                 && let Some(impulse) = load.impulses.get_mut(knot / stride)
             {
-                *impulse = sum.value;
+                *impulse = total_of(sum);
             }
         }
         Ok(load)
@@ -130,7 +130,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
         // After the last knot the force is constant.
         let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
         sum.add(Piece { start, end }.before(t).impulse());
-        sum.value
+        total_of(sum)
     }
 
     /// The force at `t`, from the last knot that `is_before` selects and the knot after it.
@@ -144,6 +144,13 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             (None, _) => before_the_start(t),
         }
     }
+}
+
+/// A sum of impulses, none of which is negative: infinite once it has left the format, where its compensation, the
+/// difference of infinite numbers, would make it NaN.
+#[inline(always)]
+fn total_of<T: Scalar>(sum: CompensatedSum<T>) -> T {
+    if sum.value.is_finite() { sum.value } else { T::infinity() }
 }
 
 /// Zero before the load is applied; NaN if the time is NaN.
@@ -336,6 +343,16 @@ mod tests {
     fn an_impulse_may_be_as_large_as_any_number() -> Result<(), LoadError> {
         let load = PiecewiseLinear::new([(0.0, 1.5e17_f32), (1.5e21, 1.5e17)])?;
         assert_eq!(load.impulse(1.5e21), 1.5e21 * 1.5e17);
+        Ok(())
+    }
+
+    #[test]
+    fn an_impulse_that_leaves_the_format_is_infinite() -> Result<(), LoadError> {
+        let load = PiecewiseLinear::new([1.0_f32, 1e10, 2e10, 3e10].map(|end| (end - 1.0, 1e30)))?;
+        for t in [1e10, 1.5e10, 2e10, 3e10, 4e10] {
+            assert_eq!(load.impulse(t), f32::INFINITY, "{t}");
+        }
+        assert_eq!(load, load);
         Ok(())
     }
 
