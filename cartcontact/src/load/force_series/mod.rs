@@ -31,6 +31,8 @@ use chebyshev::{
 
 /// The force during a step, and what follows from it.
 pub(crate) struct ForceSeries<T> {
+    /// When the step ends.
+    end: T,
     duration: T,
     /// χ times the duration.
     folds: T,
@@ -67,7 +69,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// The same without noise.
     pub(crate) fn without_noise<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
-        Self::through_forces(load, times, chi).denoised(times.1).grown()
+        Self::through_forces(load, times, chi).denoised().grown()
     }
 
     fn through_forces<L: Load<T> + ?Sized>(load: &L, (start, end): (T, T), chi: T) -> Self {
@@ -86,17 +88,17 @@ impl<T: Scalar> ForceSeries<T> {
         let length = leave_out(&mut variation, length);
         let none = [T::zero(); DEGREE + 1];
         let folds = chi * duration;
-        Self { duration, folds, forces, size, rest, length, variation, growth: none, mean_growth: none }
+        Self { end, duration, folds, forces, size, rest, length, variation, growth: none, mean_growth: none }
     }
 
-    /// Leaves out the coefficients that are noise, in a step that ends at `end`.
+    /// Leaves out the coefficients that are noise.
     ///
     /// After a long history the times of the nodes are rounded by a share of the step, and the forces with them.
     /// Coefficients then no longer decrease, but from some degree on are as large as the last. F′ multiplies them by
     /// up to N², and no quadrature rule resolves such waves. The series still has the forces at both ends, so that
     /// steps join, and what a pressure gains and loses during them remains that of one history.
-    fn denoised(mut self, end: T) -> Self {
-        let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding(end));
+    fn denoised(mut self) -> Self {
+        let noise = (largest(&self.variation[DEGREE - 2..]) * T::constant(4.0)).min(self.rounding());
         let length = length_above(&self.variation[..self.length], noise).max(2);
         self.length = leave_out(&mut self.variation, length);
         let (mut at_end, mut at_start) = (T::zero(), self.forces[Self::START] - self.last());
@@ -120,6 +122,11 @@ impl<T: Scalar> ForceSeries<T> {
         self.growth[0] += half_folds * self.last();
         self.mean_growth = mean_to_the_end(&self.growth[..length]);
         self
+    }
+
+    /// When the step ends.
+    pub(crate) fn end(&self) -> T {
+        self.end
     }
 
     /// The duration of the step.
@@ -239,24 +246,23 @@ impl<T: Scalar> ForceSeries<T> {
         self.forces[node]
     }
 
-    /// The time and the force of the first node whose force is negative by more than what is negligible, or not finite,
-    /// if the step ends at `end`.
-    pub(crate) fn invalid_force(&self, end: T, negligible: T) -> Option<(T, T)> {
+    /// The time and the force of the first node whose force is negative by more than what is negligible, or not finite.
+    pub(crate) fn invalid_force(&self, negligible: T) -> Option<(T, T)> {
         let node = (0..=Self::START).rev().find(|&node| !is_force(self.forces[node], negligible))?;
-        Some((self.time(node, end), self.forces[node]))
+        Some((self.time(node), self.forces[node]))
     }
 
-    /// The time of a node, if the step ends at `end`.
-    pub(crate) fn time(&self, node: usize, end: T) -> T {
-        self.time_at(abscissa(node), end)
+    /// The time of a node.
+    pub(crate) fn time(&self, node: usize) -> T {
+        self.time_at(abscissa(node))
     }
 
-    fn time_at(&self, x: T, end: T) -> T {
-        end - self.duration * (T::one() - x) * T::constant(0.5)
+    fn time_at(&self, x: T) -> T {
+        self.end - self.duration * (T::one() - x) * T::constant(0.5)
     }
 
     /// The time at which the hereditary load turns, next to the node at which it is highest.
-    pub(crate) fn time_of_turn(&self, highest: usize, end: T) -> T {
+    pub(crate) fn time_of_turn(&self, highest: usize) -> T {
         let half = T::constant(0.5);
         let (mut rising, mut falling) =
             (abscissa((highest + 1).min(DEGREE)), abscissa(highest.saturating_sub(1)));
@@ -269,19 +275,19 @@ impl<T: Scalar> ForceSeries<T> {
                 falling = middle;
             }
         }
-        self.time_at(rising, end)
+        self.time_at(rising)
     }
 
-    /// Whether the series of a step that ends at `end` leaves out more than rounding.
-    pub(crate) fn is_loose(&self, end: T) -> bool {
-        self.rest > self.rounding(end)
+    /// Whether the series leaves out more than rounding.
+    pub(crate) fn is_loose(&self) -> bool {
+        self.rest > self.rounding()
     }
 
-    /// The effect of rounding the forces, and the times up to `end` that they belong to.
-    fn rounding(&self, end: T) -> T {
+    /// The effect of rounding the forces, and the times that they belong to.
+    fn rounding(&self) -> T {
         let slope = derivative(&self.variation[..self.length]);
         let change = slope.iter().fold(T::zero(), |sum, c| sum + c.abs());
-        rounding_within_load(self.size) + change * (end / self.duration) * T::default_epsilon()
+        rounding_within_load(self.size) + change * (self.end / self.duration) * T::default_epsilon()
     }
 
     fn at(&self, x: T) -> Local<T> {

@@ -26,11 +26,11 @@ pub(in crate::load) struct Contradiction<T> {
     integral: T,
 }
 
-/// The least and the most that ∫F can be along a series that ends at a time.
-fn bounds<T: Scalar>(force: &ForceSeries<T>, end: T, chi: T) -> (T, T) {
+/// The least and the most that ∫F can be along a series.
+fn bounds<T: Scalar>(force: &ForceSeries<T>, chi: T) -> (T, T) {
     // Nodes are counted from the end.
     (0..ForceSeries::<T>::START).fold((T::zero(), T::zero()), |(least, most), node| {
-        let duration = force.time(node, end) - force.time(node + 1, end);
+        let duration = force.time(node) - force.time(node + 1);
         let folds = chi * duration;
         // The means of e^(−x) and e^x between the nodes.
         let (falling, rising) = if folds.is_zero() {
@@ -44,19 +44,17 @@ fn bounds<T: Scalar>(force: &ForceSeries<T>, end: T, chi: T) -> (T, T) {
 }
 
 impl<T: Scalar> Contradiction<T> {
-    /// The contradiction, if any, between a force series and the impulses at its ends, each of which may be off by the
-    /// tolerance.
+    /// The contradiction, if any, between a force series that begins at a time and what the impulse gains along it; the
+    /// impulse may be off by the tolerance at either end.
     pub(super) fn within(
         force: &ForceSeries<T>,
-        (from, first): (T, T),
-        (to, last): (T, T),
+        (from, impulse): (T, T),
         chi: T,
         tolerance: T,
     ) -> Option<Self> {
-        let impulse = last - first;
-        let (least, most) = bounds(force, to, chi);
+        let (least, most) = bounds(force, chi);
         let is_outside = (impulse - most).max(least - impulse) > tolerance + tolerance;
-        is_outside.then(|| Self { from, to, impulse, integral: force.impulse().0 })
+        is_outside.then(|| Self { from, to: force.end(), impulse, integral: force.impulse().0 })
     }
 
     /// The contradiction, if any, between the impulse up to a time and the integral of straight pieces. The integral is

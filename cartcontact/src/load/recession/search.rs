@@ -146,9 +146,9 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             step = stop - self.time;
             let force = ForceSeries::between(self.load, (self.time, stop), self.chi);
             let impulse = self.load.impulse(stop);
-            self.check(&force, (stop, impulse))?;
+            self.check(&force, impulse)?;
             let halving = Halving::of(step, (least, short), (self.time, end));
-            self.crest = match self.finding(&force, (stop, impulse), halving) {
+            self.crest = match self.finding(&force, impulse, halving) {
                 None => {
                     step *= T::constant(0.5);
                     continue;
@@ -189,16 +189,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     }
 
     /// What a panel tells; none if it is to be halved.
-    fn finding(
-        &mut self,
-        force: &ForceSeries<T>,
-        (stop, impulse): (T, T),
-        halving: Halving,
-    ) -> Option<Finding<T>> {
-        if self.must_halve(force, (stop, impulse), halving) {
+    fn finding(&mut self, force: &ForceSeries<T>, impulse: T, halving: Halving) -> Option<Finding<T>> {
+        if self.must_halve(force, impulse, halving) {
             return None;
         }
-        let finding = self.examine(force, stop, self.rounding(self.load.force_before(stop), impulse));
+        let rounding = self.rounding(self.load.force_before(force.end()), impulse);
+        let finding = self.examine(force, rounding);
         let is_vague = match finding {
             // A rough series does not tell since when, nor what else the load does.
             Finding::Falls(_) | Finding::Rises(_) => force.is_rough() && halving == Halving::Free,
@@ -222,10 +218,10 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     }
 
     /// Fails if a force of a panel is invalid, or the impulse at its end is not finite.
-    fn check(&self, force: &ForceSeries<T>, (end, impulse): (T, T)) -> Result<(), Fault<T>> {
-        match force.invalid_force(end, self.negligible) {
+    fn check(&self, force: &ForceSeries<T>, impulse: T) -> Result<(), Fault<T>> {
+        match force.invalid_force(self.negligible) {
             Some(invalid) => Err(Fault::of_force(invalid)),
-            None => Fault::check_impulse((end, impulse)),
+            None => Fault::check_impulse((force.end(), impulse)),
         }
     }
 
@@ -246,7 +242,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     }
 
     /// Whether a panel is to be halved because its nodes miss what the load does between them.
-    fn must_halve(&mut self, force: &ForceSeries<T>, (stop, impulse): (T, T), halving: Halving) -> bool {
+    fn must_halve(&mut self, force: &ForceSeries<T>, impulse: T, halving: Halving) -> bool {
         if force.is_unresolved() {
             return halving == Halving::Free;
         }
@@ -255,15 +251,14 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         if !force.misses(gain, rounding) {
             return false;
         }
-        self.suspect(force, (stop, impulse));
+        self.suspect(force, gain);
         halving == Halving::Free && self.doubts()
     }
 
-    /// Notes a contradiction on a panel, unless one that ends no later is known.
-    fn suspect(&mut self, force: &ForceSeries<T>, end: (T, T)) {
-        if self.suspicion.as_ref().is_none_or(|known| !known.ends_by(end.0)) {
-            let start = (self.time, self.impulse);
-            let found = Contradiction::within(force, start, end, self.chi, self.tolerance);
+    /// Notes a contradiction on a panel along which the impulse gains so much, unless one that ends no later is known.
+    fn suspect(&mut self, force: &ForceSeries<T>, gain: T) {
+        if self.suspicion.as_ref().is_none_or(|known| !known.ends_by(force.end())) {
+            let found = Contradiction::within(force, (self.time, gain), self.chi, self.tolerance);
             self.suspicion = found.or(self.suspicion);
         }
     }
@@ -285,12 +280,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     }
 
     /// Follows the hereditary load from node to node.
-    fn examine(&self, force: &ForceSeries<T>, end: T, rounding: T) -> Finding<T> {
+    fn examine(&self, force: &ForceSeries<T>, rounding: T) -> Finding<T> {
         let zero = T::zero();
         let dip = force.deepest_dip();
         let gain = force.gain();
         if dip <= zero && self.crest.fallen <= gain {
-            return Finding::Rises(Crest::at(end));
+            return Finding::Rises(Crest::at(force.end()));
         }
         let rounding = rounding + force.uncertainty_of_gains();
         let mut fallen = self.crest.fallen;
@@ -304,12 +299,12 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             if fallen <= zero {
                 (highest, fallen) = (Some(node), zero);
             } else if fallen > rounding {
-                let since = highest.map_or(self.crest.time, |node| force.time_of_turn(node, end));
+                let since = highest.map_or(self.crest.time, |node| force.time_of_turn(node));
                 let is_clear = fallen > rounding + force.rounding_of_gains();
                 return if is_clear { Finding::Falls(since) } else { Finding::SeemsToFall(since) };
             }
         }
-        let crest = highest.map_or(self.crest, |node| Crest::at(force.time(node, end)));
+        let crest = highest.map_or(self.crest, |node| Crest::at(force.time(node)));
         let crest = Crest { fallen, ..crest };
         if dip > rounding + force.rounding_of_dip() { Finding::Unclear(crest) } else { Finding::Rises(crest) }
     }

@@ -101,22 +101,20 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // A share x of the force leaves a share x^((n+2)/(n+4)) of the pressure on the axis, and nothing elsewhere.
         let negligible = self.force * (T::default_epsilon() * T::default_epsilon());
         while self.now.time < end {
-            let start = self.now.time;
-            let stop = pace.stop(start, end);
-            let force = self.force_series(stop);
+            let force = self.force_series(pace.stop(self.now.time, end));
             if force.largest() <= negligible {
-                self.advance_through_jump(&force, stop);
+                self.advance_through_jump(&force);
                 pace.double();
                 continue;
             }
             if force.is_rough() {
-                if self.advance_below_reach(&force, stop) {
+                if self.advance_below_reach(&force) {
                     pace.double();
                 } else if !pace.halve() {
                     if force.is_unresolved() {
-                        self.advance_through_jump(&force, stop);
+                        self.advance_through_jump(&force);
                     } else {
-                        self.advance_smooth(&force, stop);
+                        self.advance_smooth(&force);
                     }
                     pace.give_up();
                 }
@@ -127,30 +125,29 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                 pace.halve();
                 continue;
             }
-            if doubts > 0 && pace.is_long() && self.leaves_something_out(&force, stop) {
+            if doubts > 0 && pace.is_long() && self.leaves_something_out(&force) {
                 doubts -= 1;
                 pace.halve();
                 continue;
             }
-            self.advance_in_halves(&force, stop, &mut pace);
+            self.advance_in_halves(&force, &mut pace);
         }
     }
 
     /// Continues along the halves of a step, or only shortens it if they do not add what the whole does.
-    fn advance_in_halves(&mut self, force: &ForceSeries<T>, stop: T, pace: &mut Pace<T>) {
-        let start = self.now.time;
-        let middle = start + (stop - start) * T::constant(0.5);
+    fn advance_in_halves(&mut self, force: &ForceSeries<T>, pace: &mut Pace<T>) {
+        let middle = self.now.time + force.duration() * T::constant(0.5);
         let mut halves = self.clone();
-        halves.advance_smooth(&self.force_series(middle), middle);
-        if halves.now.radius <= self.transition.reach && stop - start > pace.shortest.length() {
+        halves.advance_smooth(&self.force_series(middle));
+        if halves.now.radius <= self.transition.reach && force.duration() > pace.shortest.length() {
             // Nothing of the first half counts, so the second would only be compared with itself.
             *self = halves;
             pace.double();
             return;
         }
-        halves.advance_smooth(&halves.force_series(stop), stop);
+        halves.advance_smooth(&halves.force_series(force.end()));
         let mut whole = self.clone();
-        whole.advance_smooth(force, stop);
+        whole.advance_smooth(force);
         let radius = halves.now.radius;
         let edge = (radius, condition_of_radius(self.contact.profile(), radius));
         if whole.transition.agrees_with(&halves.transition, edge, self.roundings_of_halves()) {
@@ -178,20 +175,20 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     /// Whether the series of a step leaves out more than rounding, or its nodes miss what the load does between them.
-    fn leaves_something_out(&self, force: &ForceSeries<T>, end: T) -> bool {
+    fn leaves_something_out(&self, force: &ForceSeries<T>) -> bool {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
-        let (before, after) = (load.impulse(self.now.time), load.impulse(end));
+        let (before, after) = (load.impulse(self.now.time), load.impulse(force.end()));
         // Early on, χ ∫F may be less than the rounding of F, which is a few ε.
-        let of_force = load.force_before(end) / chi * T::default_epsilon() * T::constant(4.0);
-        force.is_loose(end) || force.misses(after - before, rounding_within_load(after) + of_force)
+        let of_force = load.force_before(force.end()) / chi * T::default_epsilon() * T::constant(4.0);
+        force.is_loose() || force.misses(after - before, rounding_within_load(after) + of_force)
     }
 
     /// Continues along a step, and through a jump at its end.
-    fn advance_smooth(&mut self, force: &ForceSeries<T>, end: T) {
-        let forces = self.forces_until(end);
-        let (gained, of_series) = self.take_impulse(force, end);
+    fn advance_smooth(&mut self, force: &ForceSeries<T>) {
+        let forces = self.forces_until(force.end());
+        let (gained, of_series) = self.take_impulse(force);
         let gain = force.gain() + self.contact.medium().chi() * (gained - of_series);
-        self.arrive(end, &Course::smooth(force), forces, gain);
+        self.arrive(force.end(), &Course::smooth(force), forces, gain);
     }
 
     /// Continues through a step in which the force jumps, as if it jumped at the end.
@@ -199,10 +196,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     /// By then, as much of what the hereditary load gains has drained as lets the pressures carry the force. Most jumps
     /// are narrowed down to an instant, in which nothing drains; but a step may also be long, where the search for
     /// shorter ones was given up.
-    fn advance_through_jump(&mut self, force: &ForceSeries<T>, end: T) {
-        let chi = self.contact.medium().chi();
+    fn advance_through_jump(&mut self, force: &ForceSeries<T>) {
+        let (end, chi) = (force.end(), self.contact.medium().chi());
         let (first, last) = self.forces_until(end);
-        let (gained, _) = self.take_impulse(force, end);
+        let (gained, _) = self.take_impulse(force);
         let folds = chi * (end - self.now.time);
         let fading = Fading::over(folds);
         let (gain, (kept, _)) = ((last - first) + chi * gained, fading.kept_of((first, last)));
@@ -232,9 +229,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
 
     /// Continues through a step if the contact stays below the radii that the transition is for: then only the impulse
     /// counts, and any way will do.
-    fn advance_below_reach(&mut self, force: &ForceSeries<T>, end: T) -> bool {
+    fn advance_below_reach(&mut self, force: &ForceSeries<T>) -> bool {
         let mut ahead = self.clone();
-        ahead.advance_through_jump(force, end);
+        ahead.advance_through_jump(force);
         let is_below = ahead.now.radius < self.transition.reach;
         if is_below {
             *self = ahead;
@@ -243,9 +240,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     /// Adds the gain of the impulse up to the end of a step, and returns it with the gain according to the series.
-    fn take_impulse(&mut self, force: &ForceSeries<T>, end: T) -> (T, T) {
+    fn take_impulse(&mut self, force: &ForceSeries<T>) -> (T, T) {
         let load = self.contact.load();
-        let impulse = load.impulse(end);
+        let impulse = load.impulse(force.end());
         // Where the series is rough, the difference of two impulses may be more accurate.
         let (of_series, uncertainty) = force.impulse();
         let is_better = uncertainty <= impulse.max(of_series) * T::default_epsilon();
