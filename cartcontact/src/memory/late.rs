@@ -23,8 +23,10 @@ const FEWEST_RADII_FOR_SECTIONS: usize = 4;
 pub(crate) struct Late<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
     count: usize,
-    /// The beginning of each section, and at `count` the end of the last.
-    stages: [Stage<T>; MOST_SECTIONS + 1],
+    /// The beginning of each section.
+    stages: [Stage<T>; MOST_SECTIONS],
+    /// The end of the last, a time with its contact radius.
+    end: (T, T),
     /// How pressures change from the end of each section on, where a radius has asked for it.
     to_end: [Option<Transition<T>>; MOST_SECTIONS],
 }
@@ -45,7 +47,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
         } else {
             (2 * radius_count).isqrt().min(MOST_SECTIONS)
         };
-        let mut stages = [start; MOST_SECTIONS + 1];
+        let mut stages = [start; MOST_SECTIONS];
         let length = (time - start.time) / T::constant(count as f64);
         for index in 1..count {
             let before = stages[index - 1].radius;
@@ -55,22 +57,19 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
             let reached = contact.radius_under_loading(loading).unwrap_or(before).max(before).min(radius);
             stages[index] = contact.stage_with_loading(loading, now, reached);
         }
-        stages[count] = Stage { time, radius, ..start };
-        Self { contact, count, stages, to_end: [None; MOST_SECTIONS] }
+        Self { contact, count, stages, end: (time, radius), to_end: [None; MOST_SECTIONS] }
     }
 
     /// The pressure at the end at a radius that is reached after the start.
     pub(crate) fn pressure(&mut self, r: T) -> T {
         let later = &self.stages[1..self.count];
         let index = later.partition_point(|stage| stage.radius <= r);
-        let [from, to] = [self.stages[index], self.stages[index + 1]];
-        let first = march(self.contact, from, (to.time, to.radius), r).first_pressure();
-        if index + 1 == self.count {
-            return first;
-        }
-        let end = self.stages[self.count];
-        let to_end = self.to_end[index]
-            .get_or_insert_with(|| march(self.contact, to, (end.time, end.radius), to.radius));
+        let next = later.get(index);
+        let end_of_section = next.map_or(self.end, |next| (next.time, next.radius));
+        let first = march(self.contact, self.stages[index], end_of_section, r).first_pressure();
+        let Some(next) = next else { return first };
+        let to_end =
+            self.to_end[index].get_or_insert_with(|| march(self.contact, *next, self.end, next.radius));
         to_end.apply(first, r)
     }
 }
