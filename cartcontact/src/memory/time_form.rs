@@ -72,40 +72,9 @@ where
     let longest =
         if stretch.is_whole { stretch.course.folds(chi) } else { chi * stretch.age_at(stretch.high - low) };
     let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
-    let most = Rule::FINEST.folds::<T>();
-
     let is_straight = matches!(stretch.course, Course::Linear { .. });
     let at_distance = T::constant(if is_straight { FOLDS_AT_DISTANCE } else { FOLDS_AT_ANY_DISTANCE });
-    let mut sum = Increment::zero();
-    let mut start = T::zero();
-    let mut length = longest;
-    let shortest = length * T::default_epsilon().sqrt() * T::constant(1.0 / 16.0);
-    let (mut is_simple, mut halvings) = (true, 0);
-    // Beyond two panels' worth of e-foldings nothing counts any more.
-    while start < longest && start < most + most {
-        let distance = singular - start;
-        let density = T::constant(MARGIN) + at_distance / distance;
-        length = length.min(most / density);
-        let end = if start + length < longest { start + length } else { longest };
-        let rule = if is_simple {
-            Rule::for_folds(density * (end - start) + T::constant(ADDED_FOLDS))
-        } else {
-            Rule::FINEST
-        };
-        let (increment, is_resolved) =
-            history.increment_of_panel(rule, Substitution::between((start, end), distance));
-        if is_resolved || length <= shortest || halvings >= MOST_HALVINGS {
-            sum = sum.plus(increment);
-            start = end;
-            length += length;
-        } else if is_simple {
-            is_simple = false;
-        } else {
-            length *= T::constant(0.5);
-            halvings += 1;
-        }
-    }
-    sum
+    history.increment_up_to(longest, (singular, at_distance))
 }
 
 /// How far the hereditary load fell short of its final value, which is given by its load integral.
@@ -137,6 +106,42 @@ where
         let before = two / (rate + (rate * rate + two * rise).sqrt());
         // However little there was, panels must not shrink to nothing.
         (longest + before).max(longest * (T::one() + T::default_epsilon().sqrt()))
+    }
+
+    /// The increment of ages up to the `longest`, if a singularity at the age `singular` counts as `at_distance`
+    /// e-foldings in a length equal to its distance.
+    fn increment_up_to(&self, longest: T, (singular, at_distance): (T, T)) -> Increment<T> {
+        let most = Rule::FINEST.folds::<T>();
+        let mut sum = Increment::zero();
+        let mut start = T::zero();
+        let mut length = longest;
+        let shortest = length * T::default_epsilon().sqrt() * T::constant(1.0 / 16.0);
+        let (mut is_simple, mut halvings) = (true, 0);
+        // Beyond two panels' worth of e-foldings nothing counts any more.
+        while start < longest && start < most + most {
+            let distance = singular - start;
+            let density = T::constant(MARGIN) + at_distance / distance;
+            length = length.min(most / density);
+            let end = if start + length < longest { start + length } else { longest };
+            let rule = if is_simple {
+                Rule::for_folds(density * (end - start) + T::constant(ADDED_FOLDS))
+            } else {
+                Rule::FINEST
+            };
+            let (increment, is_resolved) =
+                self.increment_of_panel(rule, Substitution::between((start, end), distance));
+            if is_resolved || length <= shortest || halvings >= MOST_HALVINGS {
+                sum = sum.plus(increment);
+                start = end;
+                length += length;
+            } else if is_simple {
+                is_simple = false;
+            } else {
+                length *= T::constant(0.5);
+                halvings += 1;
+            }
+        }
+        sum
     }
 
     /// The increment by a rule over the panel of a substitution, and whether the rule resolves the radius.
