@@ -35,21 +35,22 @@ const FOLDS_AT_DISTANCE: f64 = 14.4;
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// What the stretch adds to the pressure, up to the rounded radius at its end.
     pub(super) fn increment_over_radius(&self) -> Increment<T> {
-        let profile = self.contact.profile();
-        let deepest = self.high - self.low;
-        // J′ of positive terms rises with the radius.
-        let is_steepest_at_edge = profile.has_only_positive_terms() && self.course.is_held();
-        if is_steepest_at_edge && self.changes_little() {
-            return self.panel(Rule::EIGHT, (T::zero(), deepest)).increment;
+        if self.is_steepest_at_edge() && self.changes_little() {
+            return self.panel(Rule::EIGHT, (T::zero(), self.high - self.low)).increment;
         }
         if let Some(increment) = self.increment_of_held_load() {
             return increment;
         }
-        self.increment_of_panels(is_steepest_at_edge)
+        self.increment_of_panels()
+    }
+
+    /// Whether ages grow fastest at the edge, as J′ of positive terms rises with the radius.
+    fn is_steepest_at_edge(&self) -> bool {
+        self.contact.profile().has_only_positive_terms() && self.course.is_held()
     }
 
     /// What the stretch adds, in as many panels as it takes.
-    fn increment_of_panels(&self, is_steepest_at_edge: bool) -> Increment<T> {
+    fn increment_of_panels(&self) -> Increment<T> {
         let (profile, deepest) = (self.contact.profile(), self.high - self.low);
         let three_quarters = self.high * T::constant(0.75);
         // The depth at which the core begins.
@@ -57,7 +58,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let mut sum = Increment::zero();
         let (mut depth, mut age) = (T::zero(), T::zero());
         while depth < core {
-            let (end, rule) = self.next_panel((depth, age), core, is_steepest_at_edge);
+            let (end, rule) = self.next_panel((depth, age), core);
             let (increment, end) = self.increment_from(depth, end, rule);
             sum = sum.plus(increment);
             depth = end;
@@ -75,20 +76,19 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     }
 
     /// The end, at most `core`, of the panel that begins at a depth with an age, and the rule for it.
-    fn next_panel(&self, (depth, age): (T, T), core: T, is_steepest_at_edge: bool) -> (T, &'static Rule) {
+    fn next_panel(&self, (depth, age): (T, T), core: T) -> (T, &'static Rule) {
         let most = Rule::FINEST.folds::<T>();
-        let shortest = self.shortest_panel();
         let (of_powers, of_fading) = self.folds_per_length(depth, age);
         let rate = of_powers + of_fading;
         let end = if rate * (core - depth) <= most {
             core
         } else {
-            (depth + (most / rate).max(shortest)).min(core)
+            (depth + (most / rate).max(self.shortest_panel())).min(core)
         };
-        if is_steepest_at_edge {
+        if self.is_steepest_at_edge() {
             return (end, Rule::for_folds(rate * (end - depth)));
         }
-        let (end, folds) = self.end_of_panel((depth, age), end, of_powers, shortest);
+        let (end, folds) = self.end_of_panel((depth, age), end, of_powers);
         (end, Rule::for_folds((rate * (end - depth)).max(folds)))
     }
 
@@ -156,7 +156,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
     /// with a margin.
     ///
     /// The rate at its beginning does not bound the rate further in where δ₀′ nearly vanishes there and rises again.
-    fn end_of_panel(&self, (depth, age): (T, T), end: T, of_powers: T, shortest: T) -> (T, T) {
+    fn end_of_panel(&self, (depth, age): (T, T), end: T, of_powers: T) -> (T, T) {
         let rate = self.contact.medium().chi() * T::constant(MARGIN_OF_MEASURED_FADING);
         let most = Rule::FINEST.folds::<T>();
         let mut length = end - depth;
@@ -167,7 +167,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
             let fading = rate * (age_at_end - age).max((age_at_end - age_before_end) * T::constant(64.0));
             let folds = of_powers * length + fading;
             // NaN, which derivatives may be, gets no better.
-            let is_halved = folds > most && length > shortest;
+            let is_halved = folds > most && length > self.shortest_panel();
             if !is_halved {
                 return (depth + length, folds);
             }
