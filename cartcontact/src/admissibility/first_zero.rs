@@ -63,15 +63,14 @@ impl<T: Scalar> Slope<'_, T> {
         from_single(self.exponentials().count() as f32)
     }
 
-    /// ln N, and ln (N+1).
-    fn logarithms_of_negative_count(&self) -> [T; 2] {
-        let count = self.negative_exponentials().count();
-        [count, count + 1].map(|count| from_single::<T>(count as f32).ln())
+    /// N, the number of negative terms.
+    fn negative_count(&self) -> T {
+        from_single(self.negative_exponentials().count() as f32)
     }
 
     /// A lower bound of the coefficient d of an exponent: terms of the same exponent may cancel.
     fn least_coefficient(&self, exponent: T) -> T {
-        // Three roundings of d, the product below, and N sums.
+        // Three roundings of d, the product below, and a sum for each term.
         let rounding = T::default_epsilon() * (T::constant(4.0) + self.count());
         let terms = self.exponentials().filter(|&(_, k)| k == exponent);
         terms.fold(T::zero(), |sum, (d, _)| sum + (d - d.abs() * rounding))
@@ -80,7 +79,7 @@ impl<T: Scalar> Slope<'_, T> {
     /// Whether the first term alone outweighs all negative ones at a radius, and hence at all smaller radii.
     pub(super) fn first_outweighs_negative_up_to(&self, radius: T) -> bool {
         let (zero, one) = (T::zero(), T::one());
-        // Three roundings of d, two of the power, three of the factors below, and N sums.
+        // Three roundings of d, two of the power, three of the factors below, and a sum for each term.
         let rounding = T::default_epsilon() * (T::constant(8.0) + self.count());
         // The rounding of k, in the power.
         let per_exponent = T::default_epsilon() * radius.ln().abs();
@@ -148,7 +147,7 @@ impl<T: Scalar> Slope<'_, T> {
             return false;
         }
         let (log_first, log_last) = (first.ln(), last.ln());
-        let [log_count, _] = self.logarithms_of_negative_count();
+        let log_count = self.negative_count().ln();
         // Six logarithms, and some ten operations with numbers no larger than `size`.
         let rounding = T::default_epsilon() * T::constant(16.0);
         self.negative_exponentials().all(|(d, k)| {
@@ -163,7 +162,7 @@ impl<T: Scalar> Slope<'_, T> {
 
     /// x₀: every negative term is below 1/(N+1) of the first.
     fn first_term_dominates_up_to(&self, first: T) -> T {
-        let [_, log_count] = self.logarithms_of_negative_count();
+        let log_count = (self.negative_count() + T::one()).ln();
         self.negative_exponentials()
             .filter(|&(_, k)| k > T::zero())
             .fold(T::infinity(), |x, (d, k)| x.min((first.ln() - log_count - d.abs().ln()) / k))
@@ -171,7 +170,7 @@ impl<T: Scalar> Slope<'_, T> {
 
     /// x₁: every negative term is below 1/(N+1) of the last; none if the last coefficient is not positive.
     fn last_term_dominates_from(&self, span: T) -> Option<T> {
-        let [_, log_count] = self.logarithms_of_negative_count();
+        let log_count = (self.negative_count() + T::one()).ln();
         let last = self.least_coefficient(span);
         (last > T::zero()).then(|| {
             self.negative_exponentials()
