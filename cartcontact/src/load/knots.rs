@@ -32,12 +32,12 @@ pub(super) fn check<T: Scalar>(knots: &[(T, T)]) -> Result<(), LoadError> {
             return Err(LoadError::Unsorted { knot: knot + 1, time, previous });
         }
     }
-    let triple = knots.windows(3).position(|w| matches!(w, [a, _, c] if a.0 == c.0));
-    match triple {
-        Some(first) => Err(LoadError::RepeatedTime {
-            knot: first + 2,
-            time: knots.get(first).map_or(0.0, |&(time, _)| time.value()),
-        }),
-        None => Ok(()),
+    for (knot, three) in knots.windows(3).enumerate() {
+        if let &[(first, _), _, (time, _)] = three
+            && first == time
+        {
+            return Err(LoadError::RepeatedTime { knot: knot + 2, time: time.value() });
+        }
     }
+    Ok(())
 }
