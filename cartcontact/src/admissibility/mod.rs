@@ -63,7 +63,6 @@ fn searched_range<T: Scalar>(terms: &[(T, T)], requested: Option<T>) -> Result<T
     if !smallest.is_finite() {
         return Err(ProfileError::Empty);
     }
-    let leading = coefficient_of(terms, smallest);
     let slope = Slope { terms, smallest };
     let is_beyond = requested.is_some_and(|radius| slope.first_outweighs_negative_up_to(radius));
     let end = if is_beyond { T::infinity() } else { slope.first_zero() };
@@ -72,7 +71,7 @@ fn searched_range<T: Scalar>(terms: &[(T, T)], requested: Option<T>) -> Result<T
     }
     Err(ProfileError::NotOpening {
         exponent: smallest.value(),
-        coefficient: leading.value(),
+        coefficient: coefficient_of(terms, smallest).value(),
         parameters: Parameters::default(),
     })
 }
