@@ -1,10 +1,10 @@
 //! Numbers of common size, with which no formula leaves the format.
 //!
-//! Whether a radius has all its digits depends on χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last two
-//! are J/a⁵ and J up to a factor that depends on the exponents. If rate, force, time, load integral and radius lie
-//! between 1/b and b, or time and rate at 0, all of these lie between b⁻⁶ and b⁶ up to that factor, and are normal
-//! numbers: a few comparisons with constants replace a division and a dozen comparisons. Where numbers are less common,
-//! the conditions themselves are checked.
+//! Whether a radius has all its digits depends on Y, χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last
+//! two are J/a⁵ and J up to a factor that depends on the exponents. If rate, force, time, load integral and radius lie
+//! between 1/b and b, or time and rate at 0, and π m/4 = Y/J is not huge, all of these are normal numbers, most of them
+//! between b⁻⁶ and b⁶ up to that factor: a few comparisons with constants replace a division and a dozen comparisons.
+//! Where numbers are less common, the conditions themselves are checked.
 
 use super::Loading;
 use crate::Scalar;
@@ -32,6 +32,13 @@ impl<T: Scalar> CommonSizes<T> {
     #[inline(always)]
     pub(super) fn contain_rate(self, chi: T) -> bool {
         chi.is_zero() | self.contain(chi)
+    }
+
+    /// Whether neither Y = (π m/4) J leaves the format nor F/(π m/4) if F and J are of common size: a load that has
+    /// fallen far leaves a large Y and a small F.
+    #[inline(always)]
+    pub(super) fn contain_load_per_integral(self, load_per_integral: T) -> bool {
+        (load_per_integral * T::constant(if is_single::<T>() { 1e7 } else { 1e51 })).is_finite()
     }
 
     /// The time itself if it is of common size, otherwise a time that is.

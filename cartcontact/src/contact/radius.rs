@@ -49,7 +49,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let time = sizes.time_near(t);
         let loading = self.loading(time);
         let load_integral = self.scales.load_integral(loading);
-        let is_common = (time == t) & sizes.contain_rate(chi) & sizes.contain_load(loading, load_integral);
+        let is_common = (time == t)
+            & sizes.contain_rate(chi)
+            & sizes.contain_load_per_integral(self.scales.load_per_integral)
+            & sizes.contain_load(loading, load_integral);
         if !is_common || !is_advancing() {
             return None;
         }
@@ -166,4 +169,39 @@ fn is_normal_quotient<T: Scalar>(value: T, unit: T) -> bool {
     // Subnormal products would be slow; infinite ones are not.
     let most = smallest_normal::<T>().recip();
     (unit <= value * most) & (value <= unit * most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load::{Constant, PiecewiseLinear};
+    use crate::{Medium, Polynomial};
+
+    /// Whether a contact refuses a load up to a time because a number leaves the format, alone and among many times.
+    fn is_refused<T: Scalar>((m, chi): (T, T), load: impl Load<T>, t: T) -> Option<[bool; 2]> {
+        let gap = Polynomial::new([(T::constant(0.025), T::constant(2.0))]).ok()?;
+        let contact = Contact::new(gap, Medium::from_constants(m, chi).ok()?, load).ok()?;
+        let errors = [contact.at(t).err(), contact.radii(&[t; 3], &mut [t; 3]).err()];
+        Some(errors.map(|error| matches!(error, Some(ContactError::Unrepresentable { .. }))))
+    }
+
+    /// Nothing else is out of range.
+    #[test]
+    fn a_hereditary_load_beyond_the_format_is_refused() {
+        let held = |unit: f64| is_refused((unit, 1e3), Constant(unit), 1e4);
+        assert_eq!((held(1e300), held(1e302)), (Some([false; 2]), Some([true; 2])));
+        let held = |unit: f32| is_refused((unit, 1e3), Constant(unit), 1e4);
+        assert_eq!((held(1e30), held(1e32)), (Some([false; 2]), Some([true; 2])));
+    }
+
+    /// So are force, rate, time, load integral and radius.
+    #[test]
+    fn a_hereditary_load_beyond_the_format_is_refused_among_common_sizes() {
+        let fallen = |since: f32| {
+            let fall = (0..=103).map(|k| (since + 0.01 * k as f32, 1e36 * 0.505_f32.powi(k)));
+            let knots = core::iter::once((0.0, 1e36)).chain(fall).collect::<Vec<_>>();
+            is_refused((1e33, 100.0), PiecewiseLinear::new(knots).ok()?, since + 1.03)
+        };
+        assert_eq!((fallen(2.0), fallen(4.0)), (Some([false; 2]), Some([true; 2])));
+    }
 }
