@@ -44,7 +44,6 @@ impl Parser<'_> {
 
     /// What to say about a function that raises to a power.
     fn power_function(&self, name: &Ident, arguments: &[&[TokenTree]]) -> Option<String> {
-        let are_readable = arguments.iter().all(|argument| self.is_expression(argument));
         let written = match (name.to_string().to_lowercase().as_str(), arguments) {
             ("pow" | "powi" | "powf" | "power", [base, exponent]) => {
                 Some(format!("{}^{}", operand(base), operand(exponent)))
@@ -53,6 +52,7 @@ impl Parser<'_> {
             ("pow" | "powi" | "powf" | "power", _) => None,
             _ => return None,
         };
+        let are_readable = arguments.iter().all(|argument| self.is_expression(argument));
         Some(match written.filter(|_| are_readable) {
             Some(power) => format!("a power is written with `^`; write `{power}`"),
             None => "a power is written with `^`, as in `r^2`".to_owned(),

@@ -211,7 +211,8 @@ impl<'a> Parser<'a> {
         })
     }
 
-    /// Whether some tokens can be read as they are.
+    /// Whether some tokens can be read as they are. Only for a message, after which they are skipped: where they are read
+    /// again, every level of nested calls doubles the time.
     pub(super) fn is_expression(&self, tokens: &[TokenTree]) -> bool {
         let mut faults = Diagnostics::default();
         let (previous, depth) = (self.previous, self.depth);

@@ -9,29 +9,37 @@ use crate::reading::{is_punct, literal};
 impl Parser<'_> {
     /// What to say about a surface with wrong `tokens` after its name; nothing if the name is not that of a surface.
     pub(super) fn wrong_arguments(&self, surface: &Ident, tokens: &[TokenTree]) -> Option<String> {
-        let given = values(tokens);
-        let are_named_so = given.iter().enumerate().all(|(index, value)| value.may_stand_at(index));
-        let are_readable = are_named_so && given.iter().all(|value| self.is_expression(value.tokens));
-        let (takes, remedy) = if surface == "sphere" {
-            let spheres = written("sphere", &readings(&given, 1));
-            let conics = match given.as_slice() {
-                [radius, constant] if may_be_apart([radius, constant]) => {
-                    written("conic", &[vec![radius.text.clone(), constant.text.clone()]])
-                }
-                _ => Vec::new(),
-            };
-            let remedy = one_of(&[spheres, conics].concat(), are_readable, "sphere(20)");
-            ("`sphere` takes the radius of the sphere", remedy)
-        } else if surface == "conic" {
-            let remedy = match given.as_slice() {
-                [only] if are_named_so => with_constant(only, are_readable),
-                given => one_of(&written("conic", &readings(given, 2)), are_readable, "conic(20, -0.5)"),
-            };
-            ("`conic` takes the radius at the vertex and the conic constant", remedy)
-        } else {
-            return None;
+        match surface.to_string().as_str() {
+            "sphere" => Some(self.wrong_sphere(&values(tokens))),
+            "conic" => Some(self.wrong_conic(&values(tokens))),
+            _ => None,
+        }
+    }
+
+    fn wrong_sphere(&self, given: &[Value<'_>]) -> String {
+        let spheres = written("sphere", &readings(given, 1));
+        let conics = match given {
+            [radius, constant] if may_be_apart([radius, constant]) => {
+                written("conic", &[vec![radius.text.clone(), constant.text.clone()]])
+            }
+            _ => Vec::new(),
         };
-        Some(format!("{takes}; {remedy}"))
+        let remedy = one_of(&[spheres, conics].concat(), self.are_readable(given), "sphere(20)");
+        format!("`sphere` takes the radius of the sphere; {remedy}")
+    }
+
+    fn wrong_conic(&self, given: &[Value<'_>]) -> String {
+        let are_readable = self.are_readable(given);
+        let remedy = match given {
+            [only] if only.may_stand_at(0) => with_constant(only, are_readable),
+            _ => one_of(&written("conic", &readings(given, 2)), are_readable, "conic(20, -0.5)"),
+        };
+        format!("`conic` takes the radius at the vertex and the conic constant; {remedy}")
+    }
+
+    fn are_readable(&self, given: &[Value<'_>]) -> bool {
+        given.iter().enumerate().all(|(index, value)| value.may_stand_at(index))
+            && given.iter().all(|value| self.is_expression(value.tokens))
     }
 }
 
