@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 use crate::diagnostics::Extent;
 use crate::reading::generics::Generics;
 use crate::reading::name::last_of_path;
-use crate::reading::{between_commas, is_punct, length_before};
+use crate::reading::{between_commas, is_punct, length_before, ungrouped};
 
 /// A field that can be a symbol.
 pub(crate) struct Field {
@@ -31,7 +31,7 @@ pub(crate) enum FieldKind {
 pub(super) fn condition(field: &[TokenTree]) -> Option<Extent> {
     let attribute = field.windows(2).find(|pair| {
         let [hash, TokenTree::Group(attribute)] = pair else { return false };
-        is_punct(hash, '#') && is_condition(&attribute.stream().into_iter().collect::<Vec<_>>())
+        is_punct(hash, '#') && is_condition(&ungrouped(attribute.stream()))
     });
     attribute.map(|attribute| Extent::of(attribute, Span::call_site()))
 }

@@ -51,7 +51,8 @@ pub(crate) fn with_one_profile(input: TokenStream, diagnostics: &mut Diagnostics
 /// Whether `#` and `[...]` are this attribute, under any path.
 fn is_gap_profile(pair: &[TokenTree]) -> bool {
     let [TokenTree::Punct(hash), TokenTree::Group(attribute)] = pair else { return false };
-    let path = attribute.stream().into_iter().take_while(|token| !matches!(token, TokenTree::Group(_)));
+    let content = ungrouped(attribute.stream()).into_iter();
+    let path = content.take_while(|token| !matches!(token, TokenTree::Group(_)));
     let names = path.filter(|token| matches!(token, TokenTree::Ident(_)));
     hash.as_char() == '#' && names.last().is_some_and(|name| name.to_string() == "gap_profile")
 }
@@ -62,8 +63,7 @@ fn allowed(mut tokens: &[TokenTree]) -> TokenStream {
     while let [hash, TokenTree::Group(attribute), rest @ ..] = tokens
         && is_punct(hash, '#')
     {
-        let content: Vec<TokenTree> = attribute.stream().into_iter().collect();
-        if let [TokenTree::Ident(name), TokenTree::Group(lints)] = content.as_slice()
+        if let [TokenTree::Ident(name), TokenTree::Group(lints)] = ungrouped(attribute.stream()).as_slice()
             && (name == "allow" || name == "expect")
         {
             let lints: Vec<TokenTree> = lints.stream().into_iter().collect();
@@ -216,6 +216,7 @@ fn has_other_meaning(name: &Ident) -> bool {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+    use proc_macro2::Group;
     use quote::format_ident;
 
     use super::*;
@@ -344,6 +345,23 @@ mod tests {
             item.mark_used(|name| name == named, &mut diagnostics);
             assert_eq!(diagnostics.messages().len(), faults, "{named}");
         }
+    }
+
+    /// The content of each attribute arrives in invisible parentheses.
+    #[test]
+    fn attributes_of_a_macro_are_seen() {
+        let content =
+            [quote!(gap_profile(r ^ 4)), quote!(allow(deprecated)), quote!(cfg(feature = "single"))];
+        let [profile, lint, condition] = content.map(|content| Group::new(Delimiter::None, content));
+        let mut diagnostics = Diagnostics::default();
+        let input = with_one_profile(
+            quote!(#[#profile] #[#lint] struct Ball { #[#condition] c: f64 }),
+            &mut diagnostics,
+        );
+        assert_eq!(diagnostics.messages().len(), 1);
+        let item = item(input).0.unwrap();
+        assert_eq!(item.allowed.to_string(), quote!(#[allow(deprecated)]).to_string());
+        assert!(item.fields[0].condition.is_some());
     }
 
     #[test]
