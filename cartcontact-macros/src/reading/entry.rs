@@ -75,8 +75,8 @@ impl Entry {
         self.assignment().is_some() && is_name_of_option(self.tokens.first())
     }
 
-    /// What to say about an option that is not written as one: `max_radius: 6`, `order 4`, `positive(c)`, `max-radius =
-    /// 6`. None of these has a meaning in an expression.
+    /// What to say about an option that is not written as one: `max_radius: 6`, `max_radius < 6`, `order 4`,
+    /// `positive(c)`, `max-radius = 6`. None of these has a meaning in an expression.
     pub(super) fn without_equals(&self) -> Option<String> {
         let equals = self.tokens.iter().position(|token| is_punct(token, '='));
         let name = match (self.tokens.as_slice(), equals) {
@@ -86,7 +86,7 @@ impl Entry {
                 return None;
             }
             ([TokenTree::Ident(name), next, ..], None)
-                if is_punct(next, ':') || !matches!(next, TokenTree::Punct(_)) =>
+                if is_punct(next, ':') || is_punct(next, '<') || !matches!(next, TokenTree::Punct(_)) =>
             {
                 name.to_string()
             }
