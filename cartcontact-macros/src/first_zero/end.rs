@@ -72,11 +72,10 @@ impl End {
         below
     }
 
-    /// The e with 10^e < radius <= 10^(e+1): estimated from the bits of the root, then corrected exactly.
+    /// The e with 10^e < radius <= 10^(e+1): estimated from the narrowed root, then corrected exactly if it is shown.
     fn decimal_exponent(&mut self) -> i64 {
-        let binary =
-            self.root.binary_exponent() * i64::from(self.denominator) / i64::from(self.numerator.max(1));
-        let mut exponent = (binary * 30_103).div_euclid(100_000);
+        let per_root = f64::from(self.denominator) / f64::from(self.numerator.max(1));
+        let mut exponent = (self.root.log10() * per_root).floor() as i64;
         if !SHOWN_EXPONENTS.contains(&exponent) {
             return exponent;
         }

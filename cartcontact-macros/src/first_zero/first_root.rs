@@ -9,7 +9,7 @@
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::common_divisor::common_divisor;
 use crate::first_zero::compared_power::Power;
@@ -152,11 +152,13 @@ impl FirstRoot {
         }
     }
 
-    /// The root to within a factor of two, as a power of two.
-    pub(crate) fn binary_exponent(&self) -> i64 {
+    /// The decimal logarithm of the upper end, which is as near as the root has been [narrowed](Self::narrow).
+    pub(crate) fn log10(&self) -> f64 {
         let (RootPlace::At { offset, exponent } | RootPlace::Between { upper: offset, exponent, .. }) =
             &self.place;
-        (offset.bits() as i64).saturating_add(*exponent)
+        let excess = offset.bits().saturating_sub(64);
+        let leading = (offset >> excess).to_f64().unwrap_or(f64::NAN);
+        (leading.log2() + (excess as i64 + exponent) as f64) * core::f64::consts::LOG10_2
     }
 }
 

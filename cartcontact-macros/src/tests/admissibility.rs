@@ -152,6 +152,9 @@ fn ends_of_all_magnitudes_are_found() {
         let message = falling(first, second);
         assert!(message.contains(&format!("r = {shown} on")) && message.ends_with(remedy), "{message}");
     }
+    // a^0.001 = 4001/4.002.
+    let slow = message(&written(&[("2", "1"), ("2.001", "-1e-3")]));
+    assert!(slow.contains("r = 1e2999 on") && slow.ends_with("`max_radius = 1e307`"), "{slow}");
 }
 
 #[test]
