@@ -60,7 +60,7 @@ impl Parser<'_> {
     }
 }
 
-/// The tokens between the commas.
+/// The tokens between the commas, of which one may stand behind the last.
 pub(super) fn arguments(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let mut arguments: Vec<&[TokenTree]> = tokens.split(|token| is_punct(token, ',')).collect();
     arguments.pop_if(|last| last.is_empty());

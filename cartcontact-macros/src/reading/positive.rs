@@ -5,10 +5,11 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostics, Extent};
+use crate::reading::call::arguments;
 use crate::reading::item::{Item, Meaning};
 use crate::reading::name::{is_same, unraw};
 use crate::reading::similar::closest;
-use crate::reading::{is_punct, ungrouped};
+use crate::reading::ungrouped;
 
 /// The option as written, at `place`.
 pub(crate) struct Positive {
@@ -68,11 +69,8 @@ fn listed(tokens: TokenStream, place: Span) -> Result<Vec<Ident>, Extent> {
             if matches!(list.delimiter(), Delimiter::Parenthesis | Delimiter::None)
                 && !list.stream().is_empty() =>
         {
-            let inner: Vec<TokenTree> = list.stream().into_iter().collect();
-            let parts = inner.split(|token| is_punct(token, ','));
-            let mut parts: Vec<&[TokenTree]> = parts.collect();
-            parts.pop_if(|last| last.is_empty());
-            parts.into_iter().map(|part| name(part, list.span())).collect()
+            let names: Vec<TokenTree> = list.stream().into_iter().collect();
+            arguments(&names).into_iter().map(|part| name(part, list.span())).collect()
         }
         single => name(single, place).map(|name| vec![name]),
     }
