@@ -52,9 +52,7 @@ impl Diagnostics {
 
     /// One `compile_error!` for each fault.
     pub(crate) fn into_compile_errors(self) -> TokenStream {
-        let errors = self.faults.iter().map(|(extent, message)| compile_error(*extent, message));
-        let errors: Vec<TokenStream> = errors.collect();
-        quote!(#(#errors)*)
+        self.faults.iter().map(|(extent, message)| compile_error(*extent, message)).collect()
     }
 
     #[cfg(test)]

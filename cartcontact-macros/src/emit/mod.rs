@@ -247,7 +247,7 @@ fn beside_inversion(
 fn import(krate: &TokenStream, names: &Names) -> TokenStream {
     let place = krate.clone().into_iter().last().map_or_else(Span::call_site, |end| end.span());
     let generated = Ident::new("generated", Span::call_site().located_at(place));
-    let own = &&names.krate;
+    let own = &names.krate;
     quote!(use #krate::#generated::root as #own;)
 }
 
