@@ -22,13 +22,13 @@ pub(crate) struct PowerSum {
 
 pub(crate) struct Summand {
     pub(crate) term: usize,
-    pub(crate) factor: Factor,
+    pub(crate) factor: Prefactor,
     pub(crate) exponent: Rational,
 }
 
 /// weight · C.
 #[derive(Clone)]
-pub(crate) enum Factor {
+pub(crate) enum Prefactor {
     /// The product, if C is a constant.
     Constant(Rational),
     /// The weight alone, if C depends on fields.
@@ -39,24 +39,24 @@ impl Summand {
     /// The factor of the power in the sums that belong to `gap`.
     pub(crate) fn coefficient(&self, gap: &Gap) -> Coefficient {
         match &self.factor {
-            Factor::Constant(value) => Coefficient::constant(value.clone()),
-            Factor::Weight(weight) => gap.terms[self.term].coefficient.scaled(weight),
+            Prefactor::Constant(value) => Coefficient::constant(value.clone()),
+            Prefactor::Weight(weight) => gap.terms[self.term].coefficient.scaled(weight),
         }
     }
 
     /// The weight of the symbol in the factor of the power; nothing if the factor is a constant.
     pub(crate) fn weight(&self) -> Option<&Rational> {
         match &self.factor {
-            Factor::Constant(_) => None,
-            Factor::Weight(weight) => Some(weight),
+            Prefactor::Constant(_) => None,
+            Prefactor::Weight(weight) => Some(weight),
         }
     }
 
     /// The factor of the power, if it is a constant.
     pub(crate) fn constant(&self) -> Option<&Rational> {
         match &self.factor {
-            Factor::Constant(value) => Some(value),
-            Factor::Weight(_) => None,
+            Prefactor::Constant(value) => Some(value),
+            Prefactor::Weight(_) => None,
         }
     }
 }
@@ -108,8 +108,8 @@ impl PowerSum {
     pub(crate) fn weighted(&self, weight: impl Fn(&Rational) -> Rational) -> Self {
         let summands = self.summands.iter().map(|Summand { term, factor, exponent }| {
             let factor = match factor {
-                Factor::Constant(value) => Factor::Constant(value * weight(exponent)),
-                Factor::Weight(own) => Factor::Weight(own * weight(exponent)),
+                Prefactor::Constant(value) => Prefactor::Constant(value * weight(exponent)),
+                Prefactor::Weight(own) => Prefactor::Weight(own * weight(exponent)),
             };
             Summand { term: *term, factor, exponent: exponent.clone() }
         });
@@ -170,8 +170,8 @@ impl PowerSum {
     fn of(gap: &Gap, shift: i32, weight: &dyn Fn(&Rational) -> Rational) -> Self {
         let summands = gap.terms.iter().enumerate().map(|(term, Term { coefficient, exponent, .. })| {
             let factor = match coefficient.as_constant() {
-                Some(value) => Factor::Constant(value * weight(exponent)),
-                None => Factor::Weight(weight(exponent)),
+                Some(value) => Prefactor::Constant(value * weight(exponent)),
+                None => Prefactor::Weight(weight(exponent)),
             };
             Summand { term, factor, exponent: exponent + integer(shift) }
         });

@@ -9,7 +9,7 @@ use super::expression::Writer;
 use super::operations::Operations;
 use super::power_sum::exponent;
 use super::{Names, bounded_generics, local};
-use crate::closed_forms::{Factor, PowerSum, Summand};
+use crate::closed_forms::{PowerSum, Prefactor, Summand};
 use crate::gap::coefficient::{Coefficient, Sign};
 use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
@@ -113,9 +113,9 @@ impl<'a> Coefficients<'a> {
     pub(super) fn factor(&self, summand: &Summand) -> TokenStream {
         let variable = variable(summand.term);
         match &summand.factor {
-            Factor::Constant(value) => self.number(value),
-            Factor::Weight(weight) if weight.is_one() => quote!(#variable),
-            Factor::Weight(weight) => self.scaled(weight, &variable).unwrap_or_else(|| {
+            Prefactor::Constant(value) => self.number(value),
+            Prefactor::Weight(weight) if weight.is_one() => quote!(#variable),
+            Prefactor::Weight(weight) => self.scaled(weight, &variable).unwrap_or_else(|| {
                 let weight = self.number(weight);
                 quote!(#variable * #weight)
             }),
@@ -133,8 +133,8 @@ impl<'a> Coefficients<'a> {
     /// The factor without the weight that `summand` has beside a symbol.
     pub(super) fn unweighted(&self, summand: &Summand) -> TokenStream {
         match &summand.factor {
-            Factor::Constant(value) => self.names.number(value),
-            Factor::Weight(_) => variable(summand.term).into_token_stream(),
+            Prefactor::Constant(value) => self.names.number(value),
+            Prefactor::Weight(_) => variable(summand.term).into_token_stream(),
         }
     }
 

@@ -40,9 +40,9 @@ use coefficients::Coefficients;
 use operations::Operations;
 
 /// A method that evaluates a closed form: its name, its variable and the sum.
-type Evaluator = (&'static str, &'static str, fn(&ClosedForms) -> &PowerSum);
+type EvaluatorMethod = (&'static str, &'static str, fn(&ClosedForms) -> &PowerSum);
 
-const EVALUATORS: [Evaluator; 5] = [
+const EVALUATORS: [EvaluatorMethod; 5] = [
     ("gap", "r", |forms| &forms.gap),
     ("approach", "a", |forms| &forms.approach),
     ("approach_slope", "a", |forms| &forms.approach_slope),

@@ -12,14 +12,14 @@ use crate::number::Rational;
 const LEADING_BITS: u64 = 192;
 
 /// base^exponent, computed to no more bits than a comparison needs.
-pub(crate) struct Power<'a> {
+pub(crate) struct ComparedPower<'a> {
     base: &'a Rational,
     exponent: u32,
 }
 
-impl<'a> Power<'a> {
+impl<'a> ComparedPower<'a> {
     pub(crate) fn of(base: &'a Rational, exponent: u32) -> Self {
-        Power { base, exponent }
+        ComparedPower { base, exponent }
     }
 
     /// An upper bound of the bits of its numerator and denominator together.

@@ -12,7 +12,7 @@ use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::first_zero::common_divisor::common_divisor;
-use crate::first_zero::compared_power::Power;
+use crate::first_zero::compared_power::ComparedPower;
 use crate::first_zero::integer_polynomial::IntegerPolynomial;
 use crate::first_zero::part::{Part, Whole};
 use crate::number::Rational;
@@ -57,7 +57,7 @@ impl FirstRoot {
         numerator: u32,
         denominator: u32,
     ) -> Ordering {
-        let power = Power::of(number, numerator);
+        let power = ComparedPower::of(number, numerator);
         let bits = power.bits();
         let compare = |offset: &BigInt, exponent: i64| power.compare_to((offset, exponent), denominator);
         let mut checked = false;

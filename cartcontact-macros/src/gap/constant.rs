@@ -39,12 +39,12 @@ impl WrittenConstant {
                 for Summand { expression, .. } in bodies {
                     let is_sum = matches!(expression.kind, Kind::Sum(_));
                     let place = if is_sum { PlaceInSum::First } else { PlaceInSum::Alone };
-                    collect(Term { subtracted: false, place, expression }, &mut terms);
+                    collect(WrittenTerm { subtracted: false, place, expression }, &mut terms);
                 }
             }
             _ => {
                 let place = PlaceInSum::First;
-                collect(Term { subtracted: false, place, expression: written }, &mut terms);
+                collect(WrittenTerm { subtracted: false, place, expression: written }, &mut terms);
             }
         }
         let mut terms = terms.into_iter().filter_map(|term| term.evaluated(evaluator));
@@ -54,13 +54,13 @@ impl WrittenConstant {
 }
 
 /// A term of a sum, or the whole expression.
-struct Term<'a> {
+struct WrittenTerm<'a> {
     subtracted: bool,
     place: PlaceInSum,
     expression: &'a Expression,
 }
 
-impl Term<'_> {
+impl WrittenTerm<'_> {
     /// Nothing if the term is zero.
     fn evaluated(&self, evaluator: &mut Evaluator<'_>) -> Option<OnlyTerm> {
         let value = evaluator.known_coefficient(self.expression).filter(|value| !value.is_zero())?;
@@ -71,12 +71,12 @@ impl Term<'_> {
 }
 
 /// The terms without r, including those of sums in parentheses that could as well be left out.
-fn collect<'a>(term: Term<'a>, terms: &mut Vec<Term<'a>>) {
+fn collect<'a>(term: WrittenTerm<'a>, terms: &mut Vec<WrittenTerm<'a>>) {
     match &term.expression.kind {
         Kind::Sum(summands) if !term.subtracted => {
             for (index, Summand { subtracted, expression }) in summands.iter().enumerate() {
                 let place = if index == 0 { term.place } else { PlaceInSum::Behind };
-                collect(Term { subtracted: *subtracted, place, expression }, terms);
+                collect(WrittenTerm { subtracted: *subtracted, place, expression }, terms);
             }
         }
         _ if !mentions_r(term.expression) => terms.push(term),
