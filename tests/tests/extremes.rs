@@ -1,7 +1,7 @@
 //! Scenes at the ends of a format or of time, with the results that they have all the same.
 
 use cartcontact::load::Constant;
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, gap_profile};
 use tests::budget;
 
 /// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
@@ -23,6 +23,26 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     let now = single.at(0.0)?;
     assert!(now.radius().powi(68).is_infinite() && now.peak_pressure().is_finite(), "{now:?}");
     Ok(())
+}
+
+/// A sphere on another one or on a plane.
+#[gap_profile(r^2 / (2 * upper) - r^2 / (2 * lower))]
+struct SphereOnSphere {
+    upper: f64,
+    lower: f64,
+}
+
+/// The product of both radii leaves the format, in which their difference would be formed without loss.
+#[test]
+fn a_sphere_of_huge_radius_is_a_plane() {
+    for lower in [1e100, 1e307, 4e307, 1e308, f64::INFINITY] {
+        let [(coefficient, _)] = SphereOnSphere { upper: 5.0, lower }.terms::<f64>();
+        assert!((coefficient - 0.1).abs() < 0.1 * f64::EPSILON, "{lower:e}: {coefficient}");
+    }
+    for lower in [1e30, 3e37, 1e38, 3e38, f64::INFINITY] {
+        let [(coefficient, _)] = SphereOnSphere { upper: 5.0, lower }.terms::<f32>();
+        assert!((coefficient - 0.1).abs() < 0.1 * f32::EPSILON, "{lower:e}: {coefficient}");
+    }
 }
 
 /// A term with a coefficient of zero may have a power that is out of range.
