@@ -1,7 +1,7 @@
 //! Scenes at the ends of a format or of time, with the results that they have all the same.
 
-use cartcontact::load::Constant;
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, gap_profile};
+use cartcontact::load::{Constant, PiecewiseLinear};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use tests::budget;
 
 /// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
@@ -102,5 +102,38 @@ fn coefficients_times_exponents_need_not_be_in_range() -> Result<(), Box<dyn cor
         Constant(1.0),
     )?;
     assert!(matches!(limited.at(0.0), Err(ContactError::BeyondRange { .. })));
+    Ok(())
+}
+
+/// At the end of a rise during which all but its last moments drain, P(0) = 2 F/(π a²): the load comes from a strip that is
+/// thinner than the spacing of numbers, also where times cannot tell when it was laid.
+fn error_at_the_end_of_a_rise<T: Scalar>(chi: f64) -> Result<f64, Box<dyn core::error::Error>> {
+    let load = PiecewiseLinear::new([(0.0, 0.0), (999.0, 0.0), (1000.0, 2.0)].map(|(t, f)| number(t, f)))?;
+    let medium = Medium::from_constants(T::constant(0.375), T::constant(chi))?;
+    let contact = Contact::new(Polynomial::new([number::<T>(0.0625, 2.0)])?, medium, load)?;
+    let now = contact.at(T::constant(1000.0))?;
+    let a = now.radius().value();
+    let share = now.peak_pressure().value() / (4.0 / (core::f64::consts::PI * a * a));
+    Ok((share - 1.0).abs() / T::default_epsilon().value())
+}
+
+fn number<T: Scalar>(x: f64, y: f64) -> (T, T) {
+    (T::constant(x), T::constant(y))
+}
+
+#[test]
+fn the_end_of_a_rise_is_not_lost() -> Result<(), Box<dyn core::error::Error>> {
+    for exponent in [62, 73, 74, 80, 90] {
+        let chi = 2f64.powi(exponent);
+        let errors = [error_at_the_end_of_a_rise::<f64>(chi)?, error_at_the_end_of_a_rise::<f32>(chi)?];
+        assert!(
+            errors.iter().all(|error| *error <= budget::PEAK_PRESSURE.double),
+            "2^{exponent}: {errors:?}"
+        );
+    }
+    for exponent in [30, 41, 42, 50] {
+        let error = error_at_the_end_of_a_rise::<f32>(2f64.powi(exponent))?;
+        assert!(error <= budget::PEAK_PRESSURE.single, "2^{exponent}: {error}");
+    }
     Ok(())
 }

@@ -80,9 +80,16 @@ impl<T: Scalar> Increment<T> {
     /// The load follows from the forces at both ends of the stretch, and the pressure from the load, except for where
     /// in the stretch it is laid: the roundings of m cancel, and so do those of δ₀′ and of ages that all nodes have in
     /// common. After a long history the rounding of radii counts beside the layer's thickness, but not beside its load.
-    pub(super) fn scaled_to_load(self, load: T, low: T) -> Self {
+    ///
+    /// None where a load is left of which the increment carries nothing: the layer lies between its last radius and the
+    /// first node of its rule.
+    pub(super) fn scaled_to_load(self, load: T, low: T) -> Option<Self> {
         let carried = self.doubled_load(low);
-        if load > T::zero() && carried > T::zero() { self.times((load + load) / carried) } else { self }
+        if load > T::zero() {
+            (carried > T::zero()).then(|| self.times((load + load) / carried))
+        } else {
+            Some(self)
+        }
     }
 
     /// The increment [scaled](Self::scaled_to_load) to a load, unless it is rounding: then it carries another load.

@@ -186,7 +186,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let (kept, sizes) = fading.kept_of((first.start.1, force));
         if is_well_conditioned(kept, sizes) {
             let load = kept * contact.integral_per_load();
-            increment = increment.scaled_to_load(load, self.transition.reach);
+            increment = increment.scaled_to_load(load, self.transition.reach).unwrap_or(increment);
         }
         // Integrals over time do not use rounded radii: they include the strips.
         self.add_strip();
@@ -278,7 +278,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
                     .scaled_if_resolved(load, low)
                     .unwrap_or_else(|| self.laid_at_once(high, laid, gain));
             } else if is_well_conditioned(kept, sizes) || is_left_out && !is_over_time {
-                increment = increment.scaled_to_load(load, low);
+                increment = increment
+                    .scaled_to_load(load, low)
+                    .unwrap_or_else(|| self.laid_at_once(high, laid, gain));
             }
         }
         self.transition.advance(fading, self.quarter_m(), increment, low);
