@@ -137,3 +137,24 @@ fn the_end_of_a_rise_is_not_lost() -> Result<(), Box<dyn core::error::Error>> {
     }
     Ok(())
 }
+
+/// Next to the centre the slope of r^0.25 leaves single precision, where it does not count.
+#[test]
+fn slopes_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
+    fn peak<T: Scalar>(coefficient: f64) -> Result<f64, Box<dyn core::error::Error>> {
+        let load = PiecewiseLinear::new([number::<T>(0.0, 0.0), number(256.0, 0.5)])?;
+        let medium = Medium::from_constants(T::constant(500.0), T::constant(300.0))?;
+        let contact = Contact::new(Polynomial::new([number::<T>(coefficient, 0.25)])?, medium, load)?;
+        Ok(contact.at(T::constant(2f64.powi(-10)))?.peak_pressure().value())
+    }
+    for exponent in [66, 80, 86, 93] {
+        let coefficient = 2f64.powi(exponent);
+        let error = (peak::<f32>(coefficient)? / peak::<f64>(coefficient)? - 1.0) / f64::from(f32::EPSILON);
+        assert!(error.abs() <= budget::PEAK_PRESSURE.single, "2^{exponent}: {error}");
+    }
+    let steeper = peak::<f32>(2f64.powi(105));
+    assert!(steeper.is_err_and(|error| {
+        error.downcast_ref().is_some_and(|error| matches!(error, ContactError::Unrepresentable { .. }))
+    }));
+    Ok(())
+}

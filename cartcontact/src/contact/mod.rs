@@ -115,7 +115,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// Σ|terms of J|/(a J′).
     ///
     /// This holds over the whole range of the format: as long as the input, 2 χ F, 4 F/(π m), ∫F, Y, J(a), a J′(a),
-    /// J(a)/a⁵, a⁴, F/a⁴ and the result are normal numbers, powers and products on the way to them need not be.
+    /// J(a)/a⁵, a⁴, F/a⁴ and the result are normal numbers, and with fractional exponents √(8/ε) δ₀′(a), too, powers and
+    /// products on the way to them need not be.
     ///
     /// # Errors
     ///

@@ -15,6 +15,7 @@ use super::loading::Loading;
 use super::{Contact, ContactError};
 use crate::Scalar;
 use crate::load::{Load, LoadError, impulse_tolerance};
+use crate::memory::share_that_counts;
 use crate::profile::{GapProfile, RadiusError};
 use crate::scalar::{is_finite_and_not_negative, is_normal_and_positive, smallest_normal};
 
@@ -94,7 +95,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         }
     }
 
-    /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ is finite.
+    /// Whether a⁴, δ₀′ and the curvature of the pressure are neither subnormal nor infinite, and a J′ and the slopes that
+    /// count next to the centre are finite.
     ///
     /// J/a⁵ is δ₀′ up to a factor of 8 to 2056, F/a⁴ is the curvature, and a⁵ δ₀′ is 2 a J′.
     #[inline(always)]
@@ -103,7 +105,9 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         let power = square * square;
         let slope = self.profile.quick_approach_slope(radius);
         let has_power = is_normal_and_positive(power);
-        let has_slope = is_normal_quotient(load_integral / radius, power) & slope.is_finite();
+        // An exponent n below 1 makes a slope (a/s)^(1−n) times as steep.
+        let steepest = if self.profile.is_smooth_at_centre() { slope } else { slope / share_that_counts() };
+        let has_slope = is_normal_quotient(load_integral / radius, power) & steepest.is_finite();
         let has_increments = (power * slope * radius).is_finite();
         let has_pressure = force.is_zero() | is_normal_quotient(force, power);
         radius.is_zero() | (has_power & has_slope & has_increments & has_pressure)

@@ -52,6 +52,7 @@ pub(crate) use fading::{FEW_FOLDS, decay_gain, faded_folds};
 pub(crate) use late::Late;
 pub(crate) use line::Line;
 pub(crate) use march::march;
+pub(crate) use radius_form::share_that_counts;
 pub(crate) use stage::Stage;
 use stage::surplus_that_counts;
 pub(crate) use transition::{Transition, not_negative};

@@ -177,16 +177,19 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
 
     /// The increment of the radii from `low` to `top`, at most a quarter of the contact radius, in the variable
     /// s^(1/4).
+    ///
+    /// Next to the centre a slope s^(n−1) may leave the format. Nodes that do not count need not lie there.
     fn increment_of_core(&self, top: T) -> Increment<T> {
         let fourth_root = |s: T| if s.is_zero() { s } else { s.sqrt().sqrt() };
         let ends = (fourth_root(self.low), fourth_root(top));
+        let least = (self.high * share_that_counts()).max(self.low);
         half_wide(
             #[inline(always)]
             || {
                 let mut nodes = Nodes::none();
                 nodes.take(self, Rule::FINEST, ends, |x, weight| {
                     let cube = x * x * x;
-                    let s = (cube * x).max(self.low);
+                    let s = (cube * x).max(least);
                     Node { s, depth: self.high - s, weight: weight * T::constant(4.0) * cube }
                 });
                 nodes.increment(self.low)
@@ -228,6 +231,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
         let of_centre = folds_at_centre(profile) / top;
         (powers * T::constant(MARGIN) + of_singularity + of_centre, fading * T::constant(MARGIN))
     }
+}
+
+/// √(ε/8), the share of the contact radius within which less than ε/8 is laid: s^(n+2) of ∫ δ₀′ s² ds.
+pub(crate) fn share_that_counts<T: Scalar>() -> T {
+    (T::default_epsilon() * T::constant(0.125)).sqrt()
 }
 
 /// How many e-foldings the centre counts as, in a length equal to its distance: a short rule notices s^(n−1) next to
