@@ -31,11 +31,11 @@ pub(crate) use shortest::{Shortest, least_step};
 /// or must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the
 /// contact recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not
 /// report are found too, at the cost of thousands of calls of [`force`](Self::force) each. Ten thousand kinks between
-/// two times are found to 1e-12. Of jumps fifty are found to full accuracy; a hundred put pressures off by up to 1e-12,
-/// two hundred by 1e-8, and five hundred by 2e-5. Sampled data and loads with steps need `next_knot`, or are a
-/// [`PiecewiseLinear`]. An oscillating load is followed wave by wave: a pressure takes some 40 forces for each wave of
-/// the last forty e-foldings, however small the waves are, up to a million of them; more may be stepped over, which puts
-/// pressures off by as much as 1e-3.
+/// two times are found to 1e-12. Of jumps forty are found to full accuracy; fifty put pressures off by up to 1e-14, a
+/// hundred by 1e-12, two hundred by 1e-8, and five hundred by 2e-5. Sampled data and loads with steps need `next_knot`,
+/// or are a [`PiecewiseLinear`]. An oscillating load is followed wave by wave: a pressure takes some 40 forces for each
+/// wave of the last forty e-foldings, however small the waves are, up to a million of them; more may be stepped over,
+/// which puts pressures off by as much as 1e-3.
 ///
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
 /// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through

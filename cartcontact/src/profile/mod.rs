@@ -306,7 +306,7 @@ pub trait GapProfile<T: Scalar> {
     /// at run time it is found numerically and never too large. It is too small by the rounding of logarithms: mostly by
     /// less than 100 ε, by hundreds where terms nearly cancel on the way, powers are high or coefficients large, and by
     /// some thousand with coefficients as small as 1e-30 as well; by 100 ε over the difference of two exponents, if that
-    /// is small.
+    /// is small; and by the square root of 100 ε where δ₀′ only touches zero.
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long
