@@ -160,7 +160,8 @@ pub(crate) fn middle_of_part<T: Scalar, const DIGITS: u32>(x: T) -> T {
 /// cut off.
 #[inline(always)]
 pub(crate) fn with_half_its_digits<T: Scalar>(x: T) -> T {
-    with_bits(x, |bits| (bits + 0x0800) & !0x0fff, |bits| bits & !0x07ff_ffff)
+    // Wrapping, as all bits of a NaN may be set.
+    with_bits(x, |bits| bits.wrapping_add(0x0800) & !0x0fff, |bits| bits & !0x07ff_ffff)
 }
 
 #[cfg(test)]

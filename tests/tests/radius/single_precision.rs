@@ -1,6 +1,6 @@
 //! Contact radii in single precision, where the products in a step may leave the format long before the radius does.
 
-use cartcontact::{GapProfile, gap_profile};
+use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
@@ -84,4 +84,16 @@ fn radii_are_exact_for_load_integrals_of_any_size() {
         }
     }
     errors.check();
+}
+
+/// A NaN with all bits set is what erased memory holds.
+#[test]
+fn no_bits_of_a_field_lead_to_a_panic() {
+    let erased = f32::from_bits(u32::MAX);
+    for (b, c) in [(erased, 1.0), (1.0, erased), (erased, erased)] {
+        for profile in [&Quarters { b, c } as &dyn GapProfile<f32>, &Mixed { b, c }] {
+            let radius = profile.radius(1.0);
+            assert!(matches!(radius, Err(RadiusError::BeyondRange { .. })), "{b}, {c}: {radius:?}");
+        }
+    }
 }
