@@ -146,6 +146,10 @@ impl Profile {
     ///
     /// J is below the target while each of its N positive terms is below target/N; from there the radius grows in steps
     /// of 1 % until J reaches the target, and the last step is bisected.
+    ///
+    /// # Panics
+    ///
+    /// If J does not reach it at any radius of an `f64`.
     fn start(&self, target: f64) -> f64 {
         let terms: Vec<(f64, f64, f64)> = self
             .terms
@@ -165,6 +169,7 @@ impl Profile {
             positive.map(|&(_, log, p)| -(log + count.ln()) / p).fold(f64::INFINITY, f64::min) - 1e-9;
         let mut high = low + 0.01;
         while !reaches(high) {
+            assert!(high < f64::MAX.ln(), "no contact radius for the load integral {target}");
             (low, high) = (high, high + 0.01);
         }
         for _ in 0..60 {
@@ -215,5 +220,16 @@ impl At<'_> {
             return whole(0);
         }
         self.approach() * (&self.square - &r.square) / whole(4) + r.log_kernel() - self.log_kernel()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[should_panic(expected = "no contact radius")]
+    fn a_load_integral_beyond_the_largest_has_no_radius() {
+        let _ = Profile::of(&[(0.025, 2.0), (-1e-4, 4.0)]).radius(&double(1e9));
     }
 }
