@@ -339,19 +339,32 @@ mod tests {
         }
     }
 
+    /// Sums over the pairs of nodes: of Pₖ times the factors for the Legendre coefficients of degree 1, n − 1 and n − 2.
+    fn coefficients_of_legendre(rule: &Rule, degree: usize) -> [f64; 3] {
+        let (pairs, _) = rule.double.nodes.as_chunks::<2>();
+        let pairs = pairs.iter().zip(rule.coefficients::<f64>()).enumerate();
+        pairs.fold([0.0; 3], |[first, highest, next], (place, (x, factors))| {
+            let [low, high] = x.map(|x| legendre(degree, x));
+            [
+                first + factors.0 * (high - low),
+                highest + factors.1 * (high - low),
+                next + rule.factor_of_next::<f64>(place) * (high + low),
+            ]
+        })
+    }
+
     #[test]
     fn coefficients_are_those_of_legendre() {
         for rule in ALL {
             let n = rule.len();
-            for degree in (1..n).step_by(2) {
-                let pairs = rule.double.nodes.chunks_exact(2).zip(rule.coefficients::<f64>());
-                let (first, highest) = pairs.fold((0.0, 0.0), |sums, (x, factors)| {
-                    let difference = legendre(degree, x[1]) - legendre(degree, x[0]);
-                    (sums.0 + factors.0 * difference, sums.1 + factors.1 * difference)
-                });
-                let expected = |is_it| if is_it { 1.0 } else { 0.0 };
-                assert!((first - expected(degree == 1)).abs() < 1e-14, "{n} nodes, degree {degree}: {first}");
-                assert!((highest - expected(degree == n - 1)).abs() < 1e-13, "{n}, {degree}: {highest}");
+            for degree in 0..n {
+                let found = coefficients_of_legendre(rule, degree);
+                for (found, (its_degree, bound)) in
+                    found.into_iter().zip([(1, 1e-14), (n - 1, 1e-13), (n - 2, 1e-13)])
+                {
+                    let expected = if degree == its_degree { 1.0 } else { 0.0 };
+                    assert!((found - expected).abs() < bound, "{n} nodes, {its_degree} of {degree}: {found}");
+                }
             }
         }
     }
@@ -364,6 +377,26 @@ mod tests {
                 rule.nodes(0.0, 1.0).fold(0.0, |sum, (x, w): (f64, f64)| sum + w * (folds * (x - 1.0)).exp());
             let error = integral * folds / -(-folds).exp_m1() - 1.0;
             assert!(error.abs() < 8.0 * f64::EPSILON, "{folds} folds: {error:e}");
+        }
+    }
+
+    /// The formula at the top: a rule may be far better than it says, so that sums of exponentials do not show a fold too
+    /// many.
+    #[test]
+    fn folds_are_where_the_error_reaches_a_quarter_of_a_rounding() {
+        let ln_factorial = |k: usize| (1..=k).map(|i| (i as f64).ln()).sum::<f64>();
+        for rule in ALL {
+            let (n, odd) = (rule.len(), (2 * rule.len() + 1) as f64);
+            let factorials = 4.0 * ln_factorial(n) - 3.0 * ln_factorial(2 * n);
+            let double = (rule.folds::<f64>(), f64::EPSILON);
+            for (folds, epsilon) in [double, (rule.folds::<f32>().into(), f32::EPSILON.into())] {
+                let error = (factorials + odd * folds.ln()).exp() / odd / -(-folds).exp_m1();
+                // Folds have four digits.
+                assert!(
+                    (error / epsilon * 4.0 - 1.0).abs() < 1e-3 * odd,
+                    "{n} nodes, {folds} folds: {error:e}"
+                );
+            }
         }
     }
 }
