@@ -212,7 +212,7 @@ pub trait GapProfile<T: Scalar> {
         self.load_integral(a)
     }
 
-    /// The pressure kernel as pressures need it: within 8 ε, which is quicker.
+    /// The pressure kernel as pressures need it: within 8 ε, more with fractional and high powers, which is quicker.
     #[doc(hidden)]
     fn quick_pressure_kernel(&self, a: T, r: T) -> T {
         self.pressure_kernel(a, r)
