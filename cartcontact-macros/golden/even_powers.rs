@@ -144,6 +144,14 @@ const _: () = {
             )
         }
         #[inline]
+        fn pressure_kernel_on_axis(&self, __a: T) -> T {
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
+                4u32, [< T as __cartcontact::Scalar > ::constant(0.0015625f64), < T as
+                __cartcontact::Scalar > ::constant(6.0763888888888885e-6f64)]) }
+            )
+        }
+        #[inline]
         fn quick_approach(&self, __a: T) -> T {
             let __s = __a * __a;
             (<T as __cartcontact::Scalar>::constant(0.0125f64)

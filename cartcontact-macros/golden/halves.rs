@@ -122,6 +122,16 @@ const _: () = {
             )
         }
         #[inline]
+        fn pressure_kernel_on_axis(&self, __a: T) -> T {
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
+                as __cartcontact::Scalar > ::constant(0.0006122448979591836f64),
+                __cartcontact::Exponent::in_parts(3, 0.5, 0.0)), (< T as
+                __cartcontact::Scalar > ::constant(0.00018518518518518518f64),
+                __cartcontact::Exponent::in_parts(4, 0.5, 0.0))]) }
+            )
+        }
+        #[inline]
         fn quick_approach(&self, __a: T) -> T {
             let __of_quarter2 = {
                 (<T as __cartcontact::Scalar>::constant(0.005714285714285714f64)

@@ -259,6 +259,18 @@ const _: () = {
             )
         }
         #[inline]
+        fn pressure_kernel_on_axis(&self, __a: T) -> T {
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a,
+                __cartcontact::whole_terms(& [(0.0046875, 4), (7.8125e-6, 6),
+                (3.021240234375e-8, 8), (1.57470703125e-10, 10), (9.512901306152344e-13,
+                12), (6.2809671674455916e-15, 14), (4.406513180583715e-17, 16),
+                (3.2327013711134594e-19, 18), (2.4547764187445864e-21, 20),
+                (1.9160220538403586e-23, 22), (1.5294890279449192e-25, 24),
+                (1.2439949344848873e-27, 26)])) }
+            )
+        }
+        #[inline]
         fn quick_approach(&self, __a: T) -> T {
             __cartcontact::quick_even_sum(
                 __a,

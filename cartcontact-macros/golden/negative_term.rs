@@ -132,6 +132,15 @@ const _: () = {
             )
         }
         #[inline]
+        fn pressure_kernel_on_axis(&self, __a: T) -> T {
+            __cartcontact::in_double_words!(
+                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__a,
+                4u32, [< T as __cartcontact::Scalar > ::constant(0.003125f64), < T as
+                __cartcontact::Scalar > ::constant(- 0.00024f64), < T as
+                __cartcontact::Scalar > ::constant(1.1111111111111112e-5f64)]) }
+            )
+        }
+        #[inline]
         fn quick_approach(&self, __a: T) -> T {
             (<T as __cartcontact::Scalar>::constant(0.025f64)
                 + (<T as __cartcontact::Scalar>::constant(-0.0016f64)

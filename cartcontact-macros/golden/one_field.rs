@@ -144,6 +144,15 @@ const _: () = {
             )
         }
         #[inline]
+        fn pressure_kernel_on_axis(&self, __a: T) -> T {
+            __cartcontact::in_double_words!(
+                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
+                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
+                __FUSED, _ > (__a, 4u32, [< __cartcontact::Precise < T, __FUSED > >
+                ::scaled(__c0, 0.0625f64)]) }
+            )
+        }
+        #[inline]
         fn quick_approach(&self, __a: T) -> T {
             let [__c0]: [T; 1usize] = __coefficients(self);
             let __s = __a * __a;

@@ -185,6 +185,14 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
         in_double_words!(FUSED => pressure_kernel::<_, _, _, FUSED>(a, r, self.powers()))
     }
 
+    fn pressure_kernel_on_axis(&self, a: T) -> T {
+        let two = T::constant(2.0);
+        in_double_words!(FUSED => {
+            let share = |n| DoubleWord::of(n).over(DoubleWord::sum(n, two).power(2).scaled(two));
+            self.sum::<FUSED>(a, 2, |c, n| share(n).times_word(c))
+        })
+    }
+
     fn quick_approach(&self, a: T) -> T {
         let two = T::constant(2.0);
         quick_power_sum(a, self.map(|c, n| (two * c / (n + two), Exponent::of(n))))

@@ -1,5 +1,6 @@
 //! Single precision against double precision, at inputs that both hold exactly.
 
+use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
 use tests::budget;
 use tests::condition;
@@ -7,6 +8,7 @@ use tests::kernel::{self, Kernel};
 use tests::measure::Errors;
 use tests::oracle::{Profile, double};
 use tests::profiles::{Case, DECIMALS, Decimals};
+use tests::random::Stream;
 use tests::reference::{self, ContactRow};
 
 /// The numbers that single precision holds with all their digits.
@@ -64,6 +66,56 @@ fn radii_in_single_precision_agree_with_double() {
         }
     }
     errors.check();
+}
+
+mod high_powers {
+    use super::gap_profile;
+
+    #[gap_profile(r^3.75)]
+    pub(super) struct Quarters;
+    #[gap_profile(r^5.75)]
+    pub(super) struct HighQuarters;
+    #[gap_profile(r^6)]
+    pub(super) struct Sixth;
+    #[gap_profile(r^2 + r^8 + r^16)]
+    pub(super) struct Mixed;
+    #[gap_profile(r^64)]
+    pub(super) struct Highest;
+}
+
+/// High powers round often, and on the axis nothing else allows for an error. With the coefficient 1 both precisions have
+/// the same gap.
+#[test]
+fn peaks_of_high_powers_are_as_exact_as_others() {
+    use high_powers::{HighQuarters, Highest, Mixed, Quarters, Sixth};
+    let mut errors = Errors::of_single(budget::PEAK_PRESSURE);
+    add_peaks(&mut errors, &Quarters);
+    add_peaks(&mut errors, &HighQuarters);
+    add_peaks(&mut errors, &Sixth);
+    add_peaks(&mut errors, &Mixed);
+    add_peaks(&mut errors, &Highest);
+    errors.check();
+}
+
+/// Peak pressures at once, and after a fifth of the fluid's pressure has drained.
+fn add_peaks<P: GapProfile<f32> + GapProfile<f64>>(errors: &mut Errors, profile: &P) {
+    fn peak<T: Scalar>(profile: &impl GapProfile<T>, m: f32, force: f32, chi: f32) -> f64 {
+        let [m, force, chi] = [m, force, chi].map(|number| T::constant(number.into()));
+        let contact = Medium::from_constants(m, chi)
+            .ok()
+            .and_then(|medium| Contact::new(profile, medium, Constant(force)).ok());
+        contact
+            .and_then(|contact| Some(contact.at(T::one()).ok()?.peak_pressure().value()))
+            .unwrap_or(f64::NAN)
+    }
+    let mut stream = Stream::of_case(9, 0);
+    for _ in 0..20_000 {
+        let (m, force) = (stream.between(0.5, 1.0) as f32, stream.magnitude(-4.0, 4.0) as f32);
+        for chi in [0.0, 0.25] {
+            let expected = peak::<f64>(profile, m, force, chi);
+            errors.add(peak::<f32>(profile, m, force, chi), expected, 1.0, &(m, force, chi));
+        }
+    }
 }
 
 #[test]

@@ -181,15 +181,15 @@ fn evaluators(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> (TokenStr
             fn #name(&self, #variable: #scalar) -> #scalar { #body }
         }
     };
-    let (mut methods, mut operations) = (Vec::new(), Vec::new());
-    for (name, variable, sum) in EVALUATORS {
-        let (variable, sum) = (local(variable), sum(forms));
-        let coefficients = coefficients.for_rounding_once([sum]);
+    let rounded_once = |name: &str, variable: &str, sum: &PowerSum| {
+        let (variable, coefficients) = (local(variable), coefficients.for_rounding_once([sum]));
         let (code, count) = power_sum::value(sum, &variable, &coefficients);
         let preamble = coefficients.preamble();
-        operations.push(count);
-        methods.push(method(name, &variable, names.in_double_words(&quote!(#preamble #code))));
-    }
+        (method(name, &variable, names.in_double_words(&quote!(#preamble #code))), count)
+    };
+    let interface = EVALUATORS.map(|(name, variable, sum)| rounded_once(name, variable, sum(forms)));
+    let (mut methods, mut operations): (Vec<_>, Vec<_>) = interface.into_iter().unzip();
+    methods.push(rounded_once("pressure_kernel_on_axis", "a", &forms.pressure_kernel_on_axis).0);
     for (name, sum) in [
         ("quick_approach", &forms.approach),
         ("quick_approach_slope", &forms.approach_slope),

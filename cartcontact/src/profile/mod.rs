@@ -187,6 +187,12 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
+    /// G(a, 0), which is a sum of powers.
+    #[doc(hidden)]
+    fn pressure_kernel_on_axis(&self, a: T) -> T {
+        self.pressure_kernel(a, T::zero())
+    }
+
     /// The [`approach`](Self::approach) and the [`load_integral`](Self::load_integral), which share what they have in
     /// common.
     #[doc(hidden)]
