@@ -52,7 +52,7 @@ const FIGURE: &str = "target/cartcontact/parametric_study.svg";
 /// The spread of peak pressures in a population of joints.
 #[derive(Debug, Parser)]
 struct Options {
-    /// How many scenes, a million takes 40 MB
+    /// How many scenes; a million takes 40 MB
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     #[arg(value_parser = value_parser!(u64).range(100..=100_000_000))]
     scenes: u64,

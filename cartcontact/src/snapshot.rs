@@ -189,7 +189,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             #[inline(always)]
             move || {
                 for (pressure, &r) in initial.iter_mut().zip(radii) {
-                    let kernel = kernel_with_strip(profile, (a, strip), r);
+                    let kernel = profile.quick_pressure_kernel(a, r) + beside_kernel((a, strip), r);
                     *pressure = from_start.apply(initial_stiffness * kernel, r);
                 }
             },
@@ -216,11 +216,11 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let strip = stage.strip(self.contact.integral_per_load());
         let profile = self.contact.profile();
         let kernel = if self.needs_digits(r) {
-            profile.pressure_kernel_on_axis(stage.radius) + beside_kernel((stage.radius, strip), r)
+            profile.pressure_kernel_on_axis(stage.radius)
         } else {
-            kernel_with_strip(profile, (stage.radius, strip), r)
+            profile.quick_pressure_kernel(stage.radius, r)
         };
-        not_negative(self.contact.medium().m() * kernel)
+        not_negative(self.contact.medium().m() * (kernel + beside_kernel((stage.radius, strip), r)))
     }
 
     /// The stage, if the pressure at r [needs digits](Self::needs_digits) with a surplus that has them.
@@ -292,13 +292,7 @@ impl<T: fmt::Debug, P, L> fmt::Debug for Snapshot<'_, T, P, L> {
     }
 }
 
-/// G of the exact contact radius at r: that of the rounded one, and what the [strip](Stage::strip) between them adds.
-#[inline(always)]
-fn kernel_with_strip<T: Scalar>(profile: &impl GapProfile<T>, (a, strip): (T, T), r: T) -> T {
-    profile.quick_pressure_kernel(a, r) + beside_kernel((a, strip), r)
-}
-
-/// What the strip beside a rounded radius adds to G at r.
+/// What the [strip](Stage::strip) between the rounded contact radius and the exact one adds to G at r.
 #[inline(always)]
 fn beside_kernel<T: Scalar>((a, strip): (T, T), r: T) -> T {
     strip * T::constant(0.25) * ((a - r) * (a + r))

@@ -59,8 +59,8 @@ pub fn rounded<T, C: Coefficient<T>, const N: usize>(coefficients: [C; N]) -> [T
     coefficients.map(|coefficient| coefficient.parts().0)
 }
 
-/// A sum of powers of two fields as a product or, if that is not finite or zero, as it is written: one of the fields may
-/// be infinite, as the radius of a plane is, or so large that its product with the other is.
+/// A sum of powers of two fields as a product or, if that is zero, infinite or not a number, as it is written: one of the
+/// fields may be infinite, as the radius of a plane is, or so large that its product with the other is.
 #[inline(always)]
 pub fn finite_or<T: Scalar>(product: T, sum: T) -> T {
     if product.is_finite() & !product.is_zero() { product } else { sum }

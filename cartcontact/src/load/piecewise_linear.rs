@@ -99,7 +99,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             if knot % stride == 0
                 && let Some(impulse) = load.impulses.get_mut(knot / stride)
             {
-                *impulse = total_of(sum);
+                *impulse = sum.total();
             }
         }
         Ok(load)
@@ -130,7 +130,7 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
         // After the last knot the force is constant.
         let end = knots.get(last + 1).copied().unwrap_or((t, start.1));
         sum.add(Piece { start, end }.before(t).impulse());
-        total_of(sum)
+        sum.total()
     }
 
     /// The force at `t`, from the last knot that `is_before` selects and the knot after it.
@@ -144,13 +144,6 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             (None, _) => before_the_start(t),
         }
     }
-}
-
-/// A sum of impulses, none of which is negative: infinite once it has left the format, where its compensation, the
-/// difference of infinite numbers, would make it NaN.
-#[inline(always)]
-fn total_of<T: Scalar>(sum: CompensatedSum<T>) -> T {
-    if sum.value.is_finite() { sum.value } else { T::infinity() }
 }
 
 /// Zero before the load is applied; NaN if the time is NaN.

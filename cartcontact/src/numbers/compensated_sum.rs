@@ -24,4 +24,11 @@ impl<T: Scalar> CompensatedSum<T> {
         self.excess = (next - self.value) - corrected;
         self.value = next;
     }
+
+    /// The sum of numbers that are not negative: infinite once it has left the format, where the excess, a difference of
+    /// infinite numbers, would make it NaN.
+    #[inline(always)]
+    pub(crate) fn total(self) -> T {
+        if self.value.is_finite() { self.value } else { T::infinity() }
+    }
 }
