@@ -192,14 +192,22 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel_on_axis(&self, __a: S) -> S {
-            __cartcontact::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < S, __FUSED >;
-                2usize] = __precise_coefficients(self); __cartcontact::power_sum:: < _,
-                _, _, __FUSED > (__a, [(< __cartcontact::Precise < S, __FUSED > >
-                ::scaled(__c0, 0.0625f64), __cartcontact::Exponent::whole(4)), (__c1 * <
-                __cartcontact::Precise < S, __FUSED > > ::constant(0.06172839506172839,
-                3.4266142735344336e-18), __cartcontact::Exponent::in_parts(4, 0.5,
-                0.0))]) }
+            let [__c0, __c1]: [S; 2usize] = __coefficients(self);
+            __cartcontact::quick_power_sum(
+                __a,
+                [
+                    (
+                        __c0 * <S as __cartcontact::Scalar>::constant(0.0625f64),
+                        __cartcontact::Exponent::whole(4),
+                    ),
+                    (
+                        __c1
+                            * <S as __cartcontact::Scalar>::constant(
+                                0.06172839506172839f64,
+                            ),
+                        __cartcontact::Exponent::in_parts(4, 0.5, 0.0),
+                    ),
+                ],
             )
         }
         #[inline]

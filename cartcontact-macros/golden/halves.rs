@@ -123,12 +123,20 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::in_double_words!(
-                __FUSED => { __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(< T
-                as __cartcontact::Scalar > ::constant(0.0006122448979591836f64),
-                __cartcontact::Exponent::in_parts(3, 0.5, 0.0)), (< T as
-                __cartcontact::Scalar > ::constant(0.00018518518518518518f64),
-                __cartcontact::Exponent::in_parts(4, 0.5, 0.0))]) }
+            __cartcontact::quick_power_sum(
+                __a,
+                [
+                    (
+                        <T as __cartcontact::Scalar>::constant(0.0006122448979591836f64),
+                        __cartcontact::Exponent::in_parts(3, 0.5, 0.0),
+                    ),
+                    (
+                        <T as __cartcontact::Scalar>::constant(
+                            0.00018518518518518518f64,
+                        ),
+                        __cartcontact::Exponent::in_parts(4, 0.5, 0.0),
+                    ),
+                ],
             )
         }
         #[inline]

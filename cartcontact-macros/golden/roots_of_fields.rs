@@ -170,17 +170,32 @@ const _: () = {
         }
         #[inline]
         fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::in_double_words!(
-                __FUSED => { let [__c0, __c1, __c2] : [__cartcontact::Precise < T,
-                __FUSED >; 3usize] = __precise_coefficients(self);
-                __cartcontact::power_sum:: < _, _, _, __FUSED > (__a, [(__c0 * <
-                __cartcontact::Precise < T, __FUSED > > ::constant(0.06172839506172839,
-                3.4266142735344336e-18), __cartcontact::Exponent::in_parts(4, 0.5, 0.0)),
-                (__c1 * < __cartcontact::Precise < T, __FUSED > >
-                ::constant(0.05555555555555555, 3.0839528461809902e-18),
-                __cartcontact::Exponent::whole(6)), (__c2 * < __cartcontact::Precise < T,
-                __FUSED > > ::constant(0.05102040816326531, - 1.1328806373726086e-18),
-                __cartcontact::Exponent::whole(7))]) }
+            let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
+            __cartcontact::quick_power_sum(
+                __a,
+                [
+                    (
+                        __c0
+                            * <T as __cartcontact::Scalar>::constant(
+                                0.06172839506172839f64,
+                            ),
+                        __cartcontact::Exponent::in_parts(4, 0.5, 0.0),
+                    ),
+                    (
+                        __c1
+                            * <T as __cartcontact::Scalar>::constant(
+                                0.05555555555555555f64,
+                            ),
+                        __cartcontact::Exponent::whole(6),
+                    ),
+                    (
+                        __c2
+                            * <T as __cartcontact::Scalar>::constant(
+                                0.05102040816326531f64,
+                            ),
+                        __cartcontact::Exponent::whole(7),
+                    ),
+                ],
             )
         }
         #[inline]

@@ -187,10 +187,8 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
 
     fn pressure_kernel_on_axis(&self, a: T) -> T {
         let two = T::constant(2.0);
-        in_double_words!(FUSED => {
-            let share = |n| DoubleWord::of(n).over(DoubleWord::sum(n, two).power(2).scaled(two));
-            self.sum::<FUSED>(a, 2, |c, n| share(n).times_word(c))
-        })
+        let weight = |c, n| c * (n / (two * (n + two) * (n + two)));
+        quick_power_sum(a, self.map(|c, n| (weight(c, n), Exponent::of(n).plus(2))))
     }
 
     fn quick_approach(&self, a: T) -> T {

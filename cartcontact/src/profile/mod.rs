@@ -187,7 +187,7 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
-    /// G(a, 0), which is a sum of powers.
+    /// G(a, 0), a sum of powers, as peak pressures need it: each power is off by 4 ε at the most.
     #[doc(hidden)]
     fn pressure_kernel_on_axis(&self, a: T) -> T {
         self.pressure_kernel(a, T::zero())
