@@ -73,8 +73,10 @@ mod high_powers {
 
     #[gap_profile(r^3.75)]
     pub(super) struct Quarters;
-    #[gap_profile(r^5.75)]
+    #[gap_profile(r^4.75)]
     pub(super) struct HighQuarters;
+    #[gap_profile(r^3.07)]
+    pub(super) struct Decimal;
     #[gap_profile(r^6)]
     pub(super) struct Sixth;
     #[gap_profile(r^2 + r^8 + r^16)]
@@ -87,10 +89,11 @@ mod high_powers {
 /// the same gap.
 #[test]
 fn peaks_of_high_powers_are_as_exact_as_others() {
-    use high_powers::{HighQuarters, Highest, Mixed, Quarters, Sixth};
+    use high_powers::{Decimal, HighQuarters, Highest, Mixed, Quarters, Sixth};
     let mut errors = Errors::of_single(budget::PEAK_PRESSURE);
     add_peaks(&mut errors, &Quarters);
     add_peaks(&mut errors, &HighQuarters);
+    add_peaks(&mut errors, &Decimal);
     add_peaks(&mut errors, &Sixth);
     add_peaks(&mut errors, &Mixed);
     add_peaks(&mut errors, &Highest);
