@@ -200,14 +200,13 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::in_double_words!(
-                __FUSED => { let [__c0, __c1] : [__cartcontact::Precise < T, __FUSED >;
-                2usize] = __precise_coefficients(self); __cartcontact::precise_even_sum::
-                < _, _, __FUSED, _ > (__a, 4u32, [< __cartcontact::Precise < T, __FUSED >
-                > ::scaled(__c0, 0.0625f64), __c1 * < __cartcontact::Precise < T, __FUSED
-                > > ::constant(0.05555555555555555, 3.0839528461809902e-18)]) }
-            )
+        fn excess_on_axis(&self, __a: T) -> T {
+            let [__c0, __c1]: [T; 2usize] = __coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as __cartcontact::Scalar>::constant(0.020833333333333332f64)
+                + (__c1
+                    * <T as __cartcontact::Scalar>::constant(0.013888888888888888f64))
+                    * __s) * __s * __s * __s
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -191,24 +191,19 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: S) -> S {
+        fn excess_on_axis(&self, __a: S) -> S {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
-            __cartcontact::quick_power_sum(
-                __a,
-                [
-                    (
-                        __c0 * <S as __cartcontact::Scalar>::constant(0.0625f64),
-                        __cartcontact::Exponent::whole(4),
-                    ),
-                    (
-                        __c1
-                            * <S as __cartcontact::Scalar>::constant(
-                                0.06172839506172839f64,
-                            ),
-                        __cartcontact::Exponent::in_parts(4, 0.5, 0.0),
-                    ),
-                ],
-            )
+            let __of_quarter0 = {
+                let __s = __a * __a;
+                (__c0 * <S as __cartcontact::Scalar>::constant(0.020833333333333332f64))
+                    * __s * __s * __s
+            };
+            let __of_quarter2 = {
+                let __s = __a * __a;
+                (__c1 * <S as __cartcontact::Scalar>::constant(0.01899335232668566f64))
+                    * __s * __s * __s
+            };
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach(&self, __a: S) -> S {

@@ -122,22 +122,13 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0006122448979591836f64),
-                        __cartcontact::Exponent::in_parts(3, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(
-                            0.00018518518518518518f64,
-                        ),
-                        __cartcontact::Exponent::in_parts(4, 0.5, 0.0),
-                    ),
-                ],
-            )
+        fn excess_on_axis(&self, __a: T) -> T {
+            let __of_quarter2 = {
+                (<T as __cartcontact::Scalar>::constant(0.00022263450834879406f64)
+                    + (<T as __cartcontact::Scalar>::constant(5.698005698005698e-5f64))
+                        * __a) * __a * __a * __a * __a * __a
+            };
+            __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -132,13 +132,11 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::in_double_words!(
-                __FUSED => { __cartcontact::precise_sum:: < _, _, __FUSED, _ > (__a,
-                4u32, [< T as __cartcontact::Scalar > ::constant(0.003125f64), < T as
-                __cartcontact::Scalar > ::constant(- 0.00024f64), < T as
-                __cartcontact::Scalar > ::constant(1.1111111111111112e-5f64)]) }
-            )
+        fn excess_on_axis(&self, __a: T) -> T {
+            (<T as __cartcontact::Scalar>::constant(0.0010416666666666667f64)
+                + (<T as __cartcontact::Scalar>::constant(-6.857142857142857e-5f64)
+                    + (<T as __cartcontact::Scalar>::constant(2.777777777777778e-6f64))
+                        * __a) * __a) * __a * __a * __a * __a * __a * __a
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -144,13 +144,11 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::in_double_words!(
-                __FUSED => { let [__c0] : [__cartcontact::Precise < T, __FUSED >; 1usize]
-                = __precise_coefficients(self); __cartcontact::precise_even_sum:: < _, _,
-                __FUSED, _ > (__a, 4u32, [< __cartcontact::Precise < T, __FUSED > >
-                ::scaled(__c0, 0.0625f64)]) }
-            )
+        fn excess_on_axis(&self, __a: T) -> T {
+            let [__c0]: [T; 1usize] = __coefficients(self);
+            let __s = __a * __a;
+            (__c0 * <T as __cartcontact::Scalar>::constant(0.020833333333333332f64))
+                * __s * __s * __s
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -118,11 +118,10 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::in_double_words!(
-                __FUSED => { __cartcontact::precise_even_sum:: < _, _, __FUSED, _ > (__a,
-                4u32, [< T as __cartcontact::Scalar > ::constant(0.0015625f64)]) }
-            )
+        fn excess_on_axis(&self, __a: T) -> T {
+            let __s = __a * __a;
+            (<T as __cartcontact::Scalar>::constant(0.0005208333333333333f64)) * __s
+                * __s * __s
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -116,22 +116,19 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
-            __cartcontact::quick_power_sum(
-                __a,
-                [
-                    (
-                        <T as __cartcontact::Scalar>::constant(0.0006122448979591836f64),
-                        __cartcontact::Exponent::in_parts(3, 0.5, 0.0),
-                    ),
-                    (
-                        <T as __cartcontact::Scalar>::constant(
-                            0.00011791383219954649f64,
-                        ),
-                        __cartcontact::Exponent::in_parts(5, 0.25, 0.0),
-                    ),
-                ],
-            )
+        fn excess_on_axis(&self, __a: T) -> T {
+            let __of_quarter1 = {
+                let __s = __a * __a;
+                (<T as __cartcontact::Scalar>::constant(3.252795371021972e-5f64)) * __s
+                    * __s * __s * __a
+            };
+            let __of_quarter2 = {
+                let __s = __a * __a;
+                (<T as __cartcontact::Scalar>::constant(0.00022263450834879406f64)) * __s
+                    * __s * __a
+            };
+            __cartcontact::quarter_root::<_, 1>(__a) * __of_quarter1
+                + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -169,34 +169,21 @@ const _: () = {
             )
         }
         #[inline]
-        fn pressure_kernel_on_axis(&self, __a: T) -> T {
+        fn excess_on_axis(&self, __a: T) -> T {
             let [__c0, __c1, __c2]: [T; 3usize] = __coefficients(self);
-            __cartcontact::quick_power_sum(
-                __a,
-                [
-                    (
-                        __c0
-                            * <T as __cartcontact::Scalar>::constant(
-                                0.06172839506172839f64,
-                            ),
-                        __cartcontact::Exponent::in_parts(4, 0.5, 0.0),
-                    ),
-                    (
-                        __c1
-                            * <T as __cartcontact::Scalar>::constant(
-                                0.05555555555555555f64,
-                            ),
-                        __cartcontact::Exponent::whole(6),
-                    ),
-                    (
-                        __c2
-                            * <T as __cartcontact::Scalar>::constant(
-                                0.05102040816326531f64,
-                            ),
-                        __cartcontact::Exponent::whole(7),
-                    ),
-                ],
-            )
+            let __of_quarter0 = {
+                (__c1 * <T as __cartcontact::Scalar>::constant(0.013888888888888888f64)
+                    + (__c2
+                        * <T as __cartcontact::Scalar>::constant(
+                            0.011337868480725623f64,
+                        )) * __a) * __a * __a * __a * __a * __a * __a * __a * __a
+            };
+            let __of_quarter2 = {
+                let __s = __a * __a;
+                (__c0 * <T as __cartcontact::Scalar>::constant(0.01899335232668566f64))
+                    * __s * __s * __s
+            };
+            __of_quarter0 + __cartcontact::quarter_root::<_, 2>(__a) * __of_quarter2
         }
         #[inline]
         fn quick_approach(&self, __a: T) -> T {

@@ -85,8 +85,8 @@ pub(crate) struct ClosedForms {
     pub(crate) stepped: Stepped,
     /// L(x) = Σ C xⁿ⁺²/(n+2)², the log kernel of Eq. (28)
     pub(crate) log_kernel: PowerSum,
-    /// G(a, 0) = Σ C n aⁿ⁺²/(2 (n+2)²), the pressure kernel of Eq. (28) on the axis
-    pub(crate) pressure_kernel_on_axis: PowerSum,
+    /// S(a) = a² G(a, 0) − J(a)/2 = Σ C n aⁿ⁺⁴/((n+2)² (n+4))
+    pub(crate) excess_on_axis: PowerSum,
 }
 
 impl ClosedForms {
@@ -101,7 +101,7 @@ impl ClosedForms {
             approach_slope: PowerSum::of(gap, -1, &|n| &two * n / plus(n, 2)),
             load_integral,
             log_kernel: PowerSum::of(gap, 2, &|n| (plus(n, 2) * plus(n, 2)).recip()),
-            pressure_kernel_on_axis: PowerSum::of(gap, 2, &|n| n / (&two * plus(n, 2) * plus(n, 2))),
+            excess_on_axis: PowerSum::of(gap, 4, &|n| n / (plus(n, 2) * plus(n, 2) * plus(n, 4))),
         }
     }
 }

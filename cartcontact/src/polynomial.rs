@@ -185,10 +185,10 @@ impl<T: Scalar, S: Pairs<T>> GapProfile<T> for Polynomial<T, S> {
         in_double_words!(FUSED => pressure_kernel::<_, _, _, FUSED>(a, r, self.powers()))
     }
 
-    fn pressure_kernel_on_axis(&self, a: T) -> T {
-        let two = T::constant(2.0);
-        let weight = |c, n| c * (n / (two * (n + two) * (n + two)));
-        quick_power_sum(a, self.map(|c, n| (weight(c, n), Exponent::of(n).plus(2))))
+    fn excess_on_axis(&self, a: T) -> T {
+        let (two, four) = (T::constant(2.0), T::constant(4.0));
+        let weight = |c, n| c * (n / ((n + two) * (n + two) * (n + four)));
+        quick_power_sum(a, self.map(|c, n| (weight(c, n), Exponent::of(n).plus(4))))
     }
 
     fn quick_approach(&self, a: T) -> T {

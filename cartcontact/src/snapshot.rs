@@ -8,11 +8,7 @@ use crate::dispatch::wide;
 use crate::load::Load;
 use crate::memory::{Late, Stage, faded_folds, march, not_negative};
 use crate::profile::GapProfile;
-use crate::scalar::has_no_derivatives;
-
-/// The highest power of quick sums for a peak pressure, if all are whole: with r^6 it was off by 8.5 units in the last
-/// place, with r^64 by 14.
-const HIGHEST_QUICK_POWER: f64 = 4.0;
+use crate::scalar::{has_no_derivatives, is_plain_zero};
 
 /// The state of a [`Contact`] at one time: its radius, and on demand what follows from it.
 ///
@@ -140,10 +136,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let folds = self.contact.medium().chi() * self.time;
         if folds.is_zero() {
             // e^(−χ t): a zero may carry a derivative.
-            let stage = self.stage_for(self.contact.stage(self.time, self.radius), r);
+            let stage = self.contact.stage(self.time, self.radius);
             return self.undrained_pressure(stage, r) * (T::one() - folds);
         }
-        let start = self.stage_for(self.start_of_memory(), r);
+        let start = self.start_of_memory();
         let change = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
         change.apply(self.initial_pressure(start, r), r)
     }
@@ -189,7 +185,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             #[inline(always)]
             move || {
                 for (pressure, &r) in initial.iter_mut().zip(radii) {
-                    let kernel = profile.quick_pressure_kernel(a, r) + beside_kernel((a, strip), r);
+                    let kernel = kernel_with_strip(profile, (a, strip), r);
                     *pressure = from_start.apply(initial_stiffness * kernel, r);
                 }
             },
@@ -213,36 +209,20 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// m G(a, r), the pressure before anything has drained.
     fn undrained_pressure(&self, stage: Stage<T>, r: T) -> T {
+        if is_plain_zero(r) {
+            return self.undrained_peak(stage);
+        }
         let strip = stage.strip(self.contact.integral_per_load());
-        let kernel = self.undrained_kernel(stage.radius, r);
-        not_negative(self.contact.medium().m() * (kernel + beside_kernel((stage.radius, strip), r)))
+        let kernel = kernel_with_strip(self.contact.profile(), (stage.radius, strip), r);
+        not_negative(self.contact.medium().m() * kernel)
     }
 
-    /// G(a, r), on the axis as a sum of powers, unless another form rounds as rarely.
-    fn undrained_kernel(&self, a: T, r: T) -> T {
-        let profile = self.contact.profile();
-        if r.is_zero() && (self.has_high_powers() || !profile.is_smooth_at_centre()) {
-            profile.pressure_kernel_on_axis(a)
-        } else {
-            profile.quick_pressure_kernel(a, r)
-        }
-    }
-
-    /// The stage, for a pressure on the axis under high powers with a surplus that is rounded less often.
-    fn stage_for(&self, stage: Stage<T>, r: T) -> Stage<T> {
-        if !(r.is_zero() && self.has_high_powers()) {
-            return stage;
-        }
-        let load_integral = self.contact.profile().load_integral(stage.radius);
-        let loading = self.contact.loading(stage.time);
-        self.contact.stage_with_load_integral(loading, stage.time, stage.radius, load_integral)
-    }
-
-    /// Whether quick sums of whole powers round too often for a pressure on the axis, which is promised within a third
-    /// of the bound that it has elsewhere. Fractional powers are formed one by one.
-    fn has_high_powers(&self) -> bool {
-        let profile = self.contact.profile();
-        profile.is_smooth_at_centre() && profile.highest_exponent() > T::constant(HIGHEST_QUICK_POWER)
+    /// m G(a, 0) as (2 Y/π + m S(a))/a², where 2 Y/π is m J/2 of the exact radius. There the derivative by a is zero: of
+    /// a rounded radius this is the pressure of the exact one, and S has the share 2/(n+4) in it.
+    fn undrained_peak(&self, Stage { time, radius: a, .. }: Stage<T>) -> T {
+        let twice_mean = T::constant(core::f64::consts::FRAC_2_PI) * self.contact.loading(time).hereditary;
+        let excess = self.contact.medium().m() * self.contact.profile().excess_on_axis(a);
+        (twice_mean + excess) / (a * a)
     }
 
     /// The stage before which the history no longer counts: 0, or where it has faded below rounding.
@@ -296,8 +276,8 @@ impl<T: fmt::Debug, P, L> fmt::Debug for Snapshot<'_, T, P, L> {
     }
 }
 
-/// What the [strip](Stage::strip) between the rounded contact radius and the exact one adds to G at r.
+/// G of the exact contact radius at r: that of the rounded one, and what the [strip](Stage::strip) between them adds.
 #[inline(always)]
-fn beside_kernel<T: Scalar>((a, strip): (T, T), r: T) -> T {
-    strip * T::constant(0.25) * ((a - r) * (a + r))
+fn kernel_with_strip<T: Scalar>(profile: &impl GapProfile<T>, (a, strip): (T, T), r: T) -> T {
+    profile.quick_pressure_kernel(a, r) + strip * T::constant(0.25) * ((a - r) * (a + r))
 }

@@ -38,7 +38,6 @@ use crate::reading::name::unraw;
 use crate::start::{Start, has_leading_term_beside_table};
 use coefficients::Coefficients;
 use operations::Operations;
-use power_sum::WholeExponents;
 
 /// A method that evaluates a closed form: its name, its variable and the sum.
 type EvaluatorMethod = (&'static str, &'static str, fn(&ClosedForms) -> &PowerSum);
@@ -190,23 +189,16 @@ fn evaluators(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> (TokenStr
     };
     let interface = EVALUATORS.map(|(name, variable, sum)| rounded_once(name, variable, sum(forms)));
     let (mut methods, mut operations): (Vec<_>, Vec<_>) = interface.into_iter().unzip();
-    let a = local("a");
-    let quick = |name: &str, code: TokenStream| {
-        let preamble = coefficients.preamble();
-        method(name, &a, quote!(#preamble #code))
-    };
-    let on_axis = &forms.pressure_kernel_on_axis;
-    methods.push(if WholeExponents::of(on_axis).is_some() {
-        rounded_once("pressure_kernel_on_axis", "a", on_axis).0
-    } else {
-        quick("pressure_kernel_on_axis", power_sum::term_by_term(on_axis, &a, coefficients))
-    });
     for (name, sum) in [
+        ("excess_on_axis", &forms.excess_on_axis),
         ("quick_approach", &forms.approach),
         ("quick_approach_slope", &forms.approach_slope),
         ("quick_load_integral", &forms.load_integral),
     ] {
-        methods.push(quick(name, power_sum::quick_value(sum, &a, coefficients)));
+        let a = local("a");
+        let code = power_sum::quick_value(sum, &a, coefficients);
+        let preamble = coefficients.preamble();
+        methods.push(method(name, &a, quote!(#preamble #code)));
     }
     methods.extend(approach_and_load_integral(forms, coefficients));
     let pressure_kernels = pressure_kernel::methods(forms, coefficients);

@@ -149,21 +149,19 @@ pub(super) fn is_quick_in_vectors(sum: &PowerSum) -> bool {
 
 /// The value of the sum at `x` in the cheapest form with an error below 7 ε.
 pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
+    let names = coefficients.names;
     match WholeExponents::of(sum) {
         Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
         Some(whole) if whole.is_low_in_square() => {
-            let (even_sum, lowest) = (coefficients.names.generated("quick_even_sum"), whole.lowest());
+            let (even_sum, lowest) = (names.generated("quick_even_sum"), whole.lowest());
             let dense = whole.dense((lowest, 2), sum, coefficients);
             quote!(#even_sum(#x, #lowest, #dense))
         }
-        _ => in_quarters(sum, x, coefficients).unwrap_or_else(|| term_by_term(sum, x, coefficients)),
+        _ => in_quarters(sum, x, coefficients).unwrap_or_else(|| {
+            let (power_sum, terms) = (names.generated("quick_power_sum"), terms(sum, coefficients));
+            quote!(#power_sum(#x, #terms))
+        }),
     }
-}
-
-/// The value of the sum at `x` by powers of their own, each rounded a few times at most.
-pub(super) fn term_by_term(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
-    let (power_sum, terms) = (coefficients.names.generated("quick_power_sum"), terms(sum, coefficients));
-    quote!(#power_sum(#x, #terms))
 }
 
 /// The value of a sum with whole exponents at `x` for loops over many, by Horner's rule with zeros for the powers that

@@ -187,10 +187,11 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn pressure_kernel(&self, a: T, r: T) -> T;
 
-    /// G(a, 0), a sum of powers, as peak pressures need it: each power is off by 4 ε at the most.
+    /// S(a) = a² G(a, 0) − J(a)/2 = ¼ ∫₀ᵃ δ₀′(s) s² (a² − s²) ds, by which the pressure on the axis exceeds twice the
+    /// mean one before anything has drained.
     #[doc(hidden)]
-    fn pressure_kernel_on_axis(&self, a: T) -> T {
-        self.pressure_kernel(a, T::zero())
+    fn excess_on_axis(&self, a: T) -> T {
+        a * a * self.pressure_kernel(a, T::zero()) - T::constant(0.5) * self.load_integral(a)
     }
 
     /// The [`approach`](Self::approach) and the [`load_integral`](Self::load_integral), which share what they have in

@@ -12,7 +12,7 @@ implement_for_pointers! {
         fn load_integral(&self, a: T) -> T;
         fn log_kernel(&self, x: T) -> T;
         fn pressure_kernel(&self, a: T, r: T) -> T;
-        fn pressure_kernel_on_axis(&self, a: T) -> T;
+        fn excess_on_axis(&self, a: T) -> T;
         fn approach_and_load_integral(&self, a: T) -> (T, T);
         fn quick_approach(&self, a: T) -> T;
         fn quick_approach_slope(&self, a: T) -> T;
