@@ -7,10 +7,11 @@
 
 mod scenes;
 
+use std::convert::Infallible;
 use std::hint::black_box;
 use std::time::Duration;
 
-use cartcontact::{GapProfile, RadiusError, Scalar};
+use cartcontact::{GapProfile, Scalar};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::{
@@ -25,20 +26,13 @@ fn radius(criterion: &mut Criterion) {
     let mut group = start(criterion, "radius f64");
     let targets = load_integrals::<f64>();
     solvers(&mut group, &targets);
-    function(&mut group, "two terms, by hand", &targets, by_hand::radius);
-    function(&mut group, "two terms, by hand, Newton", &targets, by_hand::radius_by_newton);
-    function(&mut group, "two terms, roots", &targets, radius_by_roots);
-    slice(&mut group, "two terms, by hand", &targets, |targets, radii| {
-        by_hand::radii(targets, radii);
-        Ok(())
-    });
-    at_times(&mut group, "one term", Paraboloid);
-    at_times(&mut group, "two terms", Patellofemoral);
-    at_times(&mut group, "three terms", ThreeTerm);
+    at_times(&mut group, &times());
     group.finish();
 
     let mut group = start(criterion, "radius f32");
-    solvers(&mut group, &load_integrals::<f32>());
+    let targets = load_integrals::<f32>();
+    throughput(&mut group, "powf", &targets, powf());
+    profile(&mut group, "two terms", &targets, &Patellofemoral);
     group.finish();
 }
 
@@ -62,38 +56,69 @@ fn start<'a>(criterion: &'a mut Criterion, name: &str) -> Group<'a> {
     group
 }
 
-fn solvers<T: Scalar>(group: &mut Group<'_>, targets: &[T]) {
-    let sixth = black_box(T::constant(1.0 / 6.0));
-    function(group, "powf", targets, |target| target.powf(sixth));
+fn solvers(group: &mut Group<'_>, targets: &[f64]) {
+    function(group, "powf", targets, powf());
     profile(group, "one term", targets, &Paraboloid);
     profile(group, "one term, r^2.3", targets, &BluntBall);
     profile(group, "one term, a cone", targets, &Cone);
     profile(group, "two terms", targets, &Patellofemoral);
+    latency(group, "two terms", targets, solver(&Patellofemoral));
     profile(group, "three terms", targets, &ThreeTerm);
+    latency(group, "three terms", targets, solver(&ThreeTerm));
     profile(group, "four terms", targets, &FourTerm);
     profile(group, "two terms, fractional powers", targets, &Blunt);
+    latency(group, "two terms, fractional powers", targets, solver(&Blunt));
     profile(group, "two terms, powers such as r^2.37", targets, &Fitted);
-    profile(group, "one term with a field", targets, &FlatBall { radius: black_box(T::constant(20.0)) });
-    profile(group, "two terms with a field", targets, &Ball { radius: black_box(T::constant(20.0)) });
-    let flat = Ball { radius: black_box(T::constant(2e4)) };
+    profile(group, "one term with a field", targets, &FlatBall { radius: black_box(20.0) });
+    profile(group, "two terms with a field", targets, &Ball { radius: black_box(20.0) });
+    let flat = Ball { radius: black_box(2e4) };
     profile(group, "two terms with a field, outside the table", targets, &flat);
-    let round_ball = RoundBall { radius: black_box(T::constant(20.0)) };
-    profile(group, "three terms with a field", targets, &round_ball);
-    let [b, c, d] = [0.02, 1e-4, 2e-6].map(|value| black_box(T::constant(value)));
+    profile(group, "three terms with a field", targets, &RoundBall { radius: black_box(20.0) });
+    let [b, c, d] = black_box([0.02, 1e-4, 2e-6]);
     profile(group, "three terms with three fields", targets, &ThreeFields { b, c, d });
     profile(group, "three halves with three fields", targets, &ThreeFieldsOfHalves { b, c, d });
-    let polynomial = run_time::<T>();
-    profile(group, "two terms, Polynomial", targets, &black_box(polynomial));
+    throughput(group, "two terms, Polynomial", targets, solver(&black_box(run_time())));
+    function(group, "two terms, by hand", targets, by_hand::radius);
+    slice(group, "two terms, by hand", targets, |targets, radii| {
+        by_hand::radii(targets, radii);
+        Ok::<_, Infallible>(())
+    });
+    throughput(group, "two terms, by hand, Newton", targets, by_hand::radius_by_newton);
+    throughput(group, "two terms, roots", targets, radius_by_roots);
 }
 
+/// Radii of contacts under a constant load.
+fn at_times(group: &mut Group<'_>, times: &[f64]) {
+    let (two, three) = (contact(Patellofemoral), contact(ThreeTerm));
+    throughput(group, "two terms, Contact::at", times, |time| two.at(time).map_or(0.0, |now| now.radius()));
+    slice(group, "two terms, Contact::radii", times, |times, radii| two.radii(times, radii));
+    slice(group, "three terms, Contact::radii", times, |times, radii| three.radii(times, radii));
+}
+
+fn powf<T: Scalar>() -> impl Fn(T) -> T {
+    let sixth = black_box(T::constant(1.0 / 6.0));
+    move |target| target.powf(sixth)
+}
+
+fn solver<T: Scalar, P: GapProfile<T>>(profile: &P) -> impl Fn(T) -> T {
+    move |target| profile.radius(target).unwrap_or(T::zero())
+}
+
+/// The throughput of the contact radius, one by one and of a slice.
 fn profile<T: Scalar>(group: &mut Group<'_>, name: &str, targets: &[T], profile: &impl GapProfile<T>) {
-    assert!(targets.iter().all(|&target| profile.radius(target).is_ok()), "{name}: {NO_RESULT}");
-    function(group, name, targets, |target| profile.radius(target).unwrap_or(T::zero()));
+    throughput(group, name, targets, solver(profile));
     slice(group, name, targets, |targets, radii| profile.radii(targets, radii));
 }
 
 /// The throughput and the latency of a function.
 fn function<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: impl Fn(T) -> T) {
+    throughput(group, name, arguments, &f);
+    latency(group, name, arguments, f);
+}
+
+/// The throughput of a function whose results are positive.
+fn throughput<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: impl Fn(T) -> T) {
+    assert!(arguments.iter().all(|&argument| f(argument) > T::zero()), "{name}: {NO_RESULT}");
     group.throughput(Throughput::Elements(arguments.len() as u64));
     let mut values = vec![T::zero(); arguments.len()];
     group.bench_function(BenchmarkId::new("throughput", name), |bencher| {
@@ -103,6 +128,10 @@ fn function<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: im
             }
         });
     });
+}
+
+fn latency<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: impl Fn(T) -> T) {
+    group.throughput(Throughput::Elements(arguments.len() as u64));
     // The link is so small that it changes no argument.
     let link = black_box(T::constant(1e-30));
     group.bench_function(BenchmarkId::new("latency", name), |bencher| {
@@ -113,36 +142,17 @@ fn function<T: Scalar>(group: &mut Group<'_>, name: &str, arguments: &[T], f: im
 }
 
 /// The throughput of a function of slices.
-fn slice<T: Scalar>(
+fn slice<T: Scalar, E>(
     group: &mut Group<'_>,
     name: &str,
     arguments: &[T],
-    f: impl Fn(&[T], &mut [T]) -> Result<(), RadiusError>,
+    f: impl Fn(&[T], &mut [T]) -> Result<(), E>,
 ) {
     group.throughput(Throughput::Elements(arguments.len() as u64));
     let mut values = vec![T::zero(); arguments.len()];
     assert!(f(arguments, &mut values).is_ok(), "{name}: {NO_RESULT}");
     group.bench_function(BenchmarkId::new("slice", name), |bencher| {
         bencher.iter(|| f(black_box(arguments), black_box(&mut values)));
-    });
-}
-
-/// The throughput of the radii of a contact under a constant load, at many times at once and one by one.
-fn at_times(group: &mut Group<'_>, name: &str, profile: impl GapProfile<f64>) {
-    let (contact, times) = (contact(profile), times());
-    assert!(times.iter().all(|&time| contact.at(time).is_ok()), "{name}: {NO_RESULT}");
-    group.throughput(Throughput::Elements(times.len() as u64));
-    let mut radii = vec![0.0; times.len()];
-    assert!(contact.radii(&times, &mut radii).is_ok(), "{name}: {NO_RESULT}");
-    group.bench_function(BenchmarkId::new("Contact::radii", name), |bencher| {
-        bencher.iter(|| contact.radii(black_box(&times), black_box(&mut radii)));
-    });
-    group.bench_function(BenchmarkId::new("Contact::at", name), |bencher| {
-        bencher.iter(|| {
-            for (radius, &time) in black_box(&mut radii[..]).iter_mut().zip(black_box(&times)) {
-                *radius = contact.at(time).map_or(0.0, |now| now.radius());
-            }
-        });
     });
 }
 
