@@ -216,9 +216,19 @@ fn write_table(out: &mut impl Write, title: &str, methods: &[Method]) -> io::Res
 mod tests {
     use super::*;
 
-    /// Times aside, every method gives the reference values.
+    /// Times aside, every method gives the reference values: the solver, and a search that has converged, but for a few
+    /// roundings, the others to the bounds with their reasons.
     #[test]
     fn all_ways_lead_to_the_same_results() -> Result<(), Box<dyn Error>> {
+        /// The exponents of the decay, up to 16, are rounded.
+        const KERNELS: f64 = 1e-14;
+        /// At χ t = 16 the printed difference loses a digit or two.
+        const PRINTED: f64 = 1e-13;
+        /// A scheme of first order errs by the share of a step.
+        const EULER: f64 = 1.0 / 4096.0;
+        /// One of fourth order with 256 steps errs by 1.7e-10, and with 1024 by a 256th of that.
+        const RUNGE_KUTTA: f64 = 1e-12;
+
         let generated = Contacts::new()?.double;
         let printed = printed::Pressure::with_order(32)?;
         let fixed = fixed_order::Pressure::with_order(32)?;
@@ -226,16 +236,15 @@ mod tests {
             let Scene { time, distance, radius: exact, pressure: exact_pressure } = scene;
             assert!(exact.error(radius(&generated, scene)?) < 2.0 * f64::EPSILON);
             assert!(exact.error(printed::radius(*time, FULL)?) < 2.0 * f64::EPSILON);
-            assert!(exact.error(march::radius(Scheme::Euler, 4096, *time)?) < 1e-4);
-            assert!(exact.error(march::radius(Scheme::RungeKutta, 1024, *time)?) < 1e-11);
+            assert!(exact.error(march::radius(Scheme::Euler, 4096, *time)?) < EULER);
+            assert!(exact.error(march::radius(Scheme::RungeKutta, 1024, *time)?) < RUNGE_KUTTA);
 
-            assert!(exact_pressure.error(pressure(&generated, scene)?) < 8.0 * f64::EPSILON);
-            assert!(exact_pressure.error(printed.at(*time, *distance)?) < 1e-13);
-            assert!(exact_pressure.error(fixed.at(*time, *distance)?) < 1e-14);
-            assert!(exact_pressure.error(march::pressure(Scheme::Euler, 4096, *time, *distance)?) < 2e-4);
-            assert!(
-                exact_pressure.error(march::pressure(Scheme::RungeKutta, 1024, *time, *distance)?) < 1e-11
-            );
+            let error = |pressure| exact_pressure.error(pressure);
+            assert!(error(pressure(&generated, scene)?) < 8.0 * f64::EPSILON);
+            assert!(error(fixed.at(*time, *distance)?) < KERNELS);
+            assert!(error(printed.at(*time, *distance)?) < PRINTED);
+            assert!(error(march::pressure(Scheme::Euler, 4096, *time, *distance)?) < EULER);
+            assert!(error(march::pressure(Scheme::RungeKutta, 1024, *time, *distance)?) < RUNGE_KUTTA);
         }
         Ok(())
     }
