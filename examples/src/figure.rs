@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::Path;
 
@@ -118,11 +119,14 @@ pub(crate) fn save(
     }
     let in_pixels = format!(r#"width="{}" height="{}""#, size.0, size.1);
     let in_mm = format!(r#"width="{WIDTH}mm" height="{height}mm""#);
+    let failed = |to: &str, path: &Path, error: io::Error| {
+        format!("cannot {to} `{}`: {error}; run the example in a folder where you may write", path.display())
+    };
     if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(|error| format!("cannot create {}: {error}", folder.display()))?;
+        fs::create_dir_all(folder).map_err(|error| failed("create", folder, error))?;
     }
-    fs::write(path, svg.replacen(&in_pixels, &in_mm, 1))
-        .map_err(|error| format!("cannot write {}: {error}", path.display()).into())
+    fs::write(path, svg.replacen(&in_pixels, &in_mm, 1)).map_err(|error| failed("write", path, error))?;
+    Ok(())
 }
 
 /// A page or a part of it.

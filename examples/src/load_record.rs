@@ -140,7 +140,11 @@ impl fmt::Display for RecordError {
         match &self.problem {
             Problem::Header(found) => write!(f, "the header is `{found}`, but it must be `{HEADER}`"),
             Problem::Columns(count) => {
-                write!(f, "the row has {count} columns, but it must have 2: {HEADER}; decimals have a point")
+                write!(
+                    f,
+                    "a row has 2 columns, {HEADER}, but this one has {count}; separate them by a comma, and write \
+                     decimals with a point"
+                )
             }
             Problem::Number(cell) => write!(f, "`{cell}` is not a number; write one such as 20.5"),
             Problem::Load(error) => error.fmt(f),
@@ -180,7 +184,7 @@ mod tests {
             ("time_s,force_n\n", "a.csv:1: the load has no knots"),
             (
                 "time_s,force_n\n0,1\n1,2,3\n",
-                "a.csv:3: the row has 3 columns, but it must have 2: time_s,force_n; decimals",
+                "a.csv:3: a row has 2 columns, time_s,force_n, but this one has 3; separate them",
             ),
             ("time_s,force_n\n0,1\n\n1,two\n", "a.csv:4: `two` is not a number; write one such as 20.5"),
             ("time_s,force_n\n0,1\n1,-2\n", "a.csv:3: the force at time 1 is -2"),
