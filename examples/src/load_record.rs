@@ -65,6 +65,23 @@ impl LoadRecord {
         &self.knots
     }
 
+    /// Raises each force that falls faster than the contact can follow, with the rate χ of its layers, to the lowest that
+    /// it can, and returns how many these are, and the largest rise.
+    pub fn clamp(&mut self, chi: f64) -> (usize, f64) {
+        let (mut count, mut largest) = (0, 0.0);
+        for row in 1..self.knots.len() {
+            let ((before, former), (time, force)) = (self.knots[row - 1], self.knots[row]);
+            let lowest = former / (1.0 + chi * (time - before));
+            // Not `max`, which would hide a force that is not a number.
+            if force < lowest {
+                self.knots[row].1 = lowest;
+                count += 1;
+                largest = f64::max(largest, lowest - force);
+            }
+        }
+        (count, largest)
+    }
+
     /// The load through the rows, linear between them.
     ///
     /// # Errors
@@ -148,6 +165,9 @@ impl fmt::Display for RecordError {
             }
             Problem::Number(cell) => write!(f, "`{cell}` is not a number; write one such as 20.5"),
             Problem::Load(error) => error.fmt(f),
+            Problem::Contact(error @ ContactError::Receding { .. }) => {
+                write!(f, "{error}; the option `--clamp` does so")
+            }
             Problem::Contact(error) => error.fmt(f),
         }
     }
@@ -196,6 +216,16 @@ mod tests {
             let found = knots(text).err().unwrap_or_default();
             assert!(found.starts_with(message), "{text:?} gave {found:?}");
         }
+    }
+
+    #[test]
+    fn clamped_falls_are_as_fast_as_allowed() -> Result<(), RecordError> {
+        let text = "time_s,force_n\n0,9\n10,8\n20,-1\n30,NaN\n";
+        let mut record = LoadRecord::parse(Path::new("a.csv"), text)?;
+        assert_eq!(record.clamp(0.1), (1, 5.0));
+        assert_eq!(record.knots()[..3], [(0.0, 9.0), (10.0, 8.0), (20.0, 4.0)]);
+        assert!(record.load().is_err());
+        Ok(())
     }
 
     #[test]

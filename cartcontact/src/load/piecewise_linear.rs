@@ -44,7 +44,10 @@ const CHECKPOINTS: usize = 64;
 ///
 /// for k in 1..record.len() {
 ///     let (before, force) = record[k - 1];
-///     record[k].1 = record[k].1.max(force / (1.0 + medium.chi() * (record[k].0 - before)));
+///     let lowest = force / (1.0 + medium.chi() * (record[k].0 - before));
+///     if record[k].1 < lowest {
+///         record[k].1 = lowest; // `max` would hide a force that is not a number
+///     }
 /// }
 /// assert!(Contact::new(&gap, medium, PiecewiseLinear::new(&record)?)?.at(0.03).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
