@@ -138,7 +138,10 @@ impl fmt::Display for ContactError {
             Self::Radius { time, error } => write!(f, "at time {}: {error}", Shown(time)),
             Self::Empty { what } => write!(f, "`{what}` is empty; give at least one"),
             Self::Length { what, length, expected } => {
-                write!(f, "`{what}` has {length} elements instead of {expected}; resize it")
+                write!(
+                    f,
+                    "`{what}` has length {length}, but it needs {expected}, a place for each result; resize it"
+                )
             }
             Self::Unsorted { index, time } => write!(
                 f,

@@ -73,13 +73,9 @@ fn slices_fit_together() {
     refused(contact.pressure_field(&[], &[1.0], &mut []), is_empty, "times");
     refused(contact.pressure_field(&[1.0], &[], &mut []), is_empty, "radii");
     let is_length = |e: &ContactError| matches!(e, ContactError::Length { .. });
-    refused(contact.radii(&[1.0, 2.0], &mut [0.0; 3]), is_length, "3 elements instead of 2");
+    refused(contact.radii(&[1.0, 2.0], &mut [0.0; 3]), is_length, "3, but it needs 2");
     refused(contact.approaches(&[1.0, 2.0], &mut [0.0; 3]), is_length, "approaches");
-    refused(
-        contact.pressure_field(&[1.0, 2.0], &[1.0, 2.0], &mut [0.0; 3]),
-        is_length,
-        "3 elements instead of 4",
-    );
+    refused(contact.pressure_field(&[1.0, 2.0], &[1.0, 2.0], &mut [0.0; 3]), is_length, "3, but it needs 4");
     let is_unsorted = |e: &ContactError| matches!(e, ContactError::Unsorted { index: 1, .. });
     refused(contact.pressure_field(&[2.0, 1.5], &[1.0], &mut [0.0; 2]), is_unsorted, "1.5");
     refused(contact.pressure_matrix(&[2.0, 1.5], &[1.0]), is_unsorted, "1.5");
