@@ -88,13 +88,14 @@ fn histories(group: &mut Group<'_>) {
             ("chi = 0.0015/s", &|| pressure_at(&joint, 200.0, 3.0)),
         ],
     );
+    // Falls between its knots must be ruled out too.
     let unknown = loaded(Patellofemoral, RATE, Unknown(FORCE));
     pair(
         group,
         "straight load",
         [
-            ("age by a formula", &|| pressure_at(&joint, 200.0, 3.0)),
-            ("age by iteration", &|| pressure_at(&unknown, 200.0, 3.0)),
+            ("says so", &|| pressure_at(&joint, 200.0, 3.0)),
+            ("does not say so", &|| pressure_at(&unknown, 200.0, 3.0)),
         ],
     );
     // The memory of the medium lasts 20 s.
