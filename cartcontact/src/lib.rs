@@ -61,7 +61,7 @@
 //! |---|---|---|
 //! | `std` | yes | mathematical functions of the standard library |
 //! | `libm` | no | mathematical functions of the `libm` crate, for targets without `std` |
-//! | `nalgebra` | yes | `Contact::pressure_matrix` |
+//! | `nalgebra` | yes | `Contact::pressure_matrix`, a pressure field as a `DMatrix` of `nalgebra` 0.35 |
 //! | `simd` | yes | the widest vectors and the fused instructions of an x86-64 processor, chosen at run time |
 //!
 //! Without `std` the crate needs `libm`; it does not allocate. `nalgebra` and `simd` switch `std` on.
