@@ -62,7 +62,7 @@ fn assert_solved<P, T: Scalar>((_, _, radii): Given<P, T>) {
 #[bench::four_terms(FourTerm)]
 #[bench::fractional_powers(Fitted)]
 #[bench::one_term_with_a_field(FlatBall { radius: 20.0 })]
-#[bench::with_a_field(Ball { radius: 20.0 })]
+#[bench::two_terms_with_a_field(Ball { radius: 20.0 })]
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
 #[bench::three_halves_with_three_fields(ThreeFieldsOfHalves { b: 0.02, c: 1e-4, d: 2e-6 })]
