@@ -6,7 +6,7 @@ use crate::measurements::Measurements;
 
 /// A line of the table.
 pub(crate) struct Item {
-    pub(crate) result: String,
+    pub(crate) result: &'static str,
     pub(crate) asked: Option<Asked>,
     /// None if dividend or divisor was not measured.
     pub(crate) ratio: Option<f64>,
@@ -104,46 +104,28 @@ const LINES: &[Line] = &[
     ("load integral, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/load integral", "evaluators f64/latency/load integral, by hand"),
     ("pressure kernel, rounded once, over plain arithmetic by hand", None, "evaluators f64/throughput/pressure kernel", "evaluators f64/throughput/pressure kernel, by hand"),
     ("pressure kernel, rounded once, over plain arithmetic by hand, latency", None, "evaluators f64/latency/pressure kernel", "evaluators f64/latency/pressure kernel, by hand"),
+    ("drainage: (chi = 0.0015/s) ÷ (chi = 0: no memory)", None, "skipping/drainage/chi = 0.0015/s", "skipping/drainage/chi = 0: no memory"),
+    ("even powers: (in r) ÷ (in the square of r)", None, "skipping/even powers/in r", "skipping/even powers/in the square of r"),
+    ("faded history: (9900 s of knots, the last 800 s count) ÷ (900 s of knots, the last 800 s count)", None, "skipping/faded history/9900 s of knots, the last 800 s count", "skipping/faded history/900 s of knots, the last 800 s count"),
+    ("memory: (t = 200 s) ÷ (t = 0: none)", None, "skipping/memory/t = 200 s", "skipping/memory/t = 0: none"),
+    ("on demand: (radius, approach and peak pressure) ÷ (radius only)", None, "skipping/on demand/radius, approach and peak pressure", "skipping/on demand/radius only"),
+    ("one term: (with a second one) ÷ (alone)", None, "skipping/one term/with a second one", "skipping/one term/alone"),
+    ("outside the contact: (inside) ÷ (outside: zero)", None, "skipping/outside the contact/inside", "skipping/outside the contact/outside: zero"),
+    ("straight load: (does not say so) ÷ (says so)", None, "skipping/straight load/does not say so", "skipping/straight load/says so"),
+    ("whole powers: (exponentials) ÷ (multiplications)", None, "skipping/whole powers/exponentials", "skipping/whole powers/multiplications"),
 ];
 
-/// The lines above, and one for each pair in the group `skipping`.
 pub(crate) fn items(measurements: &Measurements) -> Vec<Item> {
-    let lines = LINES.iter().map(|&(result, asked, measured, unit)| {
+    let item = |&(result, asked, measured, unit): &Line| {
         let unit = if unit == NANOSECOND { Some(1.0) } else { measurements.time(unit) };
         let ratio = measurements.time(measured).zip(unit).map(|(time, unit)| time / unit);
-        Item { result: result.to_owned(), asked, ratio }
-    });
-    lines.chain(savings(measurements)).collect()
+        Item { result, asked, ratio }
+    };
+    LINES.iter().map(item).collect()
 }
 
 /// The benchmarks of the lines above that are missing: their names have changed, or they were not run.
 pub(crate) fn missing(measurements: &Measurements) -> Vec<&'static str> {
     let names: BTreeSet<_> = LINES.iter().flat_map(|&(_, _, measured, unit)| [measured, unit]).collect();
     names.into_iter().filter(|&name| name != NANOSECOND && measurements.time(name).is_none()).collect()
-}
-
-/// Within this, two variants cost the same.
-const SAME: f64 = 1.05;
-
-/// The most expensive variant of each scene in the group `skipping`, over its cheapest; of two that cost the same, the
-/// later one in the alphabet over the other, so that the line keeps its name.
-fn savings(measurements: &Measurements) -> Vec<Item> {
-    let mut variants: Vec<(&str, &str, f64)> = measurements
-        .below("skipping/")
-        .filter_map(|(name, time)| name.split_once('/').map(|(scene, variant)| (scene, variant, time)))
-        .collect();
-    variants.sort_by(|one, other| one.0.cmp(other.0).then(one.2.total_cmp(&other.2)));
-    variants
-        .chunk_by(|one, other| one.0 == other.0)
-        .filter_map(|scene| scene.first().zip(scene.last()).filter(|_| scene.len() > 1))
-        .map(|(cheapest, dearest)| {
-            let is_swapped = dearest.2 <= cheapest.2 * SAME && dearest.1 < cheapest.1;
-            if is_swapped { (dearest, cheapest) } else { (cheapest, dearest) }
-        })
-        .map(|(cheapest, dearest)| Item {
-            result: format!("{}: ({}) ÷ ({})", cheapest.0, dearest.1, cheapest.1),
-            asked: None,
-            ratio: Some(dearest.2 / cheapest.2),
-        })
-        .collect()
 }

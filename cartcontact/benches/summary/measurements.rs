@@ -32,11 +32,6 @@ impl Measurements {
         self.times.get(name).copied()
     }
 
-    /// The benchmarks whose names begin with `start`: the rest of the name, and the time.
-    pub(crate) fn below<'a>(&'a self, start: &'a str) -> impl Iterator<Item = (&'a str, f64)> {
-        self.times.iter().filter_map(move |(name, &time)| Some((name.strip_prefix(start)?, time)))
-    }
-
     /// How much older the oldest measurement is than the newest.
     pub(crate) fn spread_in_minutes(&self) -> Option<u64> {
         let (first, last) = self.taken?;

@@ -117,7 +117,7 @@ fn row(item: &Item) -> Vec<String> {
             if missed { format!("**{}**", shown(ratio)) } else { shown(ratio) }
         }
     };
-    vec![item.result.clone(), asked, measured]
+    vec![item.result.to_owned(), asked, measured]
 }
 
 /// Two or three digits, as many as such measurements reproduce.
