@@ -24,7 +24,8 @@ pub(crate) fn radius(load_integral: f64) -> f64 {
     }
 }
 
-/// Many radii: first the seeds, then the steps, which the compiler turns into vector code.
+/// Many radii: first the seeds, then the steps, which the compiler turns into vector code, of 128 bits for any x86-64
+/// processor.
 pub(crate) fn radii(load_integrals: &[f64], radii: &mut [f64]) {
     for (load_integrals, radii) in load_integrals.chunks(64).zip(radii.chunks_mut(64)) {
         let mut seeds = [0.0; 64];
