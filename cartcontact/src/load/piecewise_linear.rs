@@ -31,10 +31,11 @@ const CHECKPOINTS: usize = 64;
 ///
 /// The solution holds while the edge of the contact does not recede: from one knot to the next, Δt later, a force F may
 /// fall to F/(1 + χ Δt) and no lower. The noise of a measured record falls faster, however well it is smoothed, and must
-/// be clamped. The clamp follows the peaks: noise with a standard deviation σ puts a load that is held for a minute too
-/// high, at 1 Hz by 0.4 to 1.7 σ, at 1 kHz by 3 to 4 σ. Smooth such a record first, over as many samples as its ramps
-/// allow. If the joint is really unloaded, as in gait, the solution ends there, and a clamped record has the results of
-/// the higher load: see how far it lies above the measured one.
+/// be clamped. The clamp follows the peaks: noise with a standard deviation σ of 1 % of a load that is held for a minute
+/// puts it too high, with χ = 0.0015/s by 1 σ at 1 Hz and by 3.4 σ at 1 kHz, and less where χ or the load is larger.
+/// Smooth such a record first, over as many samples as its ramps allow. If the joint is really unloaded, as in gait, the
+/// solution ends there, and a clamped record has the results of the higher load: see how far it lies above the measured
+/// one.
 ///
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};
