@@ -128,7 +128,9 @@ impl Entry {
             ] => (last == "positive").then_some("positive"),
             _ => None,
         })?;
-        Some(format!("a comma is missing before `{option}`; options follow the gap after commas"))
+        Some(format!(
+            "a comma is missing before `{option}`; all parts of the attribute are separated by commas"
+        ))
     }
 
     /// Whether this is meant as one of the two bodies.
