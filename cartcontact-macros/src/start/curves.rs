@@ -149,7 +149,8 @@ impl Source {
             // Larger ones are not fixed-point numbers, and nearly cancel.
             let share = if share.log2() < 1.0 { share.fixed() } else { return None };
             let share = if j < 0.0 { -share } else { share };
-            surplus += share;
+            // On the way to a sum near 0 it may leave the range of fixed-point numbers, and comes back.
+            surplus = surplus.wrapping_add(share);
             shares.push(share as f64 / ONE as f64);
         }
         // The rounded root is a little off, and b^q by q ε/2: so are the radius and the shares.
