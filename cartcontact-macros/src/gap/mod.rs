@@ -23,7 +23,7 @@ pub(crate) mod shape;
 pub(crate) mod surface;
 pub(crate) mod truncation;
 
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::number::{self, Rational};
@@ -33,6 +33,8 @@ use polynomial::{Monomial, Polynomial};
 
 /// At 0.999 of the radius where it is 1, r^1024 is 0.36: beyond that, a contact cannot tell it from a step.
 pub(crate) const MAXIMUM_EXPONENT: u32 = 1024;
+/// Its reciprocal is the least: at 0.001 of the radius where it is 1, r^(1/1024) is 0.993.
+const LARGEST_INVERSE: u32 = 1024;
 /// Far more than a gap needs.
 const MAXIMUM_TERMS: usize = 256;
 
@@ -43,7 +45,7 @@ pub(crate) struct Gap {
 }
 
 pub(crate) struct Term {
-    /// Greater than 0, at most 1024.
+    /// From 1/1024 to 1024.
     pub(crate) exponent: Rational,
     /// Not zero.
     pub(crate) coefficient: Coefficient,
@@ -134,8 +136,10 @@ fn term(exponent: Rational, monomial: Monomial) -> Result<Term, (Extent, String)
             "exponent must be at most {MAXIMUM_EXPONENT}, as the gap beyond is a step; write a lower one"
         ));
     }
-    if number::nearest(&exponent).is_none() {
-        return fault("exponent is too small for an `f64`; write a larger one");
+    if &exponent * number::integer(LARGEST_INVERSE) < Rational::one() {
+        return fault(&format!(
+            "exponent must be at least 1/{LARGEST_INVERSE}, as a gap with less is a step; write a higher one"
+        ));
     }
     if !coefficient.is_representable() {
         return fault(

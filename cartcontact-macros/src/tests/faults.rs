@@ -127,6 +127,8 @@ fn each_fault_is_named() {
         ("r^-2", "greater than 0"),
         ("r^2 - r^2", "zero everywhere"),
         ("r^1025", "at most 1024"),
+        ("r^(1/1025)", "at least 1/1024"),
+        ("r^2 + r^1e-300", "at least 1/1024"),
         ("1e-390*r", "does not fit"),
         ("2^0.5*r", "not a fraction"),
         ("(-4)^0.5*r", "no root"),
