@@ -68,7 +68,8 @@ fn is_type(ty: &[TokenTree]) -> bool {
     }
 }
 
-/// `f64` and `f32` under any path, or one of the struct's own type parameters.
+/// `f64` and `f32`, alone or under the path of the primitive types, or one of the struct's own type parameters: under
+/// another path these are names of something else.
 pub(super) fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
     match ty {
         [TokenTree::Group(group)]
@@ -82,7 +83,14 @@ pub(super) fn kind(ty: &[TokenTree], generics: &Generics) -> Option<FieldKind> {
         }
         _ => {}
     }
-    match last_of_path(ty)?.to_string().as_str() {
+    let name = last_of_path(ty)?;
+    let is_primitive = match ty {
+        [_] => true,
+        [.., TokenTree::Ident(module), _, _, _] => module == "primitive",
+        _ => false,
+    };
+    match name.to_string().as_str() {
+        _ if !is_primitive => None,
         "f64" => Some(FieldKind::F64),
         "f32" => Some(FieldKind::F32),
         _ => None,

@@ -250,7 +250,8 @@ mod tests {
             assert!(messages.is_empty());
             assert!(matches!(item.unwrap().meaning(&format_ident!("c")), Meaning::Undecided), "{fields}");
         }
-        for ty in ["dyn Debug", "unsafe fn(f64)", "Vec<dyn Debug>", "crate::Units", "[f64; 3]"] {
+        for ty in ["dyn Debug", "unsafe fn(f64)", "Vec<dyn Debug>", "crate::Units", "units::f64", "[f64; 3]"]
+        {
             let ty: TokenStream = ty.parse().unwrap();
             let (item, _) = item(quote!(struct Ball { c: #ty }));
             assert!(matches!(item.unwrap().meaning(&format_ident!("c")), Meaning::WrongType(_)), "{ty}");
