@@ -5,7 +5,7 @@
 //!
 //! | stage | takes | gives |
 //! |---|---|---|
-//! | `reading::attribute`, `entry`, `bodies` | the attribute's tokens | expressions and options, as written |
+//! | `reading::attribute`, `entry`, `bodies` | the attribute's tokens | expressions and options, as written (`comparison`: what is written for an option) |
 //! | `reading::item` | the struct's tokens | its `name`, `generics` (`declaration`), and each `field` that can be a symbol (`positive`: of known sign; `unknown`: what other names are meant as) |
 //! | `reading::parse`, `call`, `literal` | tokens of an expression | `syntax`: a tree with places and exact numbers (`slips`, `unit`, `divisor`, `wrong_arguments`: what is no part of the language) |
 //! | `gap::evaluate` | syntax and item | `shape`: a sum of powers of r (`polynomial`) and of surfaces (`surface`) with exact coefficients (`coefficient`) |

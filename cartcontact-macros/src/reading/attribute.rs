@@ -8,6 +8,7 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::bodies;
+use crate::reading::comparison;
 use crate::reading::entry::{
     Assignment, Entry, LastDigits, all_options, entries, is_of_r, likely_option, mentions,
 };
@@ -92,7 +93,13 @@ impl Attribute {
 
     fn set(&mut self, option: &Assignment<'_>, entry: &Entry, diagnostics: &mut Diagnostics) {
         let Assignment { name, equals, value } = *option;
-        if let Some(slot) = self.slot(name) {
+        if name == "max_radius"
+            && let Some(end) = comparison::end_of_range(value)
+        {
+            let extent = Extent::of(value, option.place());
+            diagnostics.report(extent, comparison::end_for_range(&end));
+            self.max_radius = Some(Expression { kind: Kind::Faulty, extent });
+        } else if let Some(slot) = self.slot(name) {
             *slot = Some(option.expression(diagnostics));
         } else if name == "positive" {
             let names = equals.is_some().then(|| value.iter().cloned().collect());
@@ -163,6 +170,10 @@ impl Attribute {
             self.mark_gap_faulty(entry);
             return Some(message);
         }
+        if let Some(message) = comparison::option_for(&entry.tokens) {
+            self.mark_option_faulty(entry);
+            return Some(message);
+        }
         self.no_room_for(entry, has_bodies)
     }
 
@@ -192,23 +203,33 @@ impl Attribute {
         Some(format!("a decimal is written with a point, not a comma; write `{meant}`"))
     }
 
-    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`.
+    /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`, `|r| r^2`.
     fn named(&self, entry: &Entry) -> Option<String> {
         if self.gap.is_some() {
             return None;
         }
-        let name = match entry.tokens.as_slice() {
-            [TokenTree::Ident(name), TokenTree::Group(variable), equals, ..] if is_punct(equals, '=') => {
-                format!("{name}{variable} =")
+        let (name, signs) = match entry.tokens.as_slice() {
+            [TokenTree::Ident(name), TokenTree::Group(variable), signs @ ..] => {
+                (format!("{name}{variable}"), signs)
             }
-            [TokenTree::Ident(name), TokenTree::Punct(sign), next, ..] => match sign.as_char() {
-                sign @ ('=' | '-') if is_punct(next, '>') => format!("{name} {sign}>"),
-                ':' if !is_punct(next, ':') => format!("{name}:"),
-                _ => return None,
-            },
+            [TokenTree::Ident(name), signs @ ..] => (name.to_string(), signs),
+            // Unlike `|r|^3`.
+            [bar, TokenTree::Ident(name), last, first, ..]
+                if is_punct(bar, '|') && is_punct(last, '|') && !matches!(first, TokenTree::Punct(_)) =>
+            {
+                return Some(written_first(&format!("|{name}|")));
+            }
             _ => return None,
         };
-        Some(written_first(&name))
+        let [TokenTree::Punct(sign), next, ..] = signs else { return None };
+        let is_call = name.ends_with(')');
+        Some(written_first(&match sign.as_char() {
+            sign @ ('=' | '-') if is_punct(next, '>') => format!("{name} {sign}>"),
+            '=' if is_call => format!("{name} ="),
+            ':' if is_punct(next, '=') => format!("{name} :="),
+            ':' if !is_punct(next, ':') => format!("{name}:"),
+            _ => return None,
+        }))
     }
 
     /// Marks the gap as present but unreadable.

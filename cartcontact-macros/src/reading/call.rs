@@ -71,11 +71,16 @@ fn not_a_surface(name: &str) -> String {
     if let Some(meant) = other_shape(name) {
         return format!("`{name}` is not among the surfaces; {meant}");
     }
+    if name.eq_ignore_ascii_case("sqrt") {
+        return format!(
+            "a gap has no functions such as `{name}`; write `sphere(R)` for R - sqrt(R^2 - r^2), and `r^0.5` for a root"
+        );
+    }
     match closest(name, vec!["sphere".to_owned(), "conic".to_owned()]) {
         Some(surface) if surface != name => format!("`{name}` is not a surface; did you mean `{surface}`?"),
         _ => format!(
             "a gap is a sum of powers of r, `sphere(R)` and `conic(R, k)`, without functions such as `{name}`; for a \
-             root write `r^0.5`, for a product `*`"
+             product write `*`"
         ),
     }
 }

@@ -61,7 +61,7 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
     let mut before: Option<&TokenTree> = None;
     for token in tokens {
         let text = text(token);
-        let mut operands = vec![text.as_str()];
+        let mut operands = vec![text.clone()];
         match token {
             TokenTree::Ident(name) if is_unit(&text) || is_case(name) || is_times(name) || name == "as" => {
                 return None;
@@ -73,17 +73,18 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
             TokenTree::Literal(_) => match literal::with_name(&text) {
                 Some((number, name)) => {
                     fault.get_or_insert_with(|| literal::reads_as_one(&text));
-                    operands = vec![number, literal::factor(name)];
+                    operands = vec![number.to_owned(), literal::factor(name)];
                 }
                 None => drop(literal::number(&text).ok()?),
             },
             // One of `**`, which is a power.
             star if is_punct(star, '*') => {
-                operands = vec![if before.is_some_and(|before| is_punct(before, '*')) { "" } else { "^" }];
+                let is_second = before.is_some_and(|before| is_punct(before, '*'));
+                operands = vec![if is_second { String::new() } else { "^".to_owned() }];
             }
             _ => {}
         }
-        let mut operands = operands.into_iter().map(str::to_owned);
+        let mut operands = operands.into_iter();
         if let (Some(before), Some(factor)) = (before, factors.last_mut())
             && is_one_factor(before, token)
         {

@@ -109,8 +109,19 @@ impl Entry {
     }
 
     /// What to say about an option right after a gap or another option: `r^2 max_radius = 6`, `r^2 max_radius: 6`,
-    /// `order = 4 positive`.
+    /// `r^2 max_radius 6`, `order = 4 positive`.
     pub(super) fn without_comma(&self) -> Option<String> {
+        let without_equals = self.tokens.windows(3).find_map(|three| match three {
+            [
+                TokenTree::Group(_) | TokenTree::Ident(_) | TokenTree::Literal(_),
+                TokenTree::Ident(name),
+                TokenTree::Literal(value),
+            ] => OPTIONS.into_iter().find(|option| name == option).map(|option| (option, value)),
+            _ => None,
+        });
+        if let Some((option, value)) = without_equals {
+            return Some(format!("a comma is missing before `{option}`; write `, {option} = {value}`"));
+        }
         let assigned = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
             // In `crate::path` it is no mistake.
             [TokenTree::Ident(name), next]

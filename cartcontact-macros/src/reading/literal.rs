@@ -76,9 +76,14 @@ pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
         .then(|| (without_suffix(text, suffix), suffix))
 }
 
-/// The factor that a name right after a number stands for: that of `1.5x10` is the 10 of a power of ten.
-pub(super) fn factor(name: &str) -> &str {
-    if is_times_ten(name) { "10" } else { name }
+/// What a name right after a number stands for: that of `1.5x10` is the 10 of a power of ten.
+pub(super) fn factor(name: &str) -> String {
+    if is_times_ten(name) { "10".to_owned() } else { with_stars(name) }
+}
+
+/// A name with `*` for the centred dots that names may contain, and formulas have for products.
+pub(super) fn with_stars(name: &str) -> String {
+    name.replace('·', " * ")
 }
 
 pub(super) fn is_times_ten(name: &str) -> bool {
@@ -187,6 +192,7 @@ mod tests {
         assert_eq!(number("1.5r").unwrap_err(), "`1.5r` reads as one literal; write `1.5 * r`");
         assert_eq!(number("1.5x10").unwrap_err(), "`1.5x10` reads as one literal; write `1.5 * 10`");
         assert_eq!(number("2x2").unwrap_err(), "`2x2` reads as one literal; write `2 * x2`");
+        assert_eq!(number("2k·r").unwrap_err(), "`2k·r` reads as one literal; write `2 * k * r`");
         let float = "`0.1f` reads as one literal; write `0.1`, or `0.1 * f` if `f` is a field";
         assert_eq!(number("0.1f").unwrap_err(), float);
         for text in ["1e", "1.5E", "1.5e+", "1e-"] {

@@ -5,11 +5,12 @@
 //! | the attribute | `attribute`, `entry` by entry: options, `bodies`, `positive` |
 //! | an expression | `parse` by the grammar in `syntax`; `literal`, `call`, `divisor` |
 //! | the annotated struct | `item`: `declaration`, `field`, `generics`, `name` |
-//! | what was meant by what is wrong | `slips`, `similar`, `unit`, `unknown`, `wrong_arguments` |
+//! | what was meant by what is wrong | `slips`, `comparison`, `similar`, `unit`, `unknown`, `wrong_arguments` |
 
 pub(crate) mod attribute;
 mod bodies;
 mod call;
+mod comparison;
 mod declaration;
 mod divisor;
 mod entry;

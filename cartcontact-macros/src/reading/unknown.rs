@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::reading::item::Item;
+use crate::reading::literal;
 use crate::reading::name::{is_keyword, unraw};
 use crate::reading::parse::NO_CONSTANTS;
 use crate::reading::similar::{closest, known_number, power_of_r};
@@ -35,13 +36,15 @@ impl Item {
             _ if knows_r => ("only `r` is known here; ".to_owned(), "`r`".to_owned()),
             _ => (String::new(), "a number".to_owned()),
         };
-        // Names may contain a centred dot, which formulas have for products.
         if written.contains('·') {
-            return format!("a product is written with `*`; write `{}`", written.replace('·', " * "));
+            return format!("a product is written with `*`; write `{}`", literal::with_stars(&written));
         }
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
             None if matches!(context, Context::Number) => "write a number".to_owned(),
+            None if matches!(context, Context::Gap { names_r: false }) && is_distance(&written) => {
+                "the distance from the axis is called `r`".to_owned()
+            }
             None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
             None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
             None if unit::is_unit(&written) => {
@@ -65,6 +68,11 @@ impl Item {
             None => format!("write {known} or a field of `{}`", self.ident),
         }
     }
+}
+
+/// Whether the distance from the axis is often called like this.
+fn is_distance(name: &str) -> bool {
+    ["x", "rho", "ρ"].contains(&name)
 }
 
 /// Whether constants are named like this, and fields are not.
@@ -94,6 +102,7 @@ mod tests {
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("r4"), "write `r^4` or a field of `Ball`");
+        assert_eq!(remedy("ρ"), "the distance from the axis is called `r`");
         assert_eq!(remedy("true"), "write `r` or a field");
         let remedy = |context| item.remedy(&format_ident!("R"), context);
         assert_eq!(remedy(Context::Gap { names_r: true }), remedy(Context::Coefficient));

@@ -81,7 +81,7 @@ fn each_fault_is_named() {
         ("sin(r)", "without functions"),
         ("2 r", "an operator is missing"),
         ("(r)(r)", "an operator is missing"),
-        ("x^2", "`x` is unknown; only `r` is known here; a field declares a symbol"),
+        ("q^2", "`q` is unknown; only `r` is known here; a field declares a symbol"),
         ("0.5 * r2", "for the power write `r^2`; a field declares a symbol, as in `struct Knee { r2: f64 }`"),
         ("0.5r2", "write `0.5 * r^2`, or `0.5 * r2` if `r2` is a field"),
         ("r^2/(2*R)", "the number, or declare a field, as in `struct Knee { R: f64 }`"),
