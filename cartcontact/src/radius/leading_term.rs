@@ -16,10 +16,11 @@
 //!
 //! **Accuracy.** The last step starts from a number with half the digits. Its square is exact; the rounding error of
 //! another square would be multiplied in every power. Dropping digits changes a by 2⁻²⁵, or 2⁻¹² in single precision,
-//! which the step corrects: of 2⁻¹² it leaves ε/8 with p₂ = 110. Higher powers in single precision are left to the
-//! general solution. The correction is small and subtracted directly, so that no other rounding is of the size of
-//! 1/2 ulp. Where powers are not whole, or are those of a root, J has more digits in this step, see
-//! [`steepness`](crate::evaluate::steepness); with whole powers up to seven roundings are divided by p ≥ 5.
+//! which the step corrects: of 2⁻¹² it leaves ε/8 with p₂ = 110. Powers above 100 in single precision, and above 600 in
+//! double precision, are left to the general solution. The correction is small and subtracted directly, so that no
+//! other rounding is of the size of 1/2 ulp. Where powers are not whole, or are those of a root, J has more digits in
+//! this step, see [`steepness`](crate::evaluate::steepness); with whole powers up to seven roundings are divided by
+//! p ≥ 5.
 
 use super::halley::Target;
 use crate::Scalar;

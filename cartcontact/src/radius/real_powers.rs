@@ -12,8 +12,11 @@ use crate::numbers::bits::{exponent, fraction, is_normal, log2_digits, power_of_
 use crate::numbers::exponent::Exponent;
 use crate::scalar::{greater, has_no_derivatives, is_same, lesser};
 
-/// The highest power for which single precision has enough digits.
-const HIGHEST_SINGLE_POWER: f64 = 110.0;
+/// The highest powers for which single and double precision hold (p J)². From where the lowest power leads, which is
+/// above 4, the first step may go to 1.41 and 1.53 times the radius; there J is 10¹⁵ and 10¹¹¹ times as large. If a step
+/// of Halley's overflowed, it would be zero, as it is at the radius.
+const HIGHEST_SINGLE_POWER: f64 = 100.0;
+const HIGHEST_DOUBLE_POWER: f64 = 600.0;
 
 /// The radius at which Σ j a^p is `load_integral`, for any powers, from the pairs (j, p). Two functions evaluate J
 /// times a factor at a, one for the last step and one for those before.
@@ -47,8 +50,8 @@ pub fn radius_of_real_powers<T: Scalar>(
     let start = Start::of(lowest, least);
     let exponent = exponent(load_integral);
     let fits = is_normal::<T>(exponent) & is_normal::<T>(-exponent) & is_normal::<T>(start.octave);
-    let is_within = is_same::<T, f64>() || highest <= T::constant(HIGHEST_SINGLE_POWER);
-    if !(are_positive & fits & is_within) {
+    let most = if is_same::<T, f32>() { HIGHEST_SINGLE_POWER } else { HIGHEST_DOUBLE_POWER };
+    if !(are_positive & fits & (highest <= T::constant(most))) {
         return None;
     }
     let (y, scale) = (fraction(load_integral), power_of_two(-exponent));
@@ -75,6 +78,44 @@ pub fn radius_of_real_powers<T: Scalar>(
 mod tests {
     use super::*;
     use crate::evaluate::steepness::{plain_power_sum_steepness, scaled_power_sum_steepness};
+
+    fn beside<T: Scalar>(powers: [f64; 2], target: f64) -> Option<T> {
+        let [low, high] = powers.map(|p| Exponent::of(T::constant(p)));
+        let terms = || [(T::constant(0.25), low), (T::constant(2e-4), high)].into_iter();
+        radius_of_real_powers(
+            T::constant(target),
+            T::infinity(),
+            terms(),
+            |a, scale| plain_power_sum_steepness(a, scale, terms()),
+            |a, scale| scaled_power_sum_steepness(a, scale, terms()),
+        )
+    }
+
+    /// In a band of load integrals the step from the low power goes far beyond the radius.
+    #[test]
+    fn radii_beside_high_powers_are_right_or_left_to_others() {
+        for powers in
+            [[4.001, 100.0], [4.001, 109.5], [4.001, 600.0], [5.0, 600.0], [5.0, 850.0], [5.0, 1028.0]]
+        {
+            for k in 0..4000 {
+                let target = 10_f64.powf(0.005 * f64::from(k) - 10.0);
+                let is_right = |found: f64, bound: f64| {
+                    let value = 0.25 * found.powf(powers[0]) + 2e-4 * found.powf(powers[1]);
+                    (value / target - 1.0).abs() < bound
+                };
+                let (double, single) = (beside::<f64>(powers, target), beside::<f32>(powers, target));
+                assert!(
+                    double.is_none_or(|found| is_right(found, 1e-11)),
+                    "{powers:?}, {target:e}: {double:?}"
+                );
+                let single = single.map(f64::from);
+                assert!(
+                    single.is_none_or(|found| is_right(found, 1e-4)),
+                    "{powers:?}, {target:e}: {single:?}"
+                );
+            }
+        }
+    }
 
     /// Not only right, which the general solution would be as well, but found here.
     #[test]
