@@ -124,14 +124,10 @@ fn number<T: Scalar>(x: f64, y: f64) -> (T, T) {
 #[test]
 fn the_end_of_a_rise_is_not_lost() -> Result<(), Box<dyn core::error::Error>> {
     for exponent in [62, 73, 74, 80, 90] {
-        let chi = 2f64.powi(exponent);
-        let errors = [error_at_the_end_of_a_rise::<f64>(chi)?, error_at_the_end_of_a_rise::<f32>(chi)?];
-        assert!(
-            errors.iter().all(|error| *error <= budget::PEAK_PRESSURE.double),
-            "2^{exponent}: {errors:?}"
-        );
+        let error = error_at_the_end_of_a_rise::<f64>(2f64.powi(exponent))?;
+        assert!(error <= budget::PEAK_PRESSURE.double, "2^{exponent}: {error}");
     }
-    for exponent in [30, 41, 42, 50] {
+    for exponent in [30, 41, 42, 50, 62, 73, 74, 80, 90] {
         let error = error_at_the_end_of_a_rise::<f32>(2f64.powi(exponent))?;
         assert!(error <= budget::PEAK_PRESSURE.single, "2^{exponent}: {error}");
     }

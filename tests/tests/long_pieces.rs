@@ -5,6 +5,7 @@ use core::error::Error;
 use core::f64::consts::PI;
 
 use cartcontact::{Contact, GapProfile, Medium, Polynomial};
+use tests::budget;
 use tests::condition::edge;
 use tests::loads::through;
 
@@ -64,7 +65,7 @@ fn a_piece_is_the_sum_of_its_parts() -> Result<(), Box<dyn Error>> {
             let (_, in_parts) = piece.pressures(parts)?;
             for ((share, whole), in_parts) in SHARES.into_iter().zip(whole).zip(in_parts) {
                 let error = (whole / in_parts - 1.0).abs() / f64::EPSILON;
-                let allowed = 16.0 * edge(a, share * a);
+                let allowed = 2.0 * budget::PRESSURE.double * edge(a, share * a);
                 assert!(error < allowed, "{:?}, {parts} parts, {share}: {error} ε", piece.terms);
             }
         }
