@@ -79,7 +79,7 @@ compile_error!("cartcontact needs mathematical functions; enable the feature `st
 // | a contact, its radius and its memory | `contact`, `radius`, `memory` |
 // | results at one time, and at many | `snapshot`, `field` |
 // | sums of powers and kernels, for all of these | `evaluate` |
-// | what knows nothing of contacts | `numbers`, `quadrature`, `scalar`, `pairs`, `pointers`, `shown`, `dispatch` (to instructions) |
+// | what knows nothing of contacts | `numbers`, `quadrature`, `scalar`, `pairs`, `pointers`, `shown`, `dispatch` (to instructions); `worse` (for tests) |
 mod admissibility;
 mod contact;
 mod dispatch;
@@ -104,6 +104,8 @@ mod radius;
 mod scalar;
 mod shown;
 mod snapshot;
+#[cfg(test)]
+mod worse;
 
 #[doc = include_str!("profile_language.md")]
 pub use cartcontact_macros::gap_profile;

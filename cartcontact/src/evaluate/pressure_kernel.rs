@@ -198,6 +198,7 @@ fn nested_sums<T: Scalar, A: Arithmetic<T>>(a: A, r: A, weights: &[impl Coeffici
 mod tests {
     use super::super::real_exponent_kernel;
     use super::*;
+    use crate::worse::worse;
 
     /// K(q) in exact integers for whole n: q = x/y gives K y^(n+2) = n y^(n+2) − (n+2) x² y^n + 2 x^(n+2).
     fn exact(n: u32, x: i128, y: i128) -> f64 {
@@ -261,8 +262,8 @@ mod tests {
                 };
                 let word =
                     real_exponent_kernel::quick_kernel(position.inset.rounded(), position.ratio.rounded(), n);
-                quick = quick.max(difference(DoubleWord::of(word)));
-                let mut add = |sum: T| quick = quick.max(difference(DoubleWord::of(sum)));
+                quick = worse(quick, difference(DoubleWord::of(word)));
+                let mut add = |sum: T| quick = worse(quick, difference(DoubleWord::of(sum)));
                 let (one, k) = (T::one(), quarters as usize);
                 if k <= 24 {
                     let weights = [(T::constant(0.25), k)];
@@ -272,11 +273,8 @@ mod tests {
                     let weights = [(T::constant(0.5), k / 2)];
                     add(quick_pressure_kernel_in_root::<T, 2, 12, 1>(one, one - inset, weights, []));
                 }
-                precise = precise.max(difference(real_exponent_kernel::kernel(
-                    position.inset,
-                    position.ratio,
-                    DoubleWord::of(n),
-                )));
+                let kernel = real_exponent_kernel::kernel(position.inset, position.ratio, DoubleWord::of(n));
+                precise = worse(precise, difference(kernel));
             }
         }
         [quick, precise]

@@ -112,6 +112,7 @@ impl<T: Scalar> Depths<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::worse::worse;
     use crate::{Polynomial, ProfileError};
 
     /// The largest error of radii in units of ε, from the edge down to the share `lowest` of J.
@@ -123,7 +124,7 @@ mod tests {
         let mut radii: Vec<T> = planted.iter().map(|&a| profile.load_integral_drop(edge, edge - a)).collect();
         assert!(replace_drops_by_radii(&profile, edge, &mut radii), "{terms:?}");
         let errors = planted.iter().zip(&radii).map(|(&a, &found)| ((found - a) / a).value().abs());
-        Ok(errors.fold(0.0, f64::max) / T::default_epsilon().value())
+        Ok(errors.fold(0.0, worse) / T::default_epsilon().value())
     }
 
     #[test]

@@ -128,6 +128,7 @@ const TAYLOR: [[Tabled; 2]; 6] = tabled_rows(inverse_factorials(4));
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::worse::worse;
 
     /// |x/y − 1| in units of ε.
     fn difference<T: Scalar, const FUSED: bool>(x: DoubleWord<T, FUSED>, y: DoubleWord<T, FUSED>) -> f64 {
@@ -142,7 +143,8 @@ mod tests {
             let root = DoubleWord::<T, FUSED>::of(x).sqrt();
             let powers = [(0.5, root), (0.25, root.sqrt()), (0.75, root.times(root.sqrt()))];
             for (phi, root) in powers {
-                largest = largest.max(difference(power_of(x, DoubleWord::of(T::constant(phi))), root));
+                let power = power_of(x, DoubleWord::of(T::constant(phi)));
+                largest = worse(largest, difference(power, root));
             }
         }
         largest
@@ -172,7 +174,7 @@ mod tests {
             let depth = DoubleWord::<T, FUSED>::sum(T::one(), -q);
             if q < T::one() {
                 let logarithm = double_log_of_ratio(DoubleWord::of(q), depth);
-                largest = largest.max(difference(negative_exp_m1(logarithm), -depth));
+                largest = worse(largest, difference(negative_exp_m1(logarithm), -depth));
             }
         }
         largest

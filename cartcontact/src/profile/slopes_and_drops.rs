@@ -115,6 +115,7 @@ fn fill_block<T: Scalar>(
 mod tests {
     use super::*;
     use crate::Polynomial;
+    use crate::worse::worse;
 
     /// The largest errors of slopes and drops, in units of ε, relative to the functions of one radius.
     fn largest_errors<T: Scalar>(terms: &[(f64, f64)], a: f64) -> Option<[f64; 2]> {
@@ -133,7 +134,7 @@ mod tests {
             .iter()
             .zip(&depths)
             .map(|(&drop, &depth)| error(drop, profile.load_integral_drop(a, depth)));
-        Some([of_slopes.fold(0.0, f64::max), of_drops.fold(0.0, f64::max)])
+        Some([of_slopes.fold(0.0, worse), of_drops.fold(0.0, worse)])
     }
 
     #[test]

@@ -274,6 +274,7 @@ impl<T: Scalar> Run<T> {
 mod tests {
     use super::*;
     use crate::load::PiecewiseLinear;
+    use crate::worse::worse;
     use crate::{Medium, Polynomial};
 
     type Load<T> = PiecewiseLinear<T, Vec<(T, T)>>;
@@ -299,7 +300,7 @@ mod tests {
                 let r = one.radius() * T::constant(share);
                 let (expected, found) = (one.pressure(r), many.pressure(r));
                 let error = ((found - expected) / expected / T::default_epsilon()).value().abs();
-                largest = largest.max(error / (1.0 + 2.0 / (1.0 - share)));
+                largest = worse(largest, error / (1.0 + 2.0 / (1.0 - share)));
             }
         }
         Some(largest)
