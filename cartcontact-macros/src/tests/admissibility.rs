@@ -248,6 +248,14 @@ fn of_all_magnitudes() -> Gap {
     }))
 }
 
+/// With one more the proof would be left out, although both ranges end beyond 1.
+#[test]
+fn exponents_may_differ_by_1024_steps() {
+    let gap = |last| written(&[("2", "1"), ("2.5", "1"), (last, "-1e-9")]);
+    assert!(up_to(&gap("514"), "1"));
+    assert!(!up_to(&gap("514.5"), "1"));
+}
+
 #[test]
 fn degree_64_is_decided_at_once() {
     let repeat = |count: usize, factor: Factor| vec![factor; count];

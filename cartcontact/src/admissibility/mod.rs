@@ -315,6 +315,20 @@ mod tests {
         }
     }
 
+    /// r², r⁴ and r⁶ with 2 C n/(n+2) = p², −2 p q and q², all exact: δ₀′ touches zero at √(p/q). The larger a logarithm
+    /// is, the more its rounding could hide that.
+    #[test]
+    fn ranges_do_not_pass_a_zero_without_a_change_of_sign() {
+        for unit in [1.0, 2f64.powi(-300), 2f64.powi(300)] {
+            for p in (1..40).map(f64::from) {
+                for q in (3..90).step_by(3).map(f64::from) {
+                    let terms = [(p * p * unit, 2.0), (-1.5 * p * q * unit, 4.0), (q * q / 1.5 * unit, 6.0)];
+                    assert_ends_at(&terms, (p / q).sqrt(), 2e-6);
+                }
+            }
+        }
+    }
+
     /// r², r^(2+h) and r⁴ with 2 C n/(n+2) = 1/50, 1 and −51/50: the second term outweighs the first down to 50^(−1/h).
     #[test]
     fn exponents_next_to_the_first_do_not_shorten_the_range() {

@@ -17,6 +17,10 @@ fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error
     assert_eq!(at(1.0, 1e-290)?, None);
     assert!(Medium::from_constants(1e-310, 0.0).is_err() && Medium::from_constants(1.0, 1e-310).is_err());
     assert!(Polynomial::new([(1e-306, 64.0)]).is_err());
+    // Most of Y is χ ∫F, and ∫F is subnormal.
+    let draining = Contact::new(paraboloid()?, Medium::from_constants(1e-170, 1e150)?, Constant(1e-200))?;
+    assert!(matches!(draining.at(1e-120), Err(ContactError::Unrepresentable { .. })));
+    assert!(draining.at(1e-100).is_ok());
     // J is in range, but a J′ = 710 J is not.
     let medium = Medium::from_constants(6e-306, 5e-8)?;
     let steep = Contact::new(Polynomial::new([(8.0, 706.0)])?, medium, Constant(0.135))?;
