@@ -128,6 +128,8 @@ fn results_that_show_a_fall_are_refused_whatever_is_asked_for_last() {
         assert!(is_expected(refused));
         assert!(contact.radii(&reversed, &mut radii).is_err());
     }
+    // In no order, and the two times that show the fall descend.
+    assert!(is_expected(contact.radii(&[0.7, 0.3, 0.1, 1e8], &mut [0.0; 4])));
 }
 
 #[test]

@@ -158,6 +158,19 @@ fn falls_in_small_steps_add_up() {
     }
 }
 
+/// They do so however the load is followed, but not with what was before a rise.
+#[test]
+fn falls_in_small_steps_begin_behind_a_rise() {
+    let chi = 1.5e-4_f32;
+    let force = |k: u32| (80.0 * (-f64::from(3.0 * chi) * 1e-3 * f64::from(k)).exp()) as f32;
+    let falls = (0..10_000).map(|k| (10.0 + k as f32 * 1e-3, force(k)));
+    let knots: Vec<(f32, f32)> = core::iter::once((0.0, 20.0)).chain(falls).collect();
+    let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+    for since in [load.recession(chi, 15.0), Announced::curved(&load).recession(chi, 15.0)] {
+        assert!(since.is_some_and(|since| (10.0..10.01).contains(&since)), "{since:?}");
+    }
+}
+
 /// The rounding of F₀/(1 + χ Δt) is the same in many steps; other ways to compute it round differently.
 #[test]
 fn a_load_at_the_bound_may_have_any_number_of_knots() {
