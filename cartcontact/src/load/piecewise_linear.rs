@@ -293,50 +293,6 @@ mod tests {
     }
 
     #[test]
-    fn straight_pieces_include_steps_and_end_in_time() -> Result<(), LoadError> {
-        let load = PiecewiseLinear::new([(0.0, 10.0), (5.0, 20.0), (5.0, 30.0), (7.0, 50.0)])?;
-        let piece = |start, end| Piece { start, end };
-        let expected = [
-            piece((2.5, 15.0), (5.0, 20.0)),
-            piece((5.0, 20.0), (5.0, 30.0)),
-            piece((5.0, 30.0), (7.0, 50.0)),
-            piece((7.0, 50.0), (9.0, 50.0)),
-        ];
-        let mut pieces = [Piece::none(); 5];
-        let provided: &dyn Load<f64> = &Searched(&load);
-        for load in [&load as &dyn Load<f64>, provided] {
-            for room in 1..=pieces.len() {
-                let count = room.min(expected.len());
-                assert_eq!(load.straight_pieces((2.5, 9.0), &mut pieces[..room]), count);
-                assert_eq!(pieces[..count], expected[..count]);
-            }
-            assert_eq!(load.straight_pieces((2.5, 5.0), &mut pieces), 1);
-            assert_eq!(pieces[0], expected[0]);
-            assert_eq!(load.straight_pieces((5.0, 6.0), &mut pieces), 1);
-            assert_eq!(pieces[0], piece((5.0, 30.0), (6.0, 40.0)));
-        }
-        Ok(())
-    }
-
-    /// A load that leaves everything to the provided methods.
-    struct Searched<'a>(&'a dyn Load<f64>);
-
-    impl Load<f64> for Searched<'_> {
-        fn force(&self, t: f64) -> f64 {
-            self.0.force(t)
-        }
-        fn impulse(&self, t: f64) -> f64 {
-            self.0.impulse(t)
-        }
-        fn force_before(&self, t: f64) -> f64 {
-            self.0.force_before(t)
-        }
-        fn next_knot(&self, t: f64) -> Option<f64> {
-            self.0.next_knot(t)
-        }
-    }
-
-    #[test]
     fn an_impulse_may_be_as_large_as_any_number() -> Result<(), LoadError> {
         let load = PiecewiseLinear::new([(0.0, 1.5e17_f32), (1.5e21, 1.5e17)])?;
         assert_eq!(load.impulse(1.5e21), 1.5e21 * 1.5e17);
