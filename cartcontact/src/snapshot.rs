@@ -139,7 +139,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             let stage = self.contact.stage(self.time, self.radius);
             return self.undrained_pressure(stage, r) * (T::one() - folds);
         }
-        let start = self.start_of_memory();
+        let start = self.first_stage();
         let change = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
         change.apply(self.initial_pressure(start, r), r)
     }
@@ -173,7 +173,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
             return;
         }
-        let start = self.start_of_memory();
+        let start = self.first_stage();
         let from_start = march(self.contact, start, (self.time, self.radius), start.radius);
         // A loop without branches; its values beyond the radius at the start mean nothing and are replaced by the next
         // loop.
@@ -225,10 +225,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         (twice_mean + excess) / (a * a)
     }
 
-    /// The stage before which the history no longer counts: 0, or where it has faded below rounding.
+    /// The time before which the history no longer counts: 0, or where it has faded below rounding.
     ///
     /// F e^(χ τ) never falls, so the pressures at τ now carry at most F(τ) e^(−χ (t−τ)) of F(t).
-    pub(crate) fn start_of_memory(&self) -> Stage<T> {
+    pub(crate) fn start_of_memory(&self) -> T {
         let (load, chi) = (self.contact.load(), self.contact.medium().chi());
         let folds = faded_folds::<T>();
         let present = self.force();
@@ -243,15 +243,16 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             let share = load.force(time) * (folds - past).exp();
             // Also where the share is not a number, so that the search ends.
             if share.partial_cmp(&present) != Some(core::cmp::Ordering::Greater) {
-                return self.past_stage(time);
+                return time;
             }
             past += folds;
         }
-        self.past_stage(T::zero())
+        T::zero()
     }
 
-    /// An earlier stage; its radius is admissible because that of the snapshot is.
-    fn past_stage(&self, time: T) -> Stage<T> {
+    /// The stage at which the memory starts; its radius is admissible because that of the snapshot is.
+    fn first_stage(&self) -> Stage<T> {
+        let time = self.start_of_memory();
         let loading = self.contact.loading(time);
         let radius = self.contact.radius_under_loading(loading).unwrap_or(T::zero());
         self.contact.stage_with_loading(loading, time, radius)

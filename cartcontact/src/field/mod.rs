@@ -121,7 +121,7 @@ where
         return Ok(None);
     }
     let now = Snapshot::new(contact, time, contact.advancing_radius_at(time)?);
-    let is_apart = time <= before || before < now.start_of_memory().time;
+    let is_apart = time <= before || before < now.start_of_memory();
     Ok(is_apart.then_some(now))
 }
 
