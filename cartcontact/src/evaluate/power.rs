@@ -1,7 +1,7 @@
 //! Terms c · x^n and their sums, for any real exponent.
 
 use crate::Scalar;
-use crate::numbers::bits::with_half_its_digits;
+use crate::numbers::bits::{rough_ln, with_half_its_digits};
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::scalar::{has_no_derivatives, is_plain_zero, smallest_normal};
@@ -95,7 +95,7 @@ pub(crate) fn term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
         if degree & 1 == 1 { even.times_word(x).rounded() } else { even.rounded() }
     };
     // The exact products overflow a little before their results do.
-    if power.is_finite() { power * fractional_power(x, n.fraction) } else { plain_term(c, x, n) }
+    if power.is_finite() { power * power_below_one(x, n) } else { plain_term(c, x, n) }
 }
 
 /// [`term`] with every product rounded.
@@ -111,7 +111,7 @@ pub(super) fn plain_term<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
         // Only slopes of gaps with an exponent below 1. Changing the sign of the exponent would round its fraction.
         return plain_term(c, x, n.plus(1)) / x;
     }
-    let term = plain_whole_term(c, x, n.whole as u32) * fractional_power(x, n.fraction);
+    let term = plain_whole_term(c, x, n.whole as u32) * power_below_one(x, n);
     // A zero with a derivative times an infinite power is NaN. Its derivative becomes one that the format just holds.
     if c.is_zero() && !term.is_finite() { c / smallest_normal() } else { term }
 }
@@ -122,6 +122,13 @@ pub(crate) fn plain_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
     let half = integer_power(x, degree / 2);
     let even = c * half * half;
     if degree & 1 == 1 { even * x } else { even }
+}
+
+/// x^(n − ⌊n⌋): what the fraction of n lacks, up to ε/4, moves a power of 1e-50 by 29 ε.
+#[inline]
+fn power_below_one<T: Scalar>(x: T, n: Exponent<T>) -> T {
+    let power = fractional_power(x, n.fraction);
+    if n.rest.is_zero() { power } else { power + power * (n.rest * rough_ln(x)) }
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
@@ -195,6 +202,7 @@ pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::evaluate::double_power::double_term;
 
     fn term(c: f64, x: f64, n: f64) -> f64 {
         super::term(c, x, Exponent::of(n))
@@ -228,6 +236,24 @@ mod tests {
         assert_eq!(term(2.0, 16.0, 2.75), 2.0 * 256.0 * 8.0);
         assert_eq!(term(2.0, 16.0, -0.5), 0.5);
         assert_eq!(term(2.0, 0.0, 2.5), 0.0);
+    }
+
+    /// r^2.37 and r^6.1, exponents that no number of the format is.
+    #[test]
+    fn tiny_and_huge_powers_have_an_exponent_with_all_its_digits() {
+        let exponents = [
+            Exponent::in_parts(2, 0.37, 4.440892098500626e-18),
+            Exponent::in_parts(6, 0.1, -5.551115123125783e-18),
+        ];
+        for n in exponents {
+            for x in [1e-45, 1e-20, 1e-3, 7.0, 1e20, 1e45] {
+                let exact = double_term(<DoubleWord<f64>>::of(3.0), x, n);
+                for found in [super::term(3.0, x, n), super::plain_term(3.0, x, n)] {
+                    let error = exact.plus_word(-found).high() / found;
+                    assert!(error.abs() < 4.0 * f64::EPSILON, "{x:e}^{}: {error:e}", n.value());
+                }
+            }
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::double_word::DoubleWord;
 use crate::Scalar;
 use crate::scalar::floor;
 
-/// The exponent n = whole + fraction + rest. A quick power leaves out the rest.
+/// The exponent n = whole + fraction + rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Exponent<T> {
     value: T,
