@@ -121,9 +121,8 @@ impl fmt::Display for ContactError {
             Self::Receding { time, since } => write!(
                 f,
                 "the load falls faster than e^(-chi t) at time {}, so at time {} the edge of the contact has \
-                 receded, which this solution does not cover; {}if the fall is noise, clamp the load, as the \
-                 documentation of `PiecewiseLinear` shows: a force may fall as fast as e^(-chi t), and from one knot \
-                 to the next, dt later, to 1/(1 + chi dt) of itself",
+                 receded, which this solution does not cover; {}clamp falls that are noise, as the documentation of \
+                 `PiecewiseLinear` shows: from one knot to the next, dt later, a force F may fall to F/(1 + chi dt)",
                 Shown(since),
                 Shown(time),
                 if since > 0.0 { "ask for earlier times, or " } else { "" }
