@@ -48,6 +48,13 @@ impl fmt::Display for RadiusError {
                  load and the medium",
                 Shown(load_integral)
             ),
+            // A limit of a caller, or the end that a geometry has if it is not usable.
+            Self::BeyondRange { max_radius, .. } if max_radius.is_nan() || max_radius <= 0.0 => write!(
+                f,
+                "contact radii are admissible up to {}, so that there is none; give a positive limit, or ask \
+                 `GapProfile::check` what is wrong with the geometry",
+                Shown(max_radius)
+            ),
             Self::BeyondRange { load_integral, largest, max_radius } => write!(
                 f,
                 "the load integral {} exceeds {}, which the contact reaches at the end of the admissible \

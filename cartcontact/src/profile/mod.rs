@@ -251,6 +251,7 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius); up to 30
     /// roundings beyond, which coefficients that depend on fields may be off by, the radius is still that at the end.
+    /// What is wrong with a geometry that has no radii at all, [`check`](Self::check) tells.
     // Always inlined: otherwise it is a call with its result in memory in one program and not in the next.
     #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {

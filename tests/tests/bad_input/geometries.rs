@@ -85,6 +85,18 @@ fn a_limit_that_is_none_holds_no_radius() {
     }
 }
 
+#[test]
+fn a_geometry_without_a_range_leads_to_its_check() {
+    let is_beyond = |e: &RadiusError| matches!(e, RadiusError::BeyondRange { .. });
+    for (c, d) in [(f64::NAN, 1.0), (1.0, f64::NAN), (f64::INFINITY, 1.0), (-1.0, 1.0)] {
+        refused(
+            Two { c, d }.radius(1.0),
+            is_beyond,
+            "ask `GapProfile::check` what is wrong with the geometry",
+        );
+    }
+}
+
 /// Nobody checks a geometry before its radii are asked for within a limit, nor that limit.
 #[test]
 fn a_radius_that_does_not_exist_is_not_sought_for_ever() -> Result<(), ProfileError> {
