@@ -10,9 +10,13 @@
 //! exponential of one. The number of e-foldings by which they change over the interval, 2 c, bounds their logarithmic
 //! slope and takes the place of 2 c here. `folds` below is where the error reaches ε/4 of f64 or f32, to four digits.
 
+mod legendre;
+
 use crate::Scalar;
 use crate::numbers::tabled::Tabled;
 use crate::scalar::{from_single, is_single};
+pub(crate) use legendre::NODES_4;
+use legendre::{NODES_6, NODES_8, NODES_10, NODES_12, NODES_16, NODES_24, legendre};
 
 /// The most nodes of a rule.
 pub(crate) const MOST_NODES: usize = 24;
@@ -62,8 +66,7 @@ impl Rule {
     /// The rule of 24 nodes.
     pub(crate) const FINEST: &'static Self = &Self::of(NODES_24, (31.69, 47.76));
 
-    /// From its positive nodes with their weights, which are the 40-digit values of the Legendre roots, rounded to f64:
-    /// error 1/2 ulp.
+    /// From its positive nodes with their weights.
     const fn of<const HALF: usize>(half: [(f64, f64); HALF], folds: (f64, f32)) -> Self {
         let count = 2 * HALF;
         let (mut double, mut single) = (Tables::empty(0.0, folds.0), Tables::empty(0.0, folds.1));
@@ -250,72 +253,6 @@ pub(crate) fn error_of_finest<T: Scalar>(summands: &[T]) -> T {
     let fall = end / middle;
     end * (fall * fall)
 }
-
-/// The Legendre polynomial of a degree, by (k+1) P₍ₖ₊₁₎ = (2k+1) x Pₖ − k P₍ₖ₋₁₎.
-const fn legendre(degree: usize, x: f64) -> f64 {
-    let (mut before, mut now) = (0.0, 1.0);
-    let mut k = 0;
-    while k < degree {
-        let next = ((2 * k + 1) as f64 * x * now - k as f64 * before) / (k + 1) as f64;
-        (before, now) = (now, next);
-        k += 1;
-    }
-    now
-}
-
-/// The rule of 4 nodes, exact for polynomials up to degree 7.
-pub(crate) const NODES_4: [(f64, f64); 2] =
-    [(0.33998104358485626, 0.6521451548625461), (0.8611363115940526, 0.34785484513745385)];
-const NODES_6: [(f64, f64); 3] = [
-    (0.2386191860831969, 0.46791393457269104),
-    (0.6612093864662645, 0.3607615730481386),
-    (0.932469514203152, 0.17132449237917036),
-];
-const NODES_8: [(f64, f64); 4] = [
-    (0.1834346424956498, 0.362683783378362),
-    (0.525532409916329, 0.31370664587788727),
-    (0.7966664774136267, 0.22238103445337448),
-    (0.9602898564975363, 0.10122853629037626),
-];
-const NODES_10: [(f64, f64); 5] = [
-    (0.14887433898163122, 0.29552422471475287),
-    (0.4333953941292472, 0.26926671930999635),
-    (0.6794095682990244, 0.21908636251598204),
-    (0.8650633666889845, 0.1494513491505806),
-    (0.9739065285171717, 0.06667134430868814),
-];
-const NODES_12: [(f64, f64); 6] = [
-    (0.1252334085114689, 0.24914704581340277),
-    (0.3678314989981802, 0.2334925365383548),
-    (0.5873179542866175, 0.20316742672306592),
-    (0.7699026741943047, 0.16007832854334622),
-    (0.9041172563704749, 0.10693932599531843),
-    (0.9815606342467192, 0.04717533638651183),
-];
-const NODES_16: [(f64, f64); 8] = [
-    (0.09501250983763744, 0.1894506104550685),
-    (0.2816035507792589, 0.18260341504492358),
-    (0.45801677765722737, 0.16915651939500254),
-    (0.6178762444026438, 0.14959598881657674),
-    (0.755404408355003, 0.12462897125553388),
-    (0.8656312023878318, 0.09515851168249279),
-    (0.9445750230732326, 0.062253523938647894),
-    (0.9894009349916499, 0.027152459411754096),
-];
-const NODES_24: [(f64, f64); 12] = [
-    (0.06405689286260563, 0.12793819534675216),
-    (0.1911188674736163, 0.1258374563468283),
-    (0.3150426796961634, 0.12167047292780339),
-    (0.4337935076260451, 0.1155056680537256),
-    (0.5454214713888396, 0.10744427011596563),
-    (0.6480936519369755, 0.09761865210411388),
-    (0.7401241915785544, 0.08619016153195327),
-    (0.820001985973903, 0.0733464814110803),
-    (0.8864155270044011, 0.05929858491543678),
-    (0.9382745520027328, 0.04427743881741981),
-    (0.9747285559713095, 0.028531388628933663),
-    (0.9951872199970213, 0.0123412297999872),
-];
 
 #[cfg(test)]
 mod tests {
