@@ -29,6 +29,7 @@ pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
     let is_near_axis = ratio < T::constant(0.25);
     // −ln q from q or from 1 − q, whichever has more digits.
     let depth = if is_near_axis { -ratio.ln() } else { -(-inset).ln_1p() };
+    // From here to the axis the two parts of K add up to less than six times their difference, for any n.
     if inset > T::constant(0.3) {
         let rise = (-(n * depth)).exp_m1();
         // n (1 − q²) in the form whose derivative does not cancel.

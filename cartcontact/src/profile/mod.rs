@@ -309,12 +309,35 @@ pub trait GapProfile<T: Scalar> {
         Ok(())
     }
 
-    /// The end of the admissible range of contact radii a, in mm, in which δ₀′(a) > 0: the gap at the edge exceeds its
-    /// mean over the contact disc, Φ(a) > (2/a²) ∫₀ᵃ Φ r dr. Infinity if the range has no end. With coefficients known
-    /// at run time it is found numerically and never too large. It is too small by the rounding of logarithms: mostly by
-    /// less than 100 ε, by hundreds where terms nearly cancel on the way, powers are high or coefficients large, and by
-    /// some thousand with coefficients as small as 1e-30 as well; by 100 ε over the difference of two exponents, if that
-    /// is small; and by the square root of 100 ε where δ₀′ only touches zero.
+    /// The end of the admissible range of contact radii a, in mm, in which the gap at the edge exceeds its mean over the
+    /// contact disc; infinity if the range has no end, and 0 if there is none.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// δ₀′(a) > 0,     which is Φ(a) > (2/a²) ∫₀ᵃ Φ r dr
+    /// ```
+    ///
+    /// # Accuracy
+    ///
+    /// With coefficients known at run time the end is found numerically and never too large. It is too small by the
+    /// rounding of logarithms:
+    ///
+    /// - mostly by less than 100 ε;
+    /// - by hundreds where terms nearly cancel on the way, powers are high or coefficients large, and by some thousand
+    ///   with coefficients as small as 1e-30 as well;
+    /// - by 100 ε over the difference of two exponents, if that is small;
+    /// - by the square root of 100 ε where δ₀′ only touches zero.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// # use cartcontact::{GapProfile, Polynomial};
+    /// // δ₀′ ∝ C r − (4/3) 1e-4 r³ vanishes at r² = 0.025/(4/3 1e-4).
+    /// let oblate = Polynomial::new([(0.025, 2.0), (-1e-4, 4.0)])?;
+    /// assert!((oblate.max_radius() - 187.5_f64.sqrt()).abs() < 1e-12);
+    /// # Ok::<(), cartcontact::ProfileError>(())
+    /// ```
     fn max_radius(&self) -> T;
 
     /// The drop of the load integral J(a) − J(a − depth) for 0 ≤ depth ≤ a, in mm⁵. For the solver: it tells how long
