@@ -225,8 +225,8 @@ fn iterate<T: Scalar>(
         }
     }
     let correction = a * ((load_integral(a) - target) / evaluate(a).1);
-    // Where the slope nearly vanishes, there is no usable correction.
-    if correction.abs() <= a * close { a - correction } else { a }
+    // Where the slope nearly vanishes, there is no usable correction: see `close_enough` for how large it may be.
+    if correction.abs() <= a * T::default_epsilon().sqrt() { a - correction } else { a }
 }
 
 /// The relative change below which one more step of each kind ends the iteration.
@@ -239,7 +239,8 @@ fn iterate<T: Scalar>(
 /// With negative terms v and p, then a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
 /// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. If the
 /// condition number is above ε^(−1/4), rounding of J keeps steps from becoming that short, and the bracket is halved to
-/// its end instead.
+/// its end instead. The point found is then off by some ε times the condition number, which the last step takes away:
+/// it leaves the square of that, times up to the condition number, and so is of use while it is below √ε.
 fn close_enough<T: Scalar>(has_negative_terms: bool, highest_power: T) -> T {
     let share = (T::constant(68.0) / highest_power).min(T::one());
     if has_negative_terms {
