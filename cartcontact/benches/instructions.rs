@@ -151,6 +151,7 @@ fn assert_positive(pressure: f64) {
 #[library_benchmark(teardown = assert_positive)]
 #[bench::constant_load(contact(Patellofemoral))]
 #[bench::fractional_powers(contact(Blunt))]
+#[bench::decimal_powers(contact(Fitted))]
 #[bench::sparse_powers(contact(Steep))]
 #[bench::long_expansion(contact(Sphere))]
 #[bench::a_field(contact(Ball { radius: 20.0 }))]
@@ -160,6 +161,15 @@ fn assert_positive(pressure: f64) {
 #[bench::curved_load(scenes::loaded(Patellofemoral, RATE, Settling))]
 fn cold_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
     contact.at(black_box(200.0)).map_or(0.0, |now| now.pressure(black_box(3.0)))
+}
+
+#[library_benchmark(teardown = assert_positive)]
+#[bench::constant_load(contact(Patellofemoral))]
+#[bench::decimal_powers(contact(Fitted))]
+#[bench::long_expansion(contact(Sphere))]
+#[bench::three_terms_with_a_field(contact(RoundBall { radius: 20.0 }))]
+fn peak_pressure<P: GapProfile<f64>, L: Load<f64>>(contact: Contact<f64, P, L>) -> f64 {
+    contact.at(black_box(200.0)).map_or(0.0, |now| now.peak_pressure())
 }
 
 struct Field<L> {
@@ -215,5 +225,5 @@ library_benchmark_group!(
         pressure_kernel
     ]
 );
-library_benchmark_group!(name = pressure, benchmarks = [cold_pressure, field]);
+library_benchmark_group!(name = pressure, benchmarks = [cold_pressure, peak_pressure, field]);
 main!(library_benchmark_groups = [profile, pressure]);
