@@ -268,25 +268,6 @@ impl Attribute {
                 return Some(format!("`{name}` is not an option; did you mean `{option}`?"));
             }
         }
-        if let [TokenTree::Ident(name), sign, end @ ..] = entry.tokens.as_slice()
-            && name == "r"
-            && is_punct(sign, '<')
-        {
-            self.mark_option_faulty(entry);
-            let end = match end {
-                [equals, end @ ..] if is_punct(equals, '=') => end,
-                _ => end,
-            };
-            return Some(format!("a range is an option; write `max_radius = {}`", quote!(#(#end)*)));
-        }
-        if let [TokenTree::Ident(name), sign, ..] = entry.tokens.as_slice()
-            && is_punct(sign, '>')
-        {
-            self.mark_option_faulty(entry);
-            let wanted =
-                if name == "positive" { "positive".to_owned() } else { format!("positive = {name}") };
-            return Some(format!("an option declares that fields are above 0; write `{wanted}`"));
-        }
         Some(
             "a profile has one gap, of one expression or of two bodies, `upper = ..., lower = ...`; options such as \
              `max_radius = 6.0` follow it after a comma"

@@ -16,7 +16,7 @@ pub(super) fn option_for(tokens: &[TokenTree]) -> Option<String> {
     if let ("r", Some(end)) = (name.to_string().as_str(), greatest) {
         return Some(option_for_range(end));
     }
-    let [TokenTree::Literal(_)] = least? else { return None };
+    least?;
     Some(if name == "r" {
         "`r` is the distance from the axis and positive anyway; remove this".to_owned()
     } else {
