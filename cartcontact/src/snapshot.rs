@@ -219,8 +219,9 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// m G(a, 0) as (2 Y/π + m S(a))/a², where 2 Y/π is m J/2 of the exact radius. There the derivative by a is zero: of
     /// a rounded radius this is the pressure of the exact one, and S has the share 2/(n+4) in it.
-    fn undrained_peak(&self, Stage { time, radius: a, .. }: Stage<T>) -> T {
-        let twice_mean = T::constant(core::f64::consts::FRAC_2_PI) * self.contact.loading(time).hereditary;
+    fn undrained_peak(&self, Stage { time, radius: a, impulse, .. }: Stage<T>) -> T {
+        let loading = self.contact.loading_of_impulse(time, impulse.value);
+        let twice_mean = T::constant(core::f64::consts::FRAC_2_PI) * loading.hereditary;
         let excess = self.contact.medium().m() * self.contact.profile().excess_on_axis(a);
         (twice_mean + excess) / (a * a)
     }

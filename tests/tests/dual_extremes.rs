@@ -8,6 +8,7 @@ use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::budget;
 use tests::measure::relative_error;
 use tests::profiles::Paraboloid;
+use tests::stress::precision::Precision;
 
 type Failure = Box<dyn core::error::Error>;
 
@@ -21,16 +22,9 @@ struct Blunt;
 struct SmallBall;
 
 /// A derivative is allowed as much as two pressures.
-fn assert_close(found: f64, expected: f64, place: &dyn core::fmt::Debug) {
-    let error = relative_error(found, expected, f64::EPSILON);
-    let allowed = 2.0 * budget::PRESSURE.double;
-    assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε, for {place:?}");
-}
-
-/// The same in single precision.
-fn assert_close_in_single(found: f32, expected: f64, place: &dyn core::fmt::Debug) {
-    let error = relative_error(found.into(), expected, f32::EPSILON.into());
-    let allowed = 2.0 * budget::PRESSURE.single;
+fn assert_close<T: Precision>(found: T, expected: f64, place: &dyn core::fmt::Debug) {
+    let error = relative_error(found.value(), expected, T::EPSILON);
+    let allowed = 2.0 * T::allowed(budget::PRESSURE);
     assert!(error <= allowed, "{found} instead of {expected}, {error:.2} of {allowed} ε, for {place:?}");
 }
 
@@ -115,8 +109,7 @@ fn derivatives_under_small_loads_are_those_of_similarity() -> Result<(), Failure
         let [found @ .., _] = results(&polynomial, given, (single(0.0), 200.0))?;
         let of_similarity = |result: Dual32, degree: f64| f64::from(result.re) / f64::from(force) * degree;
         for (result, degree) in found.into_iter().zip(DEGREES) {
-            let expected = of_similarity(result, degree);
-            assert_close_in_single(result.eps, expected, &(force, degree));
+            assert_close(result.eps, of_similarity(result, degree), &(force, degree));
         }
         // Here the second term hardly counts.
         let [found @ .., _] = results(&SmallBall, given, (single(0.0), 200.0))?;

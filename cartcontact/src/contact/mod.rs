@@ -309,7 +309,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The same where ∫F up to then is known.
     #[inline(always)]
-    fn loading_of_impulse(&self, t: T, impulse: T) -> Loading<T> {
+    pub(crate) fn loading_of_impulse(&self, t: T, impulse: T) -> Loading<T> {
         Loading::new(self.load.force(t), impulse, self.medium.chi())
     }
 }

@@ -85,9 +85,11 @@ impl<T: Scalar> Increment<T> {
     /// first node of its rule.
     pub(super) fn scaled_to_load(self, load: T, low: T) -> Option<Self> {
         let carried = self.doubled_load(low);
+        if load > T::zero() && carried > T::zero() {
+            return Some(self.times((load + load) / carried));
+        }
         let is_lost = load > T::zero() && carried.is_zero();
-        let is_loaded = load > T::zero() && carried > T::zero();
-        (!is_lost).then(|| if is_loaded { self.times((load + load) / carried) } else { self })
+        (!is_lost).then_some(self)
     }
 
     /// The increment [scaled](Self::scaled_to_load) to a load, unless it is rounding: then it carries another load.
