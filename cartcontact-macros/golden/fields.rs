@@ -421,9 +421,9 @@ const _: () = {
                         __a * __a,
                         __s * __s,
                         [
-                            <T as __cartcontact::Scalar>::constant(0.0f64),
-                            <T as __cartcontact::Scalar>::constant(0.0f64),
-                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(-0.0f64),
+                            <T as __cartcontact::Scalar>::constant(-0.0f64),
+                            <T as __cartcontact::Scalar>::constant(-0.0f64),
                             __c0
                                 * <T as __cartcontact::Scalar>::constant(
                                     0.08333333333333333f64,
@@ -466,9 +466,9 @@ const _: () = {
                                 __a * __a,
                                 __s * __s,
                                 [
-                                    <T as __cartcontact::Scalar>::constant(0.0f64),
-                                    <T as __cartcontact::Scalar>::constant(0.0f64),
-                                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(-0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(-0.0f64),
+                                    <T as __cartcontact::Scalar>::constant(-0.0f64),
                                     __c0
                                         * <T as __cartcontact::Scalar>::constant(
                                             0.08333333333333333f64,

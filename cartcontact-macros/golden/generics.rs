@@ -523,12 +523,12 @@ const _: () = {
                 __depth,
                 (
                     [
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
                         __c0
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
@@ -536,12 +536,12 @@ const _: () = {
                     ],
                     [],
                     [
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
@@ -593,12 +593,12 @@ const _: () = {
                 },
                 (
                     [
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
                         __c0
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
@@ -606,12 +606,12 @@ const _: () = {
                     ],
                     [],
                     [
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
-                        <S as __cartcontact::Scalar>::constant(0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
+                        <S as __cartcontact::Scalar>::constant(-0.0f64),
                         __c1
                             * <S as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,

@@ -27,7 +27,7 @@
 /// slope of the approach 3 ×, 2 + of double words
 /// load integral         8 ×, 2 + of double words
 /// log kernel            6 ×, 2 + of double words
-/// pressure kernel       a routine of the run-time crate
+/// pressure kernel       12 ×, 12 + of double words
 /// ```
 struct MixedSign;
 #[allow(
@@ -162,12 +162,11 @@ const _: () = {
         #[inline]
         fn pressure_kernel(&self, __a: T, __r: T) -> T {
             __cartcontact::in_double_words!(
-                __FUSED => { __cartcontact::pressure_kernel:: < _, _, _, __FUSED > (__a,
-                __r, [(< T as __cartcontact::Scalar > ::constant(0.05f64),
-                __cartcontact::Exponent::whole(2)), (< T as __cartcontact::Scalar >
-                ::constant(- 0.004f64), __cartcontact::Exponent::whole(3)), (< T as
-                __cartcontact::Scalar > ::constant(0.0002f64),
-                __cartcontact::Exponent::whole(4))]) }
+                __FUSED => { __cartcontact::whole_pressure_kernel:: < _, _, __FUSED, _ >
+                (__a, __r, [< T as __cartcontact::Scalar > ::constant(- 0.0f64), < T as
+                __cartcontact::Scalar > ::constant(0.0015625f64), < T as
+                __cartcontact::Scalar > ::constant(- 8e-5f64), < T as
+                __cartcontact::Scalar > ::constant(2.777777777777778e-6f64)]) }
             )
         }
         #[inline(always)]
@@ -176,7 +175,7 @@ const _: () = {
                 __a,
                 __r,
                 [
-                    <T as __cartcontact::Scalar>::constant(0.0f64),
+                    <T as __cartcontact::Scalar>::constant(-0.0f64),
                     <T as __cartcontact::Scalar>::constant(0.0015625f64),
                     <T as __cartcontact::Scalar>::constant(-8e-5f64),
                     <T as __cartcontact::Scalar>::constant(2.777777777777778e-6f64),
@@ -288,12 +287,12 @@ const _: () = {
                         T,
                         _,
                     >([
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
+                        -0.0,
+                        -0.0,
+                        -0.0,
+                        -0.0,
+                        -0.0,
+                        -0.0,
                         0.004166666666666667,
                         -0.00034285714285714285,
                         1.6666666666666667e-5,

@@ -213,9 +213,9 @@ const _: () = {
                         __a * __a,
                         __s * __s,
                         [
-                            <T as __cartcontact::Scalar>::constant(0.0f64),
-                            <T as __cartcontact::Scalar>::constant(0.0f64),
-                            <T as __cartcontact::Scalar>::constant(0.0f64),
+                            <T as __cartcontact::Scalar>::constant(-0.0f64),
+                            <T as __cartcontact::Scalar>::constant(-0.0f64),
+                            <T as __cartcontact::Scalar>::constant(-0.0f64),
                             <T as __cartcontact::Scalar>::constant(
                                 0.0020833333333333333f64,
                             ),

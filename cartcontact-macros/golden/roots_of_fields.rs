@@ -432,14 +432,14 @@ const _: () = {
                 __depth,
                 (
                     [
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
                         __c1
                             * <T as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
@@ -451,12 +451,12 @@ const _: () = {
                     ],
                     [],
                     [
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
                         __c0
                             * <T as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,
@@ -524,14 +524,14 @@ const _: () = {
                 },
                 (
                     [
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
                         __c1
                             * <T as __cartcontact::Scalar>::constant(
                                 0.08333333333333333f64,
@@ -543,12 +543,12 @@ const _: () = {
                     ],
                     [],
                     [
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
-                        <T as __cartcontact::Scalar>::constant(0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
                         __c0
                             * <T as __cartcontact::Scalar>::constant(
                                 0.08547008547008547f64,

@@ -20,6 +20,7 @@ pub(crate) struct PowerSum {
     pub(crate) summands: Vec<Summand>,
 }
 
+#[derive(Clone)]
 pub(crate) struct Summand {
     pub(crate) term: usize,
     pub(crate) factor: Prefactor,
@@ -127,6 +128,13 @@ impl PowerSum {
             exponent: other(exponent),
         });
         Self { summands: summands.collect() }
+    }
+
+    /// The sums of the even powers and of all others.
+    pub(crate) fn by_parity(&self) -> [Self; 2] {
+        let is_even = |summand: &Summand| (&summand.exponent / integer(2)).is_integer();
+        let (even, others) = self.summands.iter().cloned().partition(is_even);
+        [even, others].map(|summands| Self { summands })
     }
 
     /// Sums P_k of whole powers, if the sum is P₀(x) + x^(1/4) P₁(x) + x^(1/2) P₂(x) + x^(3/4) P₃(x) with more than P₀.

@@ -17,8 +17,8 @@ pub use crate::evaluate::power::{
     quick_power_sum, real_power,
 };
 pub use crate::evaluate::pressure_kernel::{
-    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_pressure_kernel,
-    quick_pressure_kernel_in_root, quick_whole_pressure_kernel,
+    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_high_even_pressure_kernel,
+    quick_pressure_kernel, quick_pressure_kernel_in_root, quick_whole_pressure_kernel, whole_pressure_kernel,
 };
 pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, plain_power_sum_steepness, power_sum_steepness, scaled_power_sum_steepness,
@@ -27,6 +27,7 @@ pub use crate::generated as root;
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};
 pub use crate::profile::drops_by_roots::{drop_by_roots, fill_by_roots};
+pub use crate::profile::high_even_powers::fill_high_even_powers;
 pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};

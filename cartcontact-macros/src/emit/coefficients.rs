@@ -144,15 +144,26 @@ impl<'a> Coefficients<'a> {
         Some(self.in_fields(&inverse))
     }
 
-    /// An array of such factors, zero where there is no summand.
+    /// An array of such factors, zero where there is no summand. The zero is −0, because a sum with that is the other
+    /// summand, whatever it is, so that compilers leave it out.
     pub(super) fn factors(&self, summands: &[Option<&Summand>]) -> TokenStream {
         self.table(summands).unwrap_or_else(|| {
             let factors = summands.iter().map(|summand| match summand {
                 Some(summand) => self.factor(summand),
-                None => self.number(&Rational::zero()),
+                None => self.no_factor(),
             });
             quote!([#(#factors),*])
         })
+    }
+
+    fn no_factor(&self) -> TokenStream {
+        match self.digits {
+            Digits::OfAWord => {
+                let constant = self.names.constant();
+                quote!(#constant(-0.0f64))
+            }
+            Digits::OfTwo => self.number(&Rational::zero()),
+        }
     }
 
     /// The factors of a sum one by one. Many constants become variables whose names begin with `name`, bound
@@ -171,7 +182,7 @@ impl<'a> Coefficients<'a> {
     fn table(&self, summands: &[Option<&Summand>]) -> Option<TokenStream> {
         let constant = |summand: &Option<&Summand>| match summand {
             Some(summand) => summand.constant().map(number::rounded),
-            None => Some(0.0),
+            None => Some(-0.0),
         };
         let constants: Vec<f64> = summands.iter().map(constant).collect::<Option<_>>()?;
         let (function, scalar) = (self.names.generated("constants"), &self.names.scalar);

@@ -21,9 +21,6 @@ const HIGHEST_POWER: u32 = 24;
 /// The highest whole power beside a root: with higher ones compilers would leave all radii out of vectors.
 const HIGHEST_DROP_BESIDE_ROOT: u32 = 13;
 
-/// With more terms vectors would take longer than one radius after the other: too many coefficients are in memory.
-const MOST_TERMS_IN_VECTORS: usize = 24;
-
 /// The method for one drop, and the one for slices of slopes and drops.
 pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
     let (Names { scalar, .. }, preamble) = (coefficients.names, coefficients.preamble());
@@ -83,8 +80,13 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
         quote!(#function(#a, #s, #dense))
     };
     let drop = quote!(let #s = #a - #depth; #depth * (#quotient));
-    // Beyond the highest power compilers would leave the methods out of line, and all radii out of vectors.
-    let fills = !coefficients.preamble().is_empty() || whole.highest() > HIGHEST_POWER || !has_quick_slope;
+    if highest == HIGHEST_IN_SQUARE && whole.highest() > HIGHEST_POWER {
+        let function = names.generated("fill_high_even_powers");
+        let slope = slope.dense((1, 2), &forms.approach_slope, coefficients);
+        let fill = quote!(#function(#a, #places, #values, (#slope, #dense)));
+        return Some(Ways { drop, fill: Some(fill), inline: quote!(#[inline]) });
+    }
+    let fills = !coefficients.preamble().is_empty() || !has_quick_slope;
     let fill = fills.then(|| {
         let slope = if has_quick_slope {
             power_sum::quick_value(&forms.approach_slope, &r, coefficients)
@@ -92,16 +94,15 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
             power_sum::value_in_vectors(&forms.approach_slope, &slope, &r, coefficients)
         };
         let function = names.generated("fill_by_functions");
-        let in_vectors = (whole.exponents.len() <= MOST_TERMS_IN_VECTORS).then(|| quote!(#[inline(always)]));
         quote! {
             #function(
                 self,
                 #a,
                 #places,
                 #values,
-                #in_vectors
+                #[inline(always)]
                 |#r| { #slope },
-                #in_vectors
+                #[inline(always)]
                 |#depth| { #drop },
             )
         }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::coefficients::Coefficients;
-use super::power_sum::{WholeExponents, nested, paired, terms};
+use super::power_sum::{WholeExponents, nested, paired, power, terms};
 use super::{Names, local, steepness};
 use crate::closed_forms::{ClosedForms, Stepped};
 use crate::number::{Rational, integer};
@@ -115,7 +115,8 @@ pub(super) fn items(forms: &ClosedForms, names: &Names) -> Option<TokenStream> {
         let factors = whole.exponents.iter().zip(&variables).map(|(&p, j)| product(weight(p), j, names));
         factors.collect::<Vec<_>>()
     };
-    let nested = |weight| nested((&whole, false), &variable, weighted(weight), names);
+    let between = |steps| power(&variable, steps, names);
+    let nested = |weight| nested((&whole, false), weighted(weight), between);
     let with_value = |value: TokenStream| {
         let sums = [value, nested(|p| p), nested(|p| p * (p - 1) / 2)];
         steepness::value((&whole, false), &a, &sums, &Rational::one(), names)

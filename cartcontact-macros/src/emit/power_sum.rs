@@ -3,18 +3,20 @@
 //! | exponents | precise | quick |
 //! |---|---|---|
 //! | low: whole, up to 8, or of both parities, up to 16 | Horner's rule in double words | Horner's rule, written out |
-//! | low in r²: all even or all odd, up to 68 | the same in r², up to 24 | Horner's rule in r², corrected for its rounding |
+//! | low in r²: all even or all odd, up to 68 | the same in r² | Horner's rule in r², corrected for its rounding |
+//! | a sum of both | as all others | the two sums |
 //! | low multiples of 1/4 | as all others | Horner's rule for the whole powers beside each fraction, by square roots |
 //! | all others | every power in double words | the same, rounded before they are added |
 //!
-//! Beyond the 8th power, no two consecutive powers of those that the rule goes through may be missing. In r², quick and
-//! up to the 24th power, any may: they are zeros, which round nothing and cost less than a power of its own.
+//! Beyond the 8th power, no two consecutive powers of those that a rule in double words goes through may be missing, nor
+//! of those that the one in r² goes through beyond the 24th: where there are any, they are zeros, which round nothing
+//! and cost less than a power of its own.
 //!
 //! Horner's rule in x rounds twice per step, at random. In r² it also repeats the rounding of r² in every step, with
 //! the same sign, which still costs at most 2 ε at r⁸, and is corrected for beyond: expansions of spheres and sums of two
 //! powers were off by up to 2.7, 3.7 and 4.8 ε at r⁸, r²⁴ and r⁴⁴, among 6000 radii each in exact arithmetic, and up to
-//! r⁶⁸ by 4 ε; 6.7 ε if r⁶⁸ outweighs thirty lower powers. A gap in the exponents is bridged by a power by repeated
-//! multiplication, with the same effect. All other quick values are within 5 ε.
+//! r⁶⁸ by 4 ε; 6.7 ε if r⁶⁸ outweighs thirty lower powers. In x a gap in the exponents is bridged by as many products.
+//! All other quick values are within 5 ε.
 
 use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -29,10 +31,13 @@ use crate::number::{Rational, code, nearest_and_rest, rounded};
 /// The highest whole power beside a root, whose product stays below 5 ε.
 const HIGHEST_BESIDE_ROOT: u32 = 8;
 
+/// The highest power of a sum of even and odd powers that is quick by Horner's rule in r.
+const HIGHEST_OF_BOTH_PARITIES: u32 = 16;
+
 /// The highest power of a sum in r² that is quick by Horner's rule: of the load integral of a surface up to r⁶⁴.
 pub(super) const HIGHEST_IN_SQUARE: u32 = 68;
 
-/// The highest one if most powers are missing, and of sums in double words: beyond it, powers one by one take less time.
+/// The highest one if most powers are missing: beyond it, powers one by one take less time.
 const HIGHEST_OF_FEW: u32 = 24;
 
 /// The highest power that is written out as a product.
@@ -92,7 +97,7 @@ impl WholeExponents {
 
     fn is_low(&self) -> bool {
         let highest = self.highest();
-        highest <= 8 || (self.stride() == 1 && self.largest_gap() <= 2 && highest <= 16)
+        highest <= 8 || (self.stride() == 1 && highest <= HIGHEST_OF_BOTH_PARITIES)
     }
 
     fn is_low_in_square(&self) -> bool {
@@ -102,7 +107,10 @@ impl WholeExponents {
 
     /// Whether Horner's rule in double words takes less time than the powers one by one.
     fn is_dense(&self) -> bool {
-        self.is_low() || (self.stride() == 2 && self.largest_gap() <= 4 && self.highest() <= HIGHEST_OF_FEW)
+        let (gap, highest) = (self.largest_gap(), self.highest());
+        let (widest, most) =
+            if self.stride() == 2 { (4, HIGHEST_IN_SQUARE) } else { (2, HIGHEST_OF_BOTH_PARITIES) };
+        highest <= 8 || (gap <= widest && highest <= most)
     }
 
     /// The factors of all powers from `from` on in steps of `step` as an array, zero where there is no summand.
@@ -144,24 +152,40 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) 
 
 /// Whether [`quick_value`] is Horner's rule without roots, which vectors go through.
 pub(super) fn is_quick_in_vectors(sum: &PowerSum) -> bool {
-    WholeExponents::of(sum).is_some_and(|whole| whole.is_low() || whole.is_low_in_square())
+    WholeExponents::of(sum).is_some_and(|whole| whole.is_low() || parities(sum).is_some())
 }
 
 /// The value of the sum at `x` in the cheapest form with an error below 7 ε.
 pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
-    let names = coefficients.names;
-    match WholeExponents::of(sum) {
-        Some(whole) if whole.is_low() => horner(sum, &whole, x, coefficients),
-        Some(whole) if whole.is_low_in_square() => {
-            let (even_sum, lowest) = (names.generated("quick_even_sum"), whole.lowest());
-            let dense = whole.dense((lowest, 2), sum, coefficients);
-            quote!(#even_sum(#x, #lowest, #dense))
-        }
-        _ => in_quarters(sum, x, coefficients).unwrap_or_else(|| {
-            let (power_sum, terms) = (names.generated("quick_power_sum"), terms(sum, coefficients));
-            quote!(#power_sum(#x, #terms))
-        }),
+    if let Some(whole) = WholeExponents::of(sum).filter(WholeExponents::is_low) {
+        return horner(sum, &whole, x, coefficients);
     }
+    let of_horner = of_parities(sum, x, coefficients).or_else(|| in_quarters(sum, x, coefficients));
+    of_horner.unwrap_or_else(|| {
+        let (power_sum, terms) = (coefficients.names.generated("quick_power_sum"), terms(sum, coefficients));
+        quote!(#power_sum(#x, #terms))
+    })
+}
+
+/// The sums of the even and of the odd powers, as far as there are any, if both are low in r².
+fn parities(sum: &PowerSum) -> Option<Vec<(PowerSum, WholeExponents)>> {
+    let parts = sum.by_parity().into_iter().filter(|part| !part.summands.is_empty());
+    let low = |part| {
+        let whole = WholeExponents::of(&part).filter(WholeExponents::is_low_in_square)?;
+        Some((part, whole))
+    };
+    parts.map(low).collect()
+}
+
+fn of_parities(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
+    let even_sum = coefficients.names.generated("quick_even_sum");
+    let value = |(part, whole): (PowerSum, WholeExponents)| {
+        let lowest = whole.lowest();
+        let dense = whole.dense((lowest, 2), &part, coefficients);
+        quote!(#even_sum(#x, #lowest, #dense))
+    };
+    let values = parities(sum)?.into_iter().map(value);
+    Some(quote!(#(#values)+*))
 }
 
 /// The value of a sum with whole exponents at `x` for loops over many, by Horner's rule with zeros for the powers that
@@ -207,7 +231,13 @@ fn in_quarters(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Op
 fn horner(sum: &PowerSum, whole: &WholeExponents, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     let (square, variable) = whole.variable(x);
     let (bindings, factors) = coefficients.bound("c", sum);
-    let nested = nested((whole, is_monic(sum)), &variable, factors, coefficients.names);
+    let nested = nested((whole, is_monic(sum)), factors, |steps| {
+        if whole.stride() == 1 {
+            product(&variable, steps)
+        } else {
+            power(&variable, steps, coefficients.names)
+        }
+    });
     let lowest_power = whole.lowest_power(&variable, x);
     quote!(#bindings #square (#nested) #lowest_power)
 }
@@ -217,13 +247,12 @@ pub(super) fn is_monic(sum: &PowerSum) -> bool {
     sum.summands.last().and_then(Summand::constant).is_some_and(One::is_one)
 }
 
-/// Horner's rule for a sum with these `factors` divided by its lowest power. The leading term of a monic sum takes no
-/// multiplication.
+/// Horner's rule for a sum with these `factors` divided by its lowest power, with powers of the variable between them.
+/// The leading term of a monic sum takes no multiplication.
 pub(super) fn nested(
     (whole, mut is_monic): (&WholeExponents, bool),
-    variable: &Ident,
     factors: Vec<TokenStream>,
-    names: &Names,
+    power: impl Fn(u32) -> TokenStream,
 ) -> TokenStream {
     let mut nested = TokenStream::new();
     let mut above: Option<u32> = None;
@@ -231,7 +260,7 @@ pub(super) fn nested(
         nested = match above {
             None => own,
             Some(above) => {
-                let power = power(variable, (above - exponent) / whole.stride(), names);
+                let power = power((above - exponent) / whole.stride());
                 let first = (!core::mem::take(&mut is_monic)).then(|| quote!((#nested) *));
                 quote!(#own + #first #power)
             }
@@ -273,11 +302,16 @@ pub(super) fn paired(
 }
 
 /// The variable to the power `exponent`, with few products if the exponent is high.
-fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
+pub(super) fn power(variable: &Ident, exponent: u32, names: &Names) -> TokenStream {
     if exponent > LONGEST_PRODUCT {
         let (integer_power, exponent) = (names.generated("integer_power"), Literal::u32_unsuffixed(exponent));
         return quote!(#integer_power(#variable, #exponent));
     }
+    product(variable, exponent)
+}
+
+/// The variable to the power `exponent`, of which every product rounds at random.
+fn product(variable: &Ident, exponent: u32) -> TokenStream {
     let further = (1..exponent).map(|_| variable);
     quote!(#variable #(* #further)*)
 }

@@ -1,9 +1,9 @@
 //! The pressure kernel G(a, r) as code.
 //!
-//! Low even exponents have kernels of their own, without a division; so have, where a kernel is one of many that are
-//! summed, higher even ones, low whole exponents, and low multiples of 1/4, with roots. All others go through one whose
-//! time grows more slowly with the exponent. All kernels are part of the run-time crate: those that are asked for
-//! themselves carry the rounding error of every operation along, which is too long to be written out.
+//! Even and low whole exponents have kernels of their own, without a division; so have, where a kernel is one of many
+//! that are summed, low multiples of 1/4, with roots. All others take terms one by one, each with a division and with as
+//! many steps as its exponent has. All kernels are part of the run-time crate: those that are asked for themselves carry
+//! the rounding error of every operation along, which is too long to be written out.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -16,16 +16,12 @@ use crate::closed_forms::{ClosedForms, PowerSum};
 use crate::gap::{Gap, Term};
 use crate::number::{fraction, integer};
 
-/// The highest even exponent of a kernel that is rounded once.
-const HIGHEST_EVEN: u32 = 8;
-/// The highest exponents of quick kernels: in powers of r², as Horner's rule repeats the rounding of a² with each of
-/// them; in powers of r, if all exponents are even and otherwise; and in those of its fourth root.
-const HIGHEST_QUICK_EVEN: u32 = 6;
-const HIGHEST_QUICK_EVEN_IN_R: u32 = 24;
-const HIGHEST_QUICK_WHOLE: u32 = 12;
+/// The highest exponents of kernels that go through all even powers, all whole ones, or all multiples of 1/4, quickly.
+const HIGHEST_EVEN: u32 = 64;
+const HIGHEST_WHOLE: u32 = 24;
 const HIGHEST_QUICK_QUARTER: u32 = 6;
-/// The highest of a single term: for a higher one the general kernel rounds less.
-const HIGHEST_ALONE: u32 = 8;
+/// The highest even one of a quick kernel in r²: Horner's rule repeats the rounding of a² with each power.
+const HIGHEST_QUICK_EVEN: u32 = 6;
 
 /// The kernel for callers, and the quick one that pressures are summed from.
 pub(super) fn methods(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> [TokenStream; 2] {
@@ -58,13 +54,15 @@ fn quick_kernel(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenSt
     let gap = coefficients.gap();
     let names = coefficients.names;
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
-    let limit = |highest: u32| if gap.terms.len() == 1 { highest.min(HIGHEST_ALONE) } else { highest };
-    if highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN)).is_some() {
-        return call(&names.generated("quick_even_pressure_kernel"), &weights(2));
+    if let Some(highest) = highest_even(gap) {
+        let kernel = if 2 * highest <= HIGHEST_QUICK_EVEN {
+            "quick_even_pressure_kernel"
+        } else {
+            "quick_high_even_pressure_kernel"
+        };
+        return call(&names.generated(kernel), &weights(2));
     }
-    if highest_multiple(gap, 1, limit(HIGHEST_QUICK_WHOLE)).is_some()
-        || highest_multiple(gap, 2, limit(HIGHEST_QUICK_EVEN_IN_R)).is_some()
-    {
+    if highest_whole(gap).is_some() {
         return call(&names.generated("quick_whole_pressure_kernel"), &weights(1));
     }
     let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients));
@@ -82,10 +80,14 @@ fn precise_kernel<'a>(
     let gap = coefficients.gap();
     let names = coefficients.names;
     let fused = &names.fused;
-    if highest_multiple(gap, 2, HIGHEST_EVEN).is_some() {
+    let dense = if highest_even(gap).is_some() {
+        Some(("even_pressure_kernel", 2))
+    } else {
+        highest_whole(gap).map(|_| ("whole_pressure_kernel", 1))
+    };
+    if let Some((function, step)) = dense {
         let precise = coefficients.for_rounding_once([&forms.log_kernel]);
-        let (function, weights) =
-            (names.generated("even_pressure_kernel"), weights(2, &forms.log_kernel, &precise));
+        let (function, weights) = (names.generated(function), weights(step, &forms.log_kernel, &precise));
         return (call(&quote!(#function::<_, _, #fused, _>), &weights), precise);
     }
     let precise = coefficients.for_rounding_once([&forms.gap]);
@@ -95,12 +97,26 @@ fn precise_kernel<'a>(
 
 /// The operations of the kernel for callers.
 pub(super) fn operations(gap: &Gap) -> Operations {
-    let Some(highest) = highest_multiple(gap, 2, HIGHEST_EVEN) else {
-        return Operations::InLibrary;
+    // Three products and three sums for every weight; besides, for even powers, a², r² and (a² − r²)², and for whole
+    // ones twice a − r and two products with D_0 and the sum. The first weights take fewer.
+    let (multiplications, additions) = match (highest_even(gap), highest_whole(gap)) {
+        (Some(1), _) => (5, 2),
+        (Some(highest), _) => (3 * highest + 1, 3 * highest - 1),
+        (None, Some(1)) => (4, 3),
+        (None, Some(highest)) => (3 * highest, 3 * highest),
+        (None, None) => return Operations::InLibrary,
     };
-    // a², r² and (a² − r²)²; two products for the second weight, and three sums; three of each for every further one.
-    let (multiplications, additions) = if highest == 1 { (5, 2) } else { (3 * highest + 1, 3 * highest - 1) };
     Operations::Counted { multiplications, additions }
+}
+
+/// Half the highest exponent, if all are even, and none is too high.
+fn highest_even(gap: &Gap) -> Option<u32> {
+    highest_multiple(gap, 2, HIGHEST_EVEN)
+}
+
+/// The highest exponent, if all are whole, and none is too high.
+fn highest_whole(gap: &Gap) -> Option<u32> {
+    highest_multiple(gap, 1, HIGHEST_WHOLE)
 }
 
 /// The largest n/`step`, if all quotients are whole and no n is above `highest`.

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::coefficients::Coefficients;
-use super::power_sum::{WholeExponents, is_monic, nested, paired, terms};
+use super::power_sum::{WholeExponents, is_monic, nested, paired, power, terms};
 use super::{Names, local, steepness, table};
 use crate::closed_forms::{PowerSum, Stepped};
 use crate::number::{Rational, integer};
@@ -114,9 +114,10 @@ fn body(stepped: &Stepped, unit: &Rational, a: &Ident, coefficients: &Coefficien
     let (firsts, of_first) = coefficients.bound("first", &first);
     let (half_seconds, of_half_second) = coefficients.bound("half_second", &half_second);
     let (_, variable) = whole.variable(a);
+    let between = |steps| power(&variable, steps, names);
     let sums = [
-        nested((&whole, is_monic(load_integral)), &variable, of_value, names),
-        nested((&whole, is_monic(&first)), &variable, of_first, names),
+        nested((&whole, is_monic(load_integral)), of_value, between),
+        nested((&whole, is_monic(&first)), of_first, between),
         paired(&whole, &variable, of_half_second, names),
     ];
     // The degree of J divides its roundings. Where a gap begins with r or less, that is by five at most; and powers of a

@@ -57,6 +57,28 @@ pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights
     sum.rounded()
 }
 
+/// [`quick_even_pressure_kernel`] for high powers: each step multiplies by a and r, which are exact, twice, because
+/// Horner's rule would repeat the rounding of their squares with every power.
+#[inline(always)]
+pub fn quick_high_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
+    let inset = (a - r) * (a + r);
+    match nested_sums::<_, Word<T>>(SquareOf(a), SquareOf(r), &weights) {
+        Some((_, sum)) if r < a => inset * sum.rounded() * inset,
+        _ => T::zero(),
+    }
+}
+
+/// G(a, r) of a gap of whole powers, zero for r ≥ a, rounded once: `weights[n − 1]` is C/(2 (n+2)²).
+#[inline(always)]
+pub fn whole_pressure_kernel<T: Scalar, C: Coefficient<T>, const FUSED: bool, const N: usize>(
+    a: T,
+    r: T,
+    weights: [C; N],
+) -> T {
+    let sum: DoubleWord<T, FUSED> = sum_of_whole_kernels(a, r, &weights);
+    sum.rounded_or(|| quick_whole_pressure_kernel(a, r, rounded(weights)))
+}
+
 /// G(a, r) of a gap of whole powers in plain arithmetic, zero for r ≥ a, within 8 ε: `weights[n − 1]` is
 /// C/(2 (n+2)²).
 #[inline(always)]
@@ -112,7 +134,7 @@ fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
 fn sum_of_even_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[impl Coefficient<T>]) -> A {
     let (a_squared, r_squared) = (A::product(a, a), A::product(r, r));
     let inset = A::sum(a, -r).times(A::sum(a, r));
-    match nested_sums(a_squared, r_squared, weights) {
+    match nested_sums(Value(a_squared), Value(r_squared), weights) {
         Some((_, sum)) if r < a => inset.times(sum).times(inset),
         _ => A::of(T::zero()),
     }
@@ -126,9 +148,9 @@ fn sum_of_even_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[impl 
 ///
 /// so that with the D and Σ r^j D_j of [`nested_sums`] the sum is a D + 2 r Σ r^j D_j.
 #[inline(always)]
-fn sum_of_whole_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[T]) -> A {
+fn sum_of_whole_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[impl Coefficient<T>]) -> A {
     let inset = A::sum(a, -r);
-    match nested_sums(A::of(a), A::of(r), weights) {
+    match nested_sums(Value(A::of(a)), Value(A::of(r)), weights) {
         Some((d, sum)) if r < a => {
             let sum = d.times_word(a).plus(sum.times_word(r + r));
             inset.times(sum).times(inset)
@@ -175,17 +197,57 @@ fn sum_in_root<T: Scalar, const D: usize, const N: usize>(a: T, r: T, weights: &
     if r < a { inset * rest * inset } else { T::zero() }
 }
 
+/// A variable that Horner's rule multiplies by.
+trait Variable<T, A>: Copy {
+    fn times(self, number: A) -> A;
+    fn times_coefficient(self, coefficient: impl Coefficient<T>) -> A;
+}
+
+/// A variable as a number.
+#[derive(Clone, Copy)]
+struct Value<A>(A);
+
+impl<T: Scalar, A: Arithmetic<T>> Variable<T, A> for Value<A> {
+    #[inline(always)]
+    fn times(self, number: A) -> A {
+        number.times(self.0)
+    }
+    #[inline(always)]
+    fn times_coefficient(self, coefficient: impl Coefficient<T>) -> A {
+        multiplied(self.0, coefficient)
+    }
+}
+
+/// The square of a word, which is not formed: a product with it is one with the word, twice.
+#[derive(Clone, Copy)]
+struct SquareOf<T>(T);
+
+impl<T: Scalar, A: Arithmetic<T>> Variable<T, A> for SquareOf<T> {
+    #[inline(always)]
+    fn times(self, number: A) -> A {
+        number.times_word(self.0).times_word(self.0)
+    }
+    #[inline(always)]
+    fn times_coefficient(self, coefficient: impl Coefficient<T>) -> A {
+        self.times(number(coefficient))
+    }
+}
+
 /// D_0 and Σ_j r^j D_j, with D_j = E_j + a D_{j+1} and E_j = w_{j+1} + a E_{j+1}.
 #[inline(always)]
-fn nested_sums<T: Scalar, A: Arithmetic<T>>(a: A, r: A, weights: &[impl Coefficient<T>]) -> Option<(A, A)> {
+fn nested_sums<T: Scalar, A: Arithmetic<T>>(
+    a: impl Variable<T, A>,
+    r: impl Variable<T, A>,
+    weights: &[impl Coefficient<T>],
+) -> Option<(A, A)> {
     let (&highest, lower) = weights.split_last()?;
     let Some((&second, lower)) = lower.split_last() else {
         return Some((number(highest), number(highest)));
     };
-    let product = multiplied(a, highest);
+    let product = a.times_coefficient(highest);
     let mut e = added(product, second);
     let mut d = e.plus(product);
-    let mut sum = multiplied(r, highest).plus(d);
+    let mut sum = r.times_coefficient(highest).plus(d);
     for &weight in lower.iter().rev() {
         e = added(a.times(e), weight);
         d = a.times(d).plus(e);
@@ -238,9 +300,30 @@ mod tests {
                 assert!((whole / expected - 1.0).abs() < bound, "n = {n}, q = {x} %: {whole}");
                 assert!((half / expected - 1.0).abs() < bound, "half n = {n}, q = {x} %: {half}");
                 if n % 2 == 0 {
-                    let even = quick_even_pressure_kernel(1.0, x as f64 / 100.0, even_weights);
-                    assert!((even / expected - 1.0).abs() < bound, "even n = {n}, q = {x} %: {even}");
+                    let forms = [quick_even_pressure_kernel, quick_high_even_pressure_kernel];
+                    for even in forms.map(|form| form(1.0, x as f64 / 100.0, even_weights)) {
+                        assert!((even / expected - 1.0).abs() < bound, "even n = {n}, q = {x} %: {even}");
+                    }
                 }
+            }
+        }
+    }
+
+    /// (a − r)² (w₁ (a + 2 r) + w₃ (3 a³ + 6 a² r + 4 a r² + 2 r³)) in small integers.
+    #[test]
+    fn kernels_of_whole_powers_are_rounded_once() {
+        for a in 1..=24 {
+            for r in 0..=a {
+                let [w1, w3] = [7, 3];
+                let sum =
+                    w1 * (a + 2 * r) + w3 * (3 * a * a * a + 6 * a * a * r + 4 * a * r * r + 2 * r * r * r);
+                let exact = f64::from((a - r) * (a - r) * sum);
+                let [a, r, w1, w3] = [a, r, w1, w3].map(f64::from);
+                let found = [
+                    whole_pressure_kernel::<_, _, true, 3>(a, r, [w1, 0.0, w3]),
+                    whole_pressure_kernel::<_, _, false, 3>(a, r, [w1, -0.0, w3]),
+                ];
+                assert_eq!(found, [exact; 2], "{a}, {r}");
             }
         }
     }
@@ -281,15 +364,18 @@ mod tests {
     }
 
     /// The kernel of two terms by every form that is rounded once.
-    fn kernels_rounded_once<T: Scalar, const FUSED: bool>() -> impl Iterator<Item = [T; 2]> {
+    fn kernels_rounded_once<T: Scalar, const FUSED: bool>() -> impl Iterator<Item = [T; 3]> {
         (1..400).flat_map(|k| {
             let (a, r) = (T::constant(7.3 + f64::from(k) / 97.0), T::constant(f64::from(k) / 55.0));
             let [b, c] = [0.025, 1.1e-4].map(T::constant);
             let even = even_pressure_kernel::<T, T, FUSED, 2>(a, r, [b, c]);
+            let half = T::constant(0.5);
+            let whole =
+                whole_pressure_kernel::<T, T, FUSED, 4>(a, r, [T::zero(), b * half, T::zero(), c * half]);
             // Fractions 0, 1/4, 1/2, and others.
             [(2.0, 4.0), (1.25, 3.5), (2.3, 4.1), (0.7, 30.0)].map(|(n, p)| {
                 let terms = [(b, Exponent::of(T::constant(n))), (c, Exponent::of(T::constant(p)))];
-                [even, pressure_kernel::<_, _, _, FUSED>(a, r, terms)]
+                [even, whole, pressure_kernel::<_, _, _, FUSED>(a, r, terms)]
             })
         })
     }
@@ -298,6 +384,12 @@ mod tests {
     fn fused_and_split_double_words_lead_to_the_same_bits() {
         assert!(kernels_rounded_once::<f64, true>().eq(kernels_rounded_once::<f64, false>()));
         assert!(kernels_rounded_once::<f32, true>().eq(kernels_rounded_once::<f32, false>()));
+    }
+
+    #[test]
+    fn kernels_of_even_and_of_whole_powers_are_the_same() {
+        assert!(kernels_rounded_once::<f64, true>().all(|[even, whole, _]| even == whole));
+        assert!(kernels_rounded_once::<f32, true>().all(|[even, whole, _]| even == whole));
     }
 
     #[test]

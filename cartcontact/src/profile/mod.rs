@@ -2,6 +2,7 @@
 
 pub(crate) mod drops_by_roots;
 mod error;
+pub(crate) mod high_even_powers;
 mod parameters;
 mod pointers;
 pub(crate) mod slopes_and_drops;
