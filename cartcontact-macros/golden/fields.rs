@@ -416,24 +416,23 @@ const _: () = {
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __s = __a - __depth;
             __depth
-                * ((__a + __s)
-                    * __cartcontact::divided_difference(
-                        __a * __a,
-                        __s * __s,
-                        [
-                            <T as __cartcontact::Scalar>::constant(-0.0f64),
-                            <T as __cartcontact::Scalar>::constant(-0.0f64),
-                            <T as __cartcontact::Scalar>::constant(-0.0f64),
-                            __c0
-                                * <T as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
-                            __c1
-                                * <T as __cartcontact::Scalar>::constant(
-                                    0.08333333333333333f64,
-                                ),
-                        ],
-                    ))
+                * __cartcontact::even_divided_difference(
+                    __a,
+                    __s,
+                    [
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        __c0
+                            * <T as __cartcontact::Scalar>::constant(
+                                0.08333333333333333f64,
+                            ),
+                        __c1
+                            * <T as __cartcontact::Scalar>::constant(
+                                0.08333333333333333f64,
+                            ),
+                    ],
+                )
         }
         #[inline]
         fn fill_slopes_and_drops(
@@ -461,24 +460,23 @@ const _: () = {
                 |__depth| {
                     let __s = __a - __depth;
                     __depth
-                        * ((__a + __s)
-                            * __cartcontact::divided_difference(
-                                __a * __a,
-                                __s * __s,
-                                [
-                                    <T as __cartcontact::Scalar>::constant(-0.0f64),
-                                    <T as __cartcontact::Scalar>::constant(-0.0f64),
-                                    <T as __cartcontact::Scalar>::constant(-0.0f64),
-                                    __c0
-                                        * <T as __cartcontact::Scalar>::constant(
-                                            0.08333333333333333f64,
-                                        ),
-                                    __c1
-                                        * <T as __cartcontact::Scalar>::constant(
-                                            0.08333333333333333f64,
-                                        ),
-                                ],
-                            ))
+                        * __cartcontact::even_divided_difference(
+                            __a,
+                            __s,
+                            [
+                                <T as __cartcontact::Scalar>::constant(-0.0f64),
+                                <T as __cartcontact::Scalar>::constant(-0.0f64),
+                                <T as __cartcontact::Scalar>::constant(-0.0f64),
+                                __c0
+                                    * <T as __cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                                __c1
+                                    * <T as __cartcontact::Scalar>::constant(
+                                        0.08333333333333333f64,
+                                    ),
+                            ],
+                        )
                 },
             )
         }

@@ -280,7 +280,7 @@ const _: () = {
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let __s = __a - __depth;
             __depth
-                * (__cartcontact::divided_difference(
+                * __cartcontact::divided_difference(
                     __a,
                     __s,
                     __cartcontact::constants::<
@@ -297,7 +297,7 @@ const _: () = {
                         -0.00034285714285714285,
                         1.6666666666666667e-5,
                     ]),
-                ))
+                )
         }
         #[inline]
         fn max_radius(&self) -> T {

@@ -208,19 +208,16 @@ const _: () = {
         fn load_integral_drop(&self, __a: T, __depth: T) -> T {
             let __s = __a - __depth;
             __depth
-                * ((__a + __s)
-                    * __cartcontact::divided_difference(
-                        __a * __a,
-                        __s * __s,
-                        [
-                            <T as __cartcontact::Scalar>::constant(-0.0f64),
-                            <T as __cartcontact::Scalar>::constant(-0.0f64),
-                            <T as __cartcontact::Scalar>::constant(-0.0f64),
-                            <T as __cartcontact::Scalar>::constant(
-                                0.0020833333333333333f64,
-                            ),
-                        ],
-                    ))
+                * __cartcontact::even_divided_difference(
+                    __a,
+                    __s,
+                    [
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(-0.0f64),
+                        <T as __cartcontact::Scalar>::constant(0.0020833333333333333f64),
+                    ],
+                )
         }
         #[inline]
         fn max_radius(&self) -> T {

@@ -64,35 +64,27 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     let sum = &forms.load_integral;
     let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
     let whole = WholeExponents::of(sum)?;
-    let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
-    let slope = WholeExponents::of(&forms.approach_slope)?;
-    let has_quick_slope = power_sum::is_quick_in_vectors(&forms.approach_slope);
-    let highest = if is_even && has_quick_slope { HIGHEST_IN_SQUARE } else { HIGHEST_POWER };
-    if whole.highest() > highest {
-        return None;
-    }
-    let step = if is_even { 2 } else { 1 };
-    let (function, dense) =
-        (names.generated("divided_difference"), whole.dense((0, step), sum, coefficients));
-    let quotient = if is_even {
-        quote!((#a + #s) * #function(#a * #a, #s * #s, #dense))
-    } else {
-        quote!(#function(#a, #s, #dense))
+    let (function, from, step) = match (whole.stride(), whole.lowest() % 2) {
+        (2, 0) => ("even_divided_difference", 0, 2),
+        (2, _) => ("odd_divided_difference", 1, 2),
+        _ => ("divided_difference", 0, 1),
     };
-    let drop = quote!(let #s = #a - #depth; #depth * (#quotient));
-    if highest == HIGHEST_IN_SQUARE && whole.highest() > HIGHEST_POWER {
+    let (function, dense) = (names.generated(function), whole.dense((from, step), sum, coefficients));
+    let drop = quote!(let #s = #a - #depth; #depth * #function(#a, #s, #dense));
+    if whole.highest() > HIGHEST_POWER {
+        let is_even = (from, step) == (0, 2);
+        let slope = WholeExponents::of(&forms.approach_slope).filter(WholeExponents::is_low_in_square)?;
         let function = names.generated("fill_high_even_powers");
         let slope = slope.dense((1, 2), &forms.approach_slope, coefficients);
         let fill = quote!(#function(#a, #places, #values, (#slope, #dense)));
-        return Some(Ways { drop, fill: Some(fill), inline: quote!(#[inline]) });
+        return (is_even && whole.highest() <= HIGHEST_IN_SQUARE).then(|| Ways {
+            drop,
+            fill: Some(fill),
+            inline: quote!(#[inline]),
+        });
     }
-    let fills = !coefficients.preamble().is_empty() || !has_quick_slope;
-    let fill = fills.then(|| {
-        let slope = if has_quick_slope {
-            power_sum::quick_value(&forms.approach_slope, &r, coefficients)
-        } else {
-            power_sum::value_in_vectors(&forms.approach_slope, &slope, &r, coefficients)
-        };
+    let fill = (!coefficients.preamble().is_empty()).then(|| {
+        let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients);
         let function = names.generated("fill_by_functions");
         quote! {
             #function(

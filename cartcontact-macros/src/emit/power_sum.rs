@@ -100,7 +100,8 @@ impl WholeExponents {
         highest <= 8 || (self.stride() == 1 && highest <= HIGHEST_OF_BOTH_PARITIES)
     }
 
-    fn is_low_in_square(&self) -> bool {
+    /// Whether the sum is quick by Horner's rule in r².
+    pub(super) fn is_low_in_square(&self) -> bool {
         let highest = if self.largest_gap() <= 4 { HIGHEST_IN_SQUARE } else { HIGHEST_OF_FEW };
         self.stride() == 2 && self.highest() <= highest
     }
@@ -150,11 +151,6 @@ pub(super) fn value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) 
     (quote!(#function::<_, _, #fused, _>(#x, #lowest, #dense)), operations)
 }
 
-/// Whether [`quick_value`] is Horner's rule without roots, which vectors go through.
-pub(super) fn is_quick_in_vectors(sum: &PowerSum) -> bool {
-    WholeExponents::of(sum).is_some_and(|whole| whole.is_low() || parities(sum).is_some())
-}
-
 /// The value of the sum at `x` in the cheapest form with an error below 7 ε.
 pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> TokenStream {
     if let Some(whole) = WholeExponents::of(sum).filter(WholeExponents::is_low) {
@@ -186,19 +182,6 @@ fn of_parities(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Op
     };
     let values = parities(sum)?.into_iter().map(value);
     Some(quote!(#(#values)+*))
-}
-
-/// The value of a sum with whole exponents at `x` for loops over many, by Horner's rule with zeros for the powers that
-/// are missing. Every step rounds, at random.
-pub(super) fn value_in_vectors(
-    sum: &PowerSum,
-    whole: &WholeExponents,
-    x: &Ident,
-    coefficients: &Coefficients<'_>,
-) -> TokenStream {
-    let (plain_sum, lowest) = (coefficients.names.generated("plain_sum"), whole.lowest());
-    let dense = whole.dense((lowest, 1), sum, coefficients);
-    quote!(#plain_sum(#x, #lowest, #dense))
 }
 
 /// Σ x^(k/4) P(x) over the parts of multiples of 1/4, where all have low powers. A root and the product with it are two
