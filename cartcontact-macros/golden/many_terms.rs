@@ -666,7 +666,12 @@ const _: () = {
             __places: (&[T], &[T]),
             __values: (&mut [T], &mut [T]),
         ) {
-            __cartcontact::fill_high_even_powers(
+            __cartcontact::fill_long_sums::<
+                _,
+                true,
+                _,
+                _,
+            >(
                 __a,
                 __places,
                 __values,

@@ -28,7 +28,7 @@ pub use crate::generated as root;
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};
 pub use crate::profile::drops_by_roots::{drop_by_roots, fill_by_roots};
-pub use crate::profile::high_even_powers::fill_high_even_powers;
+pub use crate::profile::long_sums::fill_long_sums;
 pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};

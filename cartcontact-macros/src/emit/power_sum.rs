@@ -35,7 +35,7 @@ const HIGHEST_BESIDE_ROOT: u32 = 8;
 const HIGHEST_OF_BOTH_PARITIES: u32 = 16;
 
 /// The highest power of a sum in r² that is quick by Horner's rule: of the load integral of a surface up to r⁶⁴.
-pub(super) const HIGHEST_IN_SQUARE: u32 = 68;
+const HIGHEST_IN_SQUARE: u32 = 68;
 
 /// The highest one if most powers are missing: beyond it, powers one by one take less time.
 const HIGHEST_OF_FEW: u32 = 24;
@@ -100,8 +100,7 @@ impl WholeExponents {
         highest <= 8 || (self.stride() == 1 && highest <= HIGHEST_OF_BOTH_PARITIES)
     }
 
-    /// Whether the sum is quick by Horner's rule in r².
-    pub(super) fn is_low_in_square(&self) -> bool {
+    fn is_low_in_square(&self) -> bool {
         let highest = if self.largest_gap() <= 4 { HIGHEST_IN_SQUARE } else { HIGHEST_OF_FEW };
         self.stride() == 2 && self.highest() <= highest
     }

@@ -2,7 +2,7 @@
 
 pub(crate) mod drops_by_roots;
 mod error;
-pub(crate) mod high_even_powers;
+pub(crate) mod long_sums;
 mod parameters;
 mod pointers;
 pub(crate) mod slopes_and_drops;
