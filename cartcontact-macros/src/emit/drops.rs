@@ -2,9 +2,9 @@
 //!
 //! | exponents of J | drop |
 //! |---|---|
-//! | whole, up to 68, unless most are missing | a divided difference of J, times the depth |
+//! | whole, up to 20, or even, up to 68, unless most are missing | a divided difference of J, times the depth |
 //! | multiples of 1/4, up to 13¾ | the same, with the roots of both radii |
-//! | all others | a logarithm, and an exponential for each term |
+//! | all others | a logarithm, and an exponential for each term; with whole ones up to 68 only one by one |
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -70,7 +70,7 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     let names = coefficients.names;
     let sum = &forms.load_integral;
     let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
-    let whole = WholeExponents::of(sum)?;
+    let whole = WholeExponents::up_to(HIGHEST_POWER, sum)?;
     let (function, from, step) = match (whole.stride(), whole.lowest() % 2) {
         (2, 0) => ("even_divided_difference", 0, 2),
         (2, _) => ("odd_divided_difference", 1, 2),
@@ -80,8 +80,9 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     let drop = quote!(let #s = #a - #depth; #depth * #function(#a, #s, #dense));
     let is_even = (from, step) == (0, 2);
     if whole.highest() > if is_even { HIGHEST_EVEN_WRITTEN_OUT } else { HIGHEST_WRITTEN_OUT } {
-        let fill = of_long_sums(forms, coefficients, is_even)?;
-        return Some(Ways { drop, fill: Some(fill), inline: quote!(#[inline]) });
+        let fill = Some(of_long_sums(forms, coefficients, is_even)?);
+        let drop = if is_even { drop } else { of_any_powers(forms, coefficients).drop };
+        return Some(Ways { drop, fill, inline: quote!(#[inline]) });
     }
     let fill = (!coefficients.preamble().is_empty()).then(|| {
         let slope = power_sum::quick_value(&forms.approach_slope, &r, coefficients);
@@ -108,7 +109,7 @@ fn of_long_sums(forms: &ClosedForms, coefficients: &Coefficients<'_>, is_even: b
     let [a, places, values] = ["a", "places", "values"].map(local);
     let (first_of_slope, step) = if is_even { (1, 2) } else { (0, 1) };
     let dense = |sum, first| {
-        let whole = WholeExponents::up_to(HIGHEST_POWER, sum)?;
+        let whole = WholeExponents::of(sum)?;
         let few = whole.highest() / step <= MOST_STEPS_PER_TERM * sum.summands.len() as u32;
         few.then(|| whole.dense((first, step), sum, coefficients))
     };
