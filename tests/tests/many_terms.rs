@@ -1,4 +1,5 @@
-//! Geometries with so many terms that the generated code holds their constants in tables instead of writing them out.
+//! Geometries with so many terms that the generated code holds their constants in tables instead of writing them out, or
+//! with such high powers that slopes and drops are summed at several radii at a time.
 
 use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile};
@@ -22,6 +23,14 @@ struct Dense;
 #[gap_profile(0.05*r + 1e-2*r^2 + 1e-3*r^3 + 1e-4*r^4 + 2e-5*r^5 + 1e-6*r^6 + 1e-7*r^7 + 1e-8*r^8 + 3e-9*r^9
     + 1e-40*r^48, max_radius = 5)]
 struct FarApart;
+
+/// Both parities, most powers missing.
+#[gap_profile(0.05*r + 1e-3*r^3 + 1e-5*r^5 + 1e-10*r^10 + 1e-14*r^15 + 1e-16*r^20)]
+struct WideGaps;
+
+/// Odd powers, whose load integral is odd, too.
+#[gap_profile(1e-12*r^21 + 1e-14*r^23)]
+struct HighOdd;
 
 /// Compares everything with the same geometry as a `Polynomial`, whose weights are formed in double words; either may
 /// be off by the allowance.
@@ -61,9 +70,11 @@ fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
 }
 
 #[test]
-fn tables_hold_the_terms() {
+fn long_sums_are_those_of_their_terms() {
     compare(Spheres, &Spheres::TERMS);
     compare(HighOrder, &HighOrder::TERMS);
     compare(Dense, &Dense::TERMS);
     compare(FarApart, &FarApart::TERMS);
+    compare(WideGaps, &WideGaps::TERMS);
+    compare(HighOdd, &HighOdd::TERMS);
 }
