@@ -140,7 +140,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             return self.undrained_pressure(stage, r) * (T::one() - folds);
         }
         let start = self.first_stage();
-        let change = march(self.contact, start, (self.time, self.radius), r.max(start.radius));
+        let change = march(self.contact, start, (self.time, self.radius), r);
         change.apply(self.initial_pressure(start, r), r)
     }
 

@@ -192,7 +192,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             Some(panel) => panel.first_pressure(before, now, r),
             None => {
                 let start = contact.stage(before.time, before.radius);
-                march(contact, start, (now.time, now.radius), r).first_pressure()
+                march(contact, start, (now.time, now.radius), r).apply(T::zero(), r)
             }
         }
     }

@@ -66,7 +66,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Late<'a, T, P, L> {
         let index = later.partition_point(|stage| stage.radius <= r);
         let next = later.get(index);
         let end_of_section = next.map_or(self.end, |next| (next.time, next.radius));
-        let first = march(self.contact, self.stages[index], end_of_section, r).first_pressure();
+        let first = march(self.contact, self.stages[index], end_of_section, r).apply(T::zero(), r);
         let Some(next) = next else { return first };
         let to_end =
             self.to_end[index].get_or_insert_with(|| march(self.contact, *next, self.end, next.radius));

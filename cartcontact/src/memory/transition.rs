@@ -32,11 +32,6 @@ impl<T: Scalar> Transition<T> {
         not_negative(self.decay.value * pressure + gain)
     }
 
-    /// The pressure after the transition at the radius `reach`, if there was none before it.
-    pub(crate) fn first_pressure(&self) -> T {
-        self.offset.value
-    }
-
     /// Whether two computations of the same transition, at whose end the contact has a `radius`, differ by no more than
     /// some `roundings`. These count the more, the narrower the ring beyond the reach is. The radius is off by
     /// `condition` roundings.

@@ -33,7 +33,7 @@ use crate::numbers::compensated_sum::CompensatedSum;
 use crate::scalar::{has_no_derivatives, spacing_of_times};
 use crate::{GapProfile, Scalar};
 
-/// The transition to a time with its contact radius, for radii up to `reach`, which is at least the first radius.
+/// The transition to a time with its contact radius, for radii up to `reach` or the first radius, the larger of the two.
 // Inlined into its few callers, which then need not copy the stages.
 #[inline(always)]
 pub(crate) fn march<T, P, L>(
@@ -48,6 +48,9 @@ where
     L: Load<T>,
 {
     let force = contact.load().force(time);
+    // Of equal ones the first radius: from there on load is laid, also for other values of the parameters with respect to
+    // which numbers carry derivatives.
+    let reach = from.radius.max(reach);
     let mut march = March {
         contact,
         time,
