@@ -1,4 +1,4 @@
-//! Pressures at many times and radii with two scalars per time and two multiply-adds per value.
+//! Pressures at many times and radii with three scalars per time and two multiply-adds and a sum per value.
 //!
 //! Every radius covered at an earlier row takes its pressure from that row by one [`Change`](sweep::Change),
 //! whose scalars are shared by all radii; only a radius covered for the first time needs an integral of its

@@ -232,7 +232,7 @@ impl<T: Scalar> Interpolant<T> {
         cubic(self.even) + x * cubic(self.odd)
     }
 
-    /// A value in the middle.
+    /// The size of the value in the middle.
     fn size(&self) -> T {
         self.at(T::zero()).abs()
     }

@@ -23,7 +23,7 @@
 use super::Increment;
 use super::degree::condition_of_radius;
 use super::nodes::Row;
-use super::stretch::{Course, Stretch};
+use super::stretch::Stretch;
 use crate::contact::Contact;
 use crate::dispatch::half_wide;
 use crate::load::Load;
@@ -72,7 +72,7 @@ where
     let longest =
         if stretch.is_whole { stretch.course.folds(chi) } else { chi * stretch.age_at(stretch.high - low) };
     let singular = history.age_of_nothing((rate + rise * longest, rise), longest);
-    let is_straight = matches!(stretch.course, Course::Linear { .. });
+    let is_straight = stretch.course.is_straight();
     let at_distance = T::constant(if is_straight { FOLDS_AT_DISTANCE } else { FOLDS_AT_ANY_DISTANCE });
     history.increment_up_to(longest, (singular, at_distance))
 }

@@ -48,22 +48,16 @@ impl<T: Scalar> Transition<T> {
 
     /// Continues with a stretch that fades what there was and adds `increment` beyond the radius `low`.
     pub(super) fn advance(&mut self, fading: Fading<T>, quarter_m: T, increment: Increment<T>, low: T) {
-        let (offset, slope) = self.gain(quarter_m, increment, low);
-        fading.pass(&mut self.decay, T::zero());
-        fading.pass(&mut self.offset, offset);
-        fading.pass(&mut self.slope, slope);
-    }
-
-    /// Adds an increment that takes no time.
-    pub(super) fn add(&mut self, quarter_m: T, increment: Increment<T>, low: T) {
-        let (offset, slope) = self.gain(quarter_m, increment, low);
-        self.offset.add(offset);
-        self.slope.add(slope);
-    }
-
-    fn gain(&self, quarter_m: T, increment: Increment<T>, low: T) -> (T, T) {
         let margin = (low - self.reach) * (low + self.reach);
-        (quarter_m * (increment.offset + increment.slope * margin), quarter_m * increment.slope)
+        fading.pass(&mut self.decay, T::zero());
+        fading.pass(&mut self.offset, quarter_m * (increment.offset + increment.slope * margin));
+        fading.pass(&mut self.slope, quarter_m * increment.slope);
+    }
+
+    /// Adds an increment beyond the reach that takes no time.
+    pub(super) fn add(&mut self, quarter_m: T, increment: Increment<T>) {
+        self.offset.add(quarter_m * increment.offset);
+        self.slope.add(quarter_m * increment.slope);
     }
 }
 

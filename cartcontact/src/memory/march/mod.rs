@@ -73,7 +73,7 @@ where
     march.transition
 }
 
-/// Whether a difference has kept its digits, all but the last four; `sizes` is the sum of the magnitudes that it is the
+/// Whether a difference has kept its bits, all but the last four; `sizes` is the sum of the magnitudes that it is the
 /// difference of.
 fn is_well_conditioned<T: Scalar>(difference: T, sizes: T) -> bool {
     sizes <= T::constant(16.0) * difference
@@ -269,7 +269,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let exact_surplus = self.surplus_at(high, gain);
         let surplus = surplus_that_counts(exact_surplus, forces.1);
         let (is_left_out, is_straight) = (surplus != exact_surplus, course.is_straight());
-        let low = self.transition.reach.max(self.now.radius);
+        let low = self.low();
         let stretch = Stretch { contact, course, low, high, surplus, is_whole: is_covered };
         let (mut increment, is_over_time) = stretch.increment();
         if is_covered {
@@ -309,6 +309,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.transition.reach <= self.now.radius
     }
 
+    /// The radius beyond which the next stretch counts.
+    fn low(&self) -> T {
+        self.transition.reach.max(self.now.radius)
+    }
+
     /// Lets time pass during which nothing is covered.
     fn fade(&mut self, fading: Fading<T>) {
         if self.is_covered() {
@@ -341,8 +346,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
     }
 
     fn add_at_edge(&mut self, weight: T) {
-        let reach = self.transition.reach;
-        self.transition.add(self.quarter_m(), Increment::at(self.now.radius, weight, reach), reach);
+        let increment = Increment::at(self.now.radius, weight, self.transition.reach);
+        self.transition.add(self.quarter_m(), increment);
     }
 
     /// Lays all that a stretch gains at its last radius, which is some roundings from its first.
@@ -355,7 +360,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.add_strip();
         let (kept, _) = fading.kept_of(forces);
         let increment = self.laid_at_once(high, kept, gain);
-        let low = self.transition.reach.max(self.now.radius);
+        let low = self.low();
         self.transition.advance(fading, self.quarter_m(), increment, low);
         let surplus = surplus_that_counts(self.surplus_at(high, gain), forces.1);
         self.now = Stage { radius: high, surplus, ..self.now };
@@ -374,7 +379,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         };
         let at = high - (high - self.now.radius) * share;
         let laid = Stage { radius: at, surplus: kept, ..self.now };
-        let low = self.transition.reach.max(self.now.radius);
+        let low = self.low();
         Increment::at(at, laid.strip(self.contact.integral_per_load()), low)
     }
 

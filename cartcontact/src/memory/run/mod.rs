@@ -143,7 +143,7 @@ impl<T: Scalar> Run<T> {
     }
 
     /// What the run adds to pressures at radii up to `low`, which are covered before it begins; none if the rule turns
-    /// out to be too short. The contact radius at the end of the run is `edge`.
+    /// out to be too short, or radii are not found. The contact radius at the end of the run is `edge`.
     ///
     /// Of what the run has laid by its end, the share `remaining` is left at the time that counts.
     pub(super) fn increment<P, L>(
