@@ -55,6 +55,18 @@
 //! 29, 10, 3 and 0.7 % too small. To see where a result lies, compare [`Snapshot::radius`] with the thickness h, and
 //! the time with [`Layer::diffusion_time`].
 //!
+//! # Numbers
+//!
+//! All numbers of a contact have one type, a [`Scalar`]: f64, f32, or dual numbers, with which every result carries its
+//! derivatives with respect to any parameter, for fits and sensitivities.
+//!
+//! # Errors
+//!
+//! Every constructor and every time is checked, and each kind of fault has its type: [`MediumError`],
+//! [`load::LoadError`], [`ProfileError`], [`RadiusError`] and [`ContactError`], which may hold one of the others. A
+//! message says what is wrong, the value, and what to do. A `main` that returns an error prints its fields instead; to
+//! print the message, write the error with `{error}`.
+//!
 //! # Features
 //!
 //! | feature | default | what it does |

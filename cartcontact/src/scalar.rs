@@ -8,11 +8,13 @@ use crate::numbers::bits::nearest_integer;
 
 /// A real number type: every `simba`/`nalgebra` [`RealField`] that is `Copy`.
 ///
-/// `f32` and `f64` are such types, and so are the dual numbers of `num-dual`, with which every result carries its
-/// derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
-/// `sensitivities` does; `num_dual::jacobian` takes such a function as it is. In it `use nalgebra::ComplexField` for
-/// functions such as `exp`. A release of `num-dual` fits if it is made for the same `simba`: 0.15 for 0.10, with
-/// `nalgebra` 0.35. Exceptions are these derivatives, of pressures unless others are named:
+/// `f32` and `f64` are such types, and so are the dual numbers of `num-dual` over them, with which every result carries
+/// its derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
+/// `sensitivities` does; `num_dual::jacobian` takes such a function of an `SVector` as it is. In it
+/// `use nalgebra::ComplexField` for functions such as `exp`. Dual numbers of dual numbers, and those such as `DualDVec64`
+/// whose number of variables is known at run time only, are no such types. A release of `num-dual` fits if it is made for
+/// the same `simba`: 0.15 for 0.10, with `nalgebra` 0.35. Exceptions are these derivatives, of pressures unless others
+/// are named:
 ///
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;

@@ -1,4 +1,13 @@
 //! How hard the joint is loaded, as a function of time.
+//!
+//! | load | type |
+//! |---|---|
+//! | applied at once and held, as in a creep test | [`Constant`] |
+//! | a ramp, steps, or a measured record: pairs (time, force) | [`PiecewiseLinear`] |
+//! | a formula, or samples that come one by one | a type of your own that implements [`Load`] |
+//!
+//! Under none of them may the force fall faster than e^(−χ t): then the edge of the contact would recede, and a contact
+//! answers with [`ContactError::Receding`](crate::ContactError::Receding).
 
 // Loads: `constant`, `piecewise_linear` (through `knots`), and `pointers` to loads of a user; what can be wrong with
 // one is an `error`. A straight part of any of them is a `piece`; where a load is not straight, a `force_series` is its
@@ -43,7 +52,8 @@ pub(crate) use shortest::{Shortest, least_step};
 /// up to a few per cent, or wrong only before the time asked for, may go unnoticed: the radius is then that of the
 /// impulse, and the pressure lies between the two.
 ///
-/// A force that is not a number for a short while, or infinite, may go unnoticed; the pressures are then not numbers.
+/// A force that is not a number for a short while, or infinite or negative, may go unnoticed; the pressures are then
+/// those of the load beside it, or not numbers.
 ///
 /// A reference to a load is a load, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>`
 /// chosen at run time.
