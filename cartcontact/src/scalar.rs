@@ -19,7 +19,7 @@ use crate::numbers::bits::nearest_integer;
 /// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
 ///   varies;
 /// - those with respect to time at a knot;
-/// - first ones with respect to r next to the axis, for r below 1e-16 a: they may be off by as much as ε P/a;
+/// - first ones with respect to r next to the axis, where they vanish: they may be off by as much as ε P/a;
 /// - under loads below some 1e-200 N, or 1e-30 N in `f32`, also those of the approach: squares on the way leave the
 ///   format;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,

@@ -206,6 +206,19 @@ fn rows_have_the_slopes_of_single_pressures() -> Result<(), Failure> {
     Ok(())
 }
 
+#[gap_profile(0.025 * r^2 + 1e-4 * r^5)]
+struct Whole;
+
+/// ∂G/∂r = −δ₀ r/2 + Σ C rⁿ⁺¹/(n+2) vanishes there, and so must its error.
+#[test]
+fn kernels_of_whole_powers_have_slopes_next_to_the_axis() {
+    for r in [1e-12, 1e-6, 1e-3, 0.1, 1.0_f64] {
+        let found = Whole.pressure_kernel(Dual64::from(5.0), variable(r)).eps;
+        let expected = -0.5 * Whole.approach(5.0) * r + 0.025 * r.powi(3) / 4.0 + 1e-4 * r.powi(6) / 7.0;
+        assert_close(found, expected, SLOPE);
+    }
+}
+
 /// At a radius where the edge once was, a pressure has the derivatives that it has next to it.
 #[test]
 fn slopes_are_continuous_where_the_edge_was() -> Result<(), Failure> {

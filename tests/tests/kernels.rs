@@ -155,6 +155,9 @@ struct Steep;
 #[gap_profile(0.37 * r^33)]
 struct Whole;
 
+#[gap_profile(0.37 * r^17)]
+struct Odd;
+
 #[gap_profile(0.37 * r^12)]
 struct Even;
 
@@ -165,9 +168,10 @@ fn pressure_kernel_is_a_number_where_the_power_in_it_is_none() {
         Exact::from(&Profile::of_decimals(&[("0.37", n)]).pressure_kernel(&exact(a), &exact(r)))
     };
     let mut errors = Errors::of_single(budget::PRESSURE_KERNEL);
-    let single: [(&dyn GapProfile<f32>, &str, f32, f32); 3] = [
+    let single: [(&dyn GapProfile<f32>, &str, f32, f32); 4] = [
         (&Steep, "63.9", 5.2687073, 5.268_619),
         (&Whole, "33", 16.371202, 16.37119),
+        (&Odd, "17", 250.0, 249.999_98),
         (&Even, "12", 999.9461, 999.7702),
     ];
     for (profile, n, a, r) in single {
@@ -178,4 +182,36 @@ fn pressure_kernel_is_a_number_where_the_power_in_it_is_none() {
     let (a, r) = (86328.82540994423, 86328.82540901842);
     errors.add(Steep.pressure_kernel(a, r), kernel("63.9", a, r), 1.0, &(a, r));
     errors.check();
+}
+
+#[gap_profile(0.286 * r^64)]
+struct Steepest;
+
+#[gap_profile(0.0025 * r^2 + 2.2e-81 * r^62)]
+struct FarApart;
+
+/// There a product with a hardly changes the digits, so that all may round in the same direction.
+#[test]
+fn quick_values_are_right_next_to_powers_of_two_and_their_roots() {
+    for (profile, scale) in [(&Steepest as &dyn GapProfile<f64>, 0.25), (&FarApart, 512.0)] {
+        for power in [1.0, 2.0_f64.sqrt(), 2.0_f64.powf(0.25)] {
+            for k in 0..500 {
+                let a = scale * power * (1.0 + f64::from(k) * f64::EPSILON);
+                let pairs = [
+                    (profile.quick_load_integral(a), profile.load_integral(a)),
+                    (profile.quick_approach(a), profile.approach(a)),
+                    (profile.quick_approach_slope(a), profile.approach_slope(a)),
+                    (profile.quick_pressure_kernel(a, 0.0), profile.pressure_kernel(a, 0.0)),
+                    (
+                        profile.load_integral_drop(a, 0.25 * a),
+                        profile.load_integral(a) - profile.load_integral(0.75 * a),
+                    ),
+                ];
+                for (quick, precise) in pairs {
+                    let error = (quick / precise - 1.0).abs() / f64::EPSILON;
+                    assert!(error <= 8.0, "{error} ε at {a:e}: {quick:e} instead of {precise:e}");
+                }
+            }
+        }
+    }
 }

@@ -105,7 +105,10 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
 
 /// The slopes and drops of whole powers at several radii at a time.
 fn of_long_sums(forms: &ClosedForms, coefficients: &Coefficients<'_>, is_even: bool) -> Option<TokenStream> {
-    let ClosedForms { approach_slope, load_integral, .. } = forms;
+    let ClosedForms { gap, approach_slope, load_integral, .. } = forms;
+    if WholeExponents::of(gap)?.has_long_gaps() {
+        return None;
+    }
     let [a, places, values] = ["a", "places", "values"].map(local);
     let (first_of_slope, step) = if is_even { (1, 2) } else { (0, 1) };
     let dense = |sum, first| {

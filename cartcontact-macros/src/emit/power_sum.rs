@@ -15,8 +15,9 @@
 //! Horner's rule in x rounds twice per step, at random. In r² it also repeats the rounding of r² in every step, with
 //! the same sign, which still costs at most 2 ε at r⁸, and is corrected for beyond: expansions of spheres and sums of two
 //! powers were off by up to 2.7, 3.7 and 4.8 ε at r⁸, r²⁴ and r⁴⁴, among 6000 radii each in exact arithmetic, and up to
-//! r⁶⁸ by 4 ε; 6.7 ε if r⁶⁸ outweighs thirty lower powers. In x a gap in the exponents is bridged by as many products.
-//! All other quick values are within 5 ε.
+//! r⁶⁸ by 4 ε; 6.7 ε if r⁶⁸ outweighs thirty lower powers, and 9.5 ε next to a power of two, where all products may round
+//! in the same direction. In x a gap in the exponents is bridged by as many products. All other quick values are within
+//! 5 ε.
 
 use num_traits::{One, ToPrimitive};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -39,6 +40,10 @@ const HIGHEST_IN_SQUARE: u32 = 68;
 
 /// The highest one if most powers are missing: beyond it, powers one by one take less time.
 const HIGHEST_OF_FEW: u32 = 24;
+
+/// The most products with a power of x, one after the other, that stay below 7 ε: next to a power of two, or a root of
+/// one, none of them changes the digits much, so that all may round in the same direction.
+const MOST_PRODUCTS: u32 = 24;
 
 /// The highest power that is written out as a product.
 const LONGEST_PRODUCT: u32 = 3;
@@ -95,6 +100,11 @@ impl WholeExponents {
         self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
     }
 
+    /// Whether Horner's rule would go through many powers without a summand, below the lowest one or between two.
+    pub(super) fn has_long_gaps(&self) -> bool {
+        self.lowest().max(self.largest_gap()) > MOST_PRODUCTS
+    }
+
     fn is_low(&self) -> bool {
         let highest = self.highest();
         highest <= 8 || (self.stride() == 1 && highest <= HIGHEST_OF_BOTH_PARITIES)
@@ -102,7 +112,7 @@ impl WholeExponents {
 
     fn is_low_in_square(&self) -> bool {
         let highest = if self.largest_gap() <= 4 { HIGHEST_IN_SQUARE } else { HIGHEST_OF_FEW };
-        self.stride() == 2 && self.highest() <= highest
+        self.stride() == 2 && self.highest() <= highest && !self.has_long_gaps()
     }
 
     /// Whether Horner's rule in double words takes less time than the powers one by one.

@@ -54,7 +54,8 @@ fn quick_kernel(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenSt
     let gap = coefficients.gap();
     let names = coefficients.names;
     let weights = |step| weights(step, &forms.log_kernel, coefficients);
-    if let Some(highest) = highest_even(gap) {
+    let has_long_gaps = WholeExponents::of(&forms.gap).is_some_and(|whole| whole.has_long_gaps());
+    if let Some(highest) = highest_even(gap).filter(|_| !has_long_gaps) {
         let kernel = if 2 * highest <= HIGHEST_QUICK_EVEN {
             "quick_even_pressure_kernel"
         } else {

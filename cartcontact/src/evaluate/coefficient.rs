@@ -26,6 +26,13 @@ impl<T: Scalar> Coefficient<T> for T {
     }
 }
 
+impl<T: Scalar, const FUSED: bool> Coefficient<T> for DoubleWord<T, FUSED> {
+    #[inline(always)]
+    fn parts(self) -> (T, Option<T>) {
+        (self.high(), Some(self.low()))
+    }
+}
+
 /// The coefficient as a number of an arithmetic.
 #[inline(always)]
 pub(crate) fn number<T: Scalar, A: Arithmetic<T>>(coefficient: impl Coefficient<T>) -> A {
@@ -112,7 +119,7 @@ impl<T: Scalar, const FUSED: bool> Precise<T, FUSED> {
 impl<T: Scalar, const FUSED: bool> Coefficient<T> for Precise<T, FUSED> {
     #[inline(always)]
     fn parts(self) -> (T, Option<T>) {
-        (self.0.high(), Some(self.0.low()))
+        self.0.parts()
     }
 }
 

@@ -8,7 +8,8 @@
 //! both r² and r lack.
 //!
 //! **Drops.** J(a) − J(r) is a − r times a quotient, by synthetic division, less J′ = r⁴ δ₀′/2 times what r lacks. Of
-//! that, the 68th power would make 17 ε next to the edge; the rounding of r² is left, 8 ε if all powers are alike.
+//! that, the 68th power would make 17 ε next to the edge; the rounding of r² is left, 8 ε if all powers are alike, and up
+//! to 15 ε with terms of both signs or next to a power of two.
 
 use super::slopes_and_drops::{Places, SlopesAndDrops};
 use crate::Scalar;
