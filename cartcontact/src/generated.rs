@@ -8,6 +8,10 @@ pub use crate::admissibility::{
 };
 pub use crate::dispatch::{found_or, fused_or_split};
 pub use crate::evaluate::coefficient::{Precise, finite_or, rounded};
+pub use crate::evaluate::dense_kernel::{
+    even_pressure_kernel, quick_even_pressure_kernel, quick_high_even_pressure_kernel,
+    quick_whole_pressure_kernel, whole_pressure_kernel,
+};
 pub use crate::evaluate::double_power::power_sum;
 pub use crate::evaluate::horner::{
     divided_difference, even_divided_difference, odd_divided_difference, precise_even_sum, precise_sum,
@@ -18,8 +22,7 @@ pub use crate::evaluate::power::{
     quick_power_sum, real_power,
 };
 pub use crate::evaluate::pressure_kernel::{
-    even_pressure_kernel, pressure_kernel, quick_even_pressure_kernel, quick_high_even_pressure_kernel,
-    quick_pressure_kernel, quick_pressure_kernel_in_root, quick_whole_pressure_kernel, whole_pressure_kernel,
+    pressure_kernel, quick_pressure_kernel, quick_pressure_kernel_in_root,
 };
 pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, plain_power_sum_steepness, power_sum_steepness, scaled_power_sum_steepness,

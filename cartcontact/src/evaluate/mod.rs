@@ -3,7 +3,7 @@
 //! | what | modules |
 //! |---|---|
 //! | sums of powers | `horner` (all powers of a polynomial), `power` (any exponents), `double_power` (the same, rounded once), `steepness` (a sum with its derivatives) |
-//! | pressure kernels | `pressure_kernel`, `kernel_of_term`, `real_exponent_kernel` |
+//! | pressure kernels | `pressure_kernel` (any exponents), `kernel_of_term`, `real_exponent_kernel`; `dense_kernel` (all whole or even ones) |
 //! | what they are made of | `coefficient` (a number, or what follows from fields), `arithmetic` (a trait of plain and double words) |
 //!
 //! Three words in names say how exact a result is. *Plain*: every operation is rounded. *Quick*: within a few ε, mostly
@@ -13,6 +13,7 @@
 
 pub(crate) mod arithmetic;
 pub(crate) mod coefficient;
+pub(crate) mod dense_kernel;
 pub(crate) mod double_power;
 pub(crate) mod horner;
 mod kernel_of_term;
