@@ -14,8 +14,8 @@ pub use crate::evaluate::dense_kernel::{
 };
 pub use crate::evaluate::double_power::power_sum;
 pub use crate::evaluate::horner::{
-    divided_difference, even_divided_difference, odd_divided_difference, precise_even_sum, precise_sum,
-    quick_even_sum, value_and_slope,
+    divided_difference, even_divided_difference, precise_even_sum, precise_sum, quick_even_sum,
+    value_and_slope,
 };
 pub use crate::evaluate::power::{
     integer_power, power_of_half_digits, power_sum_and_log_slope, power_sum_drop, quarter_root,

@@ -71,14 +71,11 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     let sum = &forms.load_integral;
     let [a, s, r, depth, places, values] = ["a", "s", "r", "depth", "places", "values"].map(local);
     let whole = WholeExponents::up_to(HIGHEST_POWER, sum)?;
-    let (function, from, step) = match (whole.stride(), whole.lowest() % 2) {
-        (2, 0) => ("even_divided_difference", 0, 2),
-        (2, _) => ("odd_divided_difference", 1, 2),
-        _ => ("divided_difference", 0, 1),
-    };
-    let (function, dense) = (names.generated(function), whole.dense((from, step), sum, coefficients));
+    // Odd powers might take half the steps in r², too, but with its rounding in each.
+    let is_even = whole.stride() == 2 && whole.lowest() % 2 == 0;
+    let (function, step) = if is_even { ("even_divided_difference", 2) } else { ("divided_difference", 1) };
+    let (function, dense) = (names.generated(function), whole.dense((0, step), sum, coefficients));
     let drop = quote!(let #s = #a - #depth; #depth * #function(#a, #s, #dense));
-    let is_even = (from, step) == (0, 2);
     if whole.highest() > if is_even { HIGHEST_EVEN_WRITTEN_OUT } else { HIGHEST_WRITTEN_OUT } {
         let fill = Some(of_long_sums(forms, coefficients, is_even)?);
         let drop = if is_even { drop } else { of_any_powers(forms, coefficients).drop };
