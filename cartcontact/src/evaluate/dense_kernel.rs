@@ -8,7 +8,7 @@ use super::pressure_kernel::sum_of_kernels;
 use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
-use crate::scalar::has_no_derivatives;
+use crate::scalar::{from_single, has_no_derivatives};
 
 /// G(a, r) of a gap of even powers, zero for r ≥ a, rounded once: `weights[k − 1]` is C/(n+2)² for n = 2 k.
 #[inline(always)]
@@ -76,7 +76,7 @@ fn kernel_term_by_term<T: Scalar, C: Coefficient<T>, const N: usize>(
 ) -> T {
     let terms = weights.into_iter().enumerate().map(|(index, weight)| {
         let n = (index + 1) * step;
-        let per_weight = T::constant((2 * (n + 2) * (n + 2) / step) as f64);
+        let per_weight = from_single((2 * (n + 2) * (n + 2) / step) as f32);
         (number::<T, DoubleWord<T>>(weight).times_word(per_weight), Exponent::whole(n as i32))
     });
     let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
