@@ -77,7 +77,10 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     let (function, dense) = (names.generated(function), whole.dense((0, step), sum, coefficients));
     let drop = quote!(let #s = #a - #depth; #depth * #function(#a, #s, #dense));
     if whole.highest() > if is_even { HIGHEST_EVEN_WRITTEN_OUT } else { HIGHEST_WRITTEN_OUT } {
-        let fill = Some(of_long_sums(forms, coefficients, is_even)?);
+        if whole.highest() / step > MOST_STEPS_PER_TERM * sum.summands.len() as u32 {
+            return None;
+        }
+        let fill = Some(of_long_sums(forms, coefficients, is_even, &dense)?);
         let drop = if is_even { drop } else { of_any_powers(forms, coefficients).drop };
         return Some(Ways { drop, fill, inline: quote!(#[inline]) });
     }
@@ -100,20 +103,19 @@ fn of_whole_powers(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opti
     Some(Ways { drop, fill, inline: quote!(#[inline]) })
 }
 
-/// The slopes and drops of whole powers at several radii at a time.
-fn of_long_sums(forms: &ClosedForms, coefficients: &Coefficients<'_>, is_even: bool) -> Option<TokenStream> {
-    let ClosedForms { gap, approach_slope, load_integral, .. } = forms;
-    if WholeExponents::of(gap)?.has_long_gaps() {
+/// The slopes and drops of whole powers at several radii at a time, from the factors of all powers of J.
+fn of_long_sums(
+    forms: &ClosedForms,
+    coefficients: &Coefficients<'_>,
+    is_even: bool,
+    integral: &TokenStream,
+) -> Option<TokenStream> {
+    if WholeExponents::of(&forms.gap)?.has_long_gaps() {
         return None;
     }
     let [a, places, values] = ["a", "places", "values"].map(local);
-    let (first_of_slope, step) = if is_even { (1, 2) } else { (0, 1) };
-    let dense = |sum, first| {
-        let whole = WholeExponents::of(sum)?;
-        let few = whole.highest() / step <= MOST_STEPS_PER_TERM * sum.summands.len() as u32;
-        few.then(|| whole.dense((first, step), sum, coefficients))
-    };
-    let (slope, integral) = (dense(approach_slope, first_of_slope)?, dense(load_integral, 0)?);
+    let (sum, powers) = (&forms.approach_slope, if is_even { (1, 2) } else { (0, 1) });
+    let slope = WholeExponents::of(sum)?.dense(powers, sum, coefficients);
     let function = coefficients.names.generated("fill_long_sums");
     Some(quote!(#function::<_, #is_even, _, _>(#a, #places, #values, (#slope, #integral))))
 }

@@ -172,24 +172,17 @@ pub(super) fn quick_value(sum: &PowerSum, x: &Ident, coefficients: &Coefficients
     })
 }
 
-/// The sums of the even and of the odd powers, as far as there are any, if both are low in r².
-fn parities(sum: &PowerSum) -> Option<Vec<(PowerSum, WholeExponents)>> {
-    let parts = sum.by_parity().into_iter().filter(|part| !part.summands.is_empty());
-    let low = |part| {
-        let whole = WholeExponents::of(&part).filter(WholeExponents::is_low_in_square)?;
-        Some((part, whole))
-    };
-    parts.map(low).collect()
-}
-
+/// The even and the odd powers, as far as there are any, if both are low in r².
 fn of_parities(sum: &PowerSum, x: &Ident, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     let even_sum = coefficients.names.generated("quick_even_sum");
-    let value = |(part, whole): (PowerSum, WholeExponents)| {
+    let value = |part: PowerSum| {
+        let whole = WholeExponents::of(&part).filter(WholeExponents::is_low_in_square)?;
         let lowest = whole.lowest();
         let dense = whole.dense((lowest, 2), &part, coefficients);
-        quote!(#even_sum(#x, #lowest, #dense))
+        Some(quote!(#even_sum(#x, #lowest, #dense)))
     };
-    let values = parities(sum)?.into_iter().map(value);
+    let parts = sum.by_parity().into_iter().filter(|part| !part.summands.is_empty());
+    let values = parts.map(value).collect::<Option<Vec<_>>>()?;
     Some(quote!(#(#values)+*))
 }
 

@@ -53,18 +53,14 @@ fn call(function: &TokenStream, terms: &TokenStream) -> TokenStream {
 fn quick_kernel(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
     let gap = coefficients.gap();
     let names = coefficients.names;
-    let weights = |step| weights(step, &forms.log_kernel, coefficients);
     let has_long_gaps = WholeExponents::of(&forms.gap).is_some_and(|whole| whole.has_long_gaps());
-    if let Some(highest) = highest_even(gap).filter(|_| !has_long_gaps) {
-        let kernel = if 2 * highest <= HIGHEST_QUICK_EVEN {
-            "quick_even_pressure_kernel"
-        } else {
-            "quick_high_even_pressure_kernel"
+    if let Some(dense) = Dense::of(gap).filter(|_| !has_long_gaps) {
+        let kernel = match dense {
+            Dense::Even(half) if 2 * half <= HIGHEST_QUICK_EVEN => "quick_even_pressure_kernel",
+            Dense::Even(_) => "quick_high_even_pressure_kernel",
+            Dense::Whole(_) => "quick_whole_pressure_kernel",
         };
-        return call(&names.generated(kernel), &weights(2));
-    }
-    if highest_whole(gap).is_some() {
-        return call(&names.generated("quick_whole_pressure_kernel"), &weights(1));
+        return call(&names.generated(kernel), &weights(dense.step(), &forms.log_kernel, coefficients));
     }
     let in_root = [2, 4].into_iter().find_map(|index| kernel_in_root(index, forms, coefficients));
     in_root.unwrap_or_else(|| {
@@ -81,14 +77,13 @@ fn precise_kernel<'a>(
     let gap = coefficients.gap();
     let names = coefficients.names;
     let fused = &names.fused;
-    let dense = if highest_even(gap).is_some() {
-        Some(("even_pressure_kernel", 2))
-    } else {
-        highest_whole(gap).map(|_| ("whole_pressure_kernel", 1))
-    };
-    if let Some((function, step)) = dense {
+    if let Some(dense) = Dense::of(gap) {
         let precise = coefficients.for_rounding_once([&forms.log_kernel]);
-        let (function, weights) = (names.generated(function), weights(step, &forms.log_kernel, &precise));
+        let function = names.generated(match dense {
+            Dense::Even(_) => "even_pressure_kernel",
+            Dense::Whole(_) => "whole_pressure_kernel",
+        });
+        let weights = weights(dense.step(), &forms.log_kernel, &precise);
         return (call(&quote!(#function::<_, _, #fused, _>), &weights), precise);
     }
     let precise = coefficients.for_rounding_once([&forms.gap]);
@@ -100,24 +95,39 @@ fn precise_kernel<'a>(
 pub(super) fn operations(gap: &Gap) -> Operations {
     // Three products and three sums for every weight; besides, for even powers, a², r² and (a² − r²)², and for whole
     // ones twice a − r and two products with D_0 and the sum. The first weights take fewer.
-    let (multiplications, additions) = match (highest_even(gap), highest_whole(gap)) {
-        (Some(1), _) => (5, 2),
-        (Some(highest), _) => (3 * highest + 1, 3 * highest - 1),
-        (None, Some(1)) => (4, 3),
-        (None, Some(highest)) => (3 * highest, 3 * highest),
-        (None, None) => return Operations::InLibrary,
+    let (multiplications, additions) = match Dense::of(gap) {
+        Some(Dense::Even(1)) => (5, 2),
+        Some(Dense::Even(half)) => (3 * half + 1, 3 * half - 1),
+        Some(Dense::Whole(1)) => (4, 3),
+        Some(Dense::Whole(highest)) => (3 * highest, 3 * highest),
+        None => return Operations::InLibrary,
     };
     Operations::Counted { multiplications, additions }
 }
 
-/// Half the highest exponent, if all are even, and none is too high.
-fn highest_even(gap: &Gap) -> Option<u32> {
-    highest_multiple(gap, 2, HIGHEST_EVEN)
+/// A kernel that goes through all powers of a kind, up to the highest.
+#[derive(Clone, Copy)]
+enum Dense {
+    /// All even ones: half the highest exponent.
+    Even(u32),
+    /// All whole ones: the highest exponent.
+    Whole(u32),
 }
 
-/// The highest exponent, if all are whole, and none is too high.
-fn highest_whole(gap: &Gap) -> Option<u32> {
-    highest_multiple(gap, 1, HIGHEST_WHOLE)
+impl Dense {
+    /// None if an exponent is too high or not whole.
+    fn of(gap: &Gap) -> Option<Self> {
+        let even = highest_multiple(gap, 2, HIGHEST_EVEN).map(Self::Even);
+        even.or_else(|| highest_multiple(gap, 1, HIGHEST_WHOLE).map(Self::Whole))
+    }
+
+    /// From one exponent to the next.
+    fn step(self) -> u32 {
+        match self {
+            Self::Even(_) => 2,
+            Self::Whole(_) => 1,
+        }
+    }
 }
 
 /// The largest n/`step`, if all quotients are whole and no n is above `highest`.
