@@ -34,7 +34,7 @@ pub fn quick_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights
 #[inline(always)]
 pub fn quick_high_even_pressure_kernel<T: Scalar, const N: usize>(a: T, r: T, weights: [T; N]) -> T {
     let inset = (a - r) * (a + r);
-    match nested_sums::<_, Word<T>>(SquareOf(a), SquareOf(r), &weights) {
+    match nested_sums::<_, Word<T>>(Unformed::<_, 2>(a), Unformed::<_, 2>(r), &weights) {
         Some((_, sum)) if r < a => inset * sum.rounded() * inset,
         _ => T::zero(),
     }
@@ -111,7 +111,7 @@ fn sum_of_even_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[impl 
 #[inline(always)]
 fn sum_of_whole_kernels<T: Scalar, A: Arithmetic<T>>(a: T, r: T, weights: &[impl Coefficient<T>]) -> A {
     let inset = A::sum(a, -r);
-    match nested_sums(Value(A::of(a)), Value(A::of(r)), weights) {
+    match nested_sums::<_, A>(Unformed::<_, 1>(a), Unformed::<_, 1>(r), weights) {
         Some((d, sum)) if r < a => {
             let sum = d.times_word(a).plus(sum.times_word(r + r));
             inset.times(sum).times(inset)
@@ -141,14 +141,14 @@ impl<T: Scalar, A: Arithmetic<T>> Variable<T, A> for Value<A> {
     }
 }
 
-/// The square of a word, which is not formed: a product with it is one with the word, twice.
+/// A power of a word, which is not formed: a product with it is `TIMES` products with the word.
 #[derive(Clone, Copy)]
-struct SquareOf<T>(T);
+struct Unformed<T, const TIMES: usize>(T);
 
-impl<T: Scalar, A: Arithmetic<T>> Variable<T, A> for SquareOf<T> {
+impl<T: Scalar, A: Arithmetic<T>, const TIMES: usize> Variable<T, A> for Unformed<T, TIMES> {
     #[inline(always)]
     fn times(self, number: A) -> A {
-        number.times_word(self.0).times_word(self.0)
+        (0..TIMES).fold(number, |product, _| product.times_word(self.0))
     }
     #[inline(always)]
     fn times_coefficient(self, coefficient: impl Coefficient<T>) -> A {
