@@ -206,38 +206,6 @@ fn rows_have_the_slopes_of_single_pressures() -> Result<(), Failure> {
     Ok(())
 }
 
-#[gap_profile(0.025 * r^2 + 1e-4 * r^5)]
-struct Whole;
-
-/// ∂G/∂r = −δ₀ r/2 + Σ C rⁿ⁺¹/(n+2) vanishes there, and so must its error.
-#[test]
-fn kernels_of_whole_powers_have_slopes_next_to_the_axis() {
-    for r in [1e-12, 1e-6, 1e-3, 0.1, 1.0_f64] {
-        let found = Whole.pressure_kernel(Dual64::from(5.0), variable(r)).eps;
-        let expected = -0.5 * Whole.approach(5.0) * r + 0.025 * r.powi(3) / 4.0 + 1e-4 * r.powi(6) / 7.0;
-        assert_close(found, expected, SLOPE);
-    }
-}
-
-/// At a radius where the edge once was, a pressure has the derivatives that it has next to it.
-#[test]
-fn slopes_are_continuous_where_the_edge_was() -> Result<(), Failure> {
-    // So much drains from row to row that each is marched to.
-    let contact = joint(Plain, 0.02, Constant(variable(100.0)));
-    for first in [0.0, 10.0].map(Dual64::from) {
-        let (edge, last) = (contact.at(first)?.radius().re, Dual64::from(20.0));
-        let radii = [edge, edge.next_up()].map(Dual64::from);
-        let mut rows = [Dual64::from(f64::NAN); 4];
-        contact.pressure_field(&[first, last], &radii, &mut rows)?;
-        let now = contact.at(last)?;
-        let [.., there, beside] = rows;
-        for (there, beside) in [(there, beside), (now.pressure(radii[0]), now.pressure(radii[1]))] {
-            assert_close(there.eps, beside.eps, 1000.0);
-        }
-    }
-    Ok(())
-}
-
 /// At a knot the edge moves with the slope of the load after the knot: F′ + χ F = (π m/8) a⁴ δ₀′(t).
 #[test]
 fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {

@@ -21,6 +21,9 @@ struct Blunt;
 #[gap_profile(25.0 * r^2 + 1e5 * r^4)]
 struct SmallBall;
 
+#[gap_profile(0.025 * r^2 + 1e-4 * r^5)]
+struct Whole;
+
 /// A derivative is allowed as much as two pressures.
 fn assert_close<T: Precision>(found: T, expected: f64, place: &dyn core::fmt::Debug) {
     let error = relative_error(found.value(), expected, T::EPSILON);
@@ -59,6 +62,16 @@ fn pressures_next_to_the_axis_have_the_derivatives_on_it() -> Result<(), Failure
         }
     }
     Ok(())
+}
+
+/// ∂G/∂r = −δ₀ r/2 + Σ C rⁿ⁺¹/(n+2) vanishes there, and so must its error.
+#[test]
+fn kernels_of_whole_powers_have_slopes_next_to_the_axis() {
+    for r in [1e-12, 1e-6, 1e-3, 0.1, 1.0_f64] {
+        let found = Whole.pressure_kernel(Dual64::from(5.0), Dual64::from(r).derivative()).eps;
+        let expected = -0.5 * Whole.approach(5.0) * r + 0.025 * r.powi(3) / 4.0 + 1e-4 * r.powi(6) / 7.0;
+        assert_close(found, expected, &r);
+    }
 }
 
 /// The second derivative of the pressure with respect to r.

@@ -1,10 +1,11 @@
 //! Derivatives of pressures with respect to forces of a load, where the value of a slope or of a step is zero.
 
-use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{ContactError, GapProfile, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::joint::joint;
 use tests::loads::{Announced, Knots};
+use tests::measure::relative_error;
 use tests::profiles::Patellofemoral;
 
 type Failure = Box<dyn core::error::Error>;
@@ -212,6 +213,26 @@ fn slopes_in_single_precision_are_those_in_double() -> Result<(), Failure> {
                 let error = (f64::from(single.eps) - expected.eps).abs() / (expected.re / 100.0 + 1e-3);
                 assert!(error <= SINGLE, "{name}, {time} s: {single} instead of {expected}");
             }
+        }
+    }
+    Ok(())
+}
+
+/// At a radius where the edge once was, a pressure has the derivatives that it has next to it.
+#[test]
+fn slopes_are_continuous_where_the_edge_was() -> Result<(), Failure> {
+    // So much drains from row to row that each is marched to.
+    let contact = joint(Blunt, 0.02, Constant(Dual64::from(100.0).derivative()));
+    for first in [0.0, 10.0].map(Dual64::from) {
+        let (edge, last) = (contact.at(first)?.radius().re, Dual64::from(20.0));
+        let radii = [edge, edge.next_up()].map(Dual64::from);
+        let mut rows = [Dual64::from(f64::NAN); 4];
+        contact.pressure_field(&[first, last], &radii, &mut rows)?;
+        let now = contact.at(last)?;
+        let [.., there, beside] = rows;
+        for (there, beside) in [(there, beside), (now.pressure(radii[0]), now.pressure(radii[1]))] {
+            let error = relative_error(there.eps, beside.eps, f64::EPSILON);
+            assert!(error <= 1000.0, "{there} and {beside} differ by {error:.2} ε from {first} on");
         }
     }
     Ok(())
