@@ -20,14 +20,30 @@ const UNIT_OF_SINGLE: u32 = 0x4b00_0000;
 const SIGNED_UNIT_OF_DOUBLE: f64 = 6_755_399_441_055_744.0;
 const SIGNED_UNIT_OF_SINGLE: f64 = 12_582_912.0;
 
-/// The number whose bits are a function of the bits of x.
+/// A function of the bits of x.
 #[inline(always)]
-fn with_bits<T: Scalar>(x: T, single: impl Fn(u32) -> u32, double: impl Fn(u64) -> u64) -> T {
+pub(crate) fn of_bits<T: Scalar, R>(x: T, single: impl FnOnce(u32) -> R, double: impl FnOnce(u64) -> R) -> R {
     let any: &dyn Any = &x;
     match any.downcast_ref::<f32>() {
-        Some(x) => T::from_subset(&f32::from_bits(single(x.to_bits()))),
-        None => T::constant(f64::from_bits(double(x.value().to_bits()))),
+        Some(x) => single(x.to_bits()),
+        None => double(x.value().to_bits()),
     }
+}
+
+/// The number with these bits.
+#[inline(always)]
+fn from_bits<T: Scalar>(single: u32, double: u64) -> T {
+    if is_same::<T, f32>() {
+        T::from_subset(&f32::from_bits(single))
+    } else {
+        T::constant(f64::from_bits(double))
+    }
+}
+
+/// The number whose bits are a function of the bits of x.
+#[inline(always)]
+fn with_bits<T: Scalar>(x: T, single: impl FnOnce(u32) -> u32, double: impl FnOnce(u64) -> u64) -> T {
+    of_bits(x, |bits| from_bits(single(bits), 0), |bits| from_bits(0, double(bits)))
 }
 
 /// The bias of exponents.
@@ -68,12 +84,8 @@ pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
     let unit = T::constant(if is_same::<T, f32>() { SIGNED_UNIT_OF_SINGLE } else { SIGNED_UNIT_OF_DOUBLE });
     // A sum of this size has no fractional digits, and the integer in its last bits.
     let sum = x + unit;
-    let any: &dyn Any = &sum;
-    let integer = match any.downcast_ref::<f32>() {
-        // The ten bits above its sign are shifted out and come back as copies of the sign.
-        Some(single) => (single.to_bits() << 10) as i32 >> 10,
-        None => sum.value().to_bits() as i32,
-    };
+    // Of f32 the ten bits above the sign of the integer are shifted out and come back as copies of the sign.
+    let integer = of_bits(sum, |bits| (bits << 10) as i32 >> 10, |bits| bits as i32);
     (sum - unit, integer)
 }
 
@@ -81,32 +93,24 @@ pub(crate) fn nearest_integer<T: Scalar>(x: T) -> (T, i32) {
 #[inline(always)]
 pub(crate) fn one_and_digits<T: Scalar>(integer: i32) -> T {
     let digits = integer as u32 & ((1 << LOGARITHM_DIGITS) - 1);
-    if is_same::<T, f32>() {
-        T::from_subset(&f32::from_bits(digits << (23 - LOGARITHM_DIGITS) | 0x3f80_0000))
-    } else {
-        T::constant(f64::from_bits(u64::from(digits) << (52 - LOGARITHM_DIGITS) | 0x3ff0_0000_0000_0000))
-    }
+    from_bits(
+        digits << (23 - LOGARITHM_DIGITS) | 0x3f80_0000,
+        u64::from(digits) << (52 - LOGARITHM_DIGITS) | 0x3ff0_0000_0000_0000,
+    )
 }
 
 /// 2^e if that is a normal number; otherwise something else.
 #[inline(always)]
 pub(crate) fn power_of_two<T: Scalar>(e: i32) -> T {
-    if is_same::<T, f32>() {
-        T::from_subset(&f32::from_bits(((e + bias::<T>()) as u32) << 23))
-    } else {
-        T::constant(f64::from_bits(((e + bias::<T>()) as u64) << 52))
-    }
+    let biased = e + bias::<T>();
+    from_bits((biased as u32) << 23, (biased as u64) << 52)
 }
 
 /// The exponent e of x = f · 2^e, 1 ≤ f < 2. For a negative number, zero, infinity and NaN it is not that of a normal
 /// number.
 #[inline(always)]
 pub(crate) fn exponent<T: Scalar>(x: T) -> i32 {
-    let any: &dyn Any = &x;
-    match any.downcast_ref::<f32>() {
-        Some(single) => (single.to_bits() >> 23) as i32 - bias::<f32>(),
-        None => (x.value().to_bits() >> 52) as i32 - bias::<f64>(),
-    }
+    of_bits(x, |bits| (bits >> 23) as i32, |bits| (bits >> 52) as i32) - bias::<T>()
 }
 
 /// The fraction f of x = f · 2^e, 1 ≤ f < 2.
@@ -123,12 +127,8 @@ pub(crate) fn fraction<T: Scalar>(x: T) -> T {
 /// ⌊2^`DIGITS` (f − 1)⌋ of f · 2^e, 1 ≤ f < 2.
 #[inline(always)]
 pub(crate) fn part_of_octave<T: Scalar, const DIGITS: u32>(x: T) -> i32 {
-    let any: &dyn Any = &x;
-    let biased = match any.downcast_ref::<f32>() {
-        Some(single) => single.to_bits() >> (23 - DIGITS),
-        None => (x.value().to_bits() >> (52 - DIGITS)) as u32,
-    };
-    biased as i32 - (bias::<T>() << DIGITS)
+    let biased = of_bits(x, |bits| (bits >> (23 - DIGITS)) as i32, |bits| (bits >> (52 - DIGITS)) as i32);
+    biased - (bias::<T>() << DIGITS)
 }
 
 /// The quarter of an octave that a positive normal number is in.
@@ -141,11 +141,7 @@ pub(crate) fn quarter<T: Scalar>(x: T) -> i32 {
 #[inline(always)]
 pub(crate) fn least_of_quarter<T: Scalar>(k: i32) -> T {
     let biased = (k + 4 * bias::<T>()) as u32;
-    if is_same::<T, f32>() {
-        T::from_subset(&f32::from_bits(biased << 21))
-    } else {
-        T::constant(f64::from_bits(u64::from(biased) << 50))
-    }
+    from_bits(biased << 21, u64::from(biased) << 50)
 }
 
 /// The middle of the [part of an octave](part_of_octave) that a positive number is in; it has two digits more than

@@ -30,10 +30,8 @@ pub(crate) mod roots;
 pub(crate) mod spans;
 pub(crate) mod units;
 
-use core::any::Any;
-
 use crate::Scalar;
-use crate::numbers::bits::{least_of_quarter, quarter};
+use crate::numbers::bits::{least_of_quarter, of_bits, quarter};
 use crate::scalar::is_same;
 
 /// A row of `N` bytes for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2,
@@ -197,6 +195,5 @@ fn row_index(digits: u32) -> u8 {
 /// 23 bits of the fraction of y, below the last bits of its exponent.
 #[inline(always)]
 pub(super) fn digits<T: Scalar>(y: T) -> u32 {
-    let any: &dyn Any = &y;
-    any.downcast_ref::<f32>().map_or_else(|| (y.value().to_bits() >> 29) as u32, |single| single.to_bits())
+    of_bits(y, |bits| bits, |bits| (bits >> 29) as u32)
 }
