@@ -16,9 +16,9 @@ use crate::numbers::bits::nearest_integer;
 /// the same `simba`: 0.15 for 0.10, with `nalgebra` 0.35. Exceptions are these derivatives, of pressures unless others
 /// are named:
 ///
-/// - second ones where nothing has drained yet, χ t = 0, and first ones there with respect to χ under a load that
-///   varies;
-/// - those with respect to time at a knot;
+/// - those with respect to time at a knot, and second ones at t = 0;
+/// - where χ = 0, under a load that is not straight between knots: second ones, and first ones with respect to χ unless
+///   the force is constant;
 /// - first ones with respect to r next to the axis, where they vanish: they may be off by as much as ε P/a;
 /// - under loads below some 1e-200 N, or 1e-30 N in `f32`, also those of the approach: squares on the way leave the
 ///   format;

@@ -134,7 +134,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
             return T::zero();
         }
         let folds = self.contact.medium().chi() * self.time;
-        if folds.is_zero() {
+        if folds.is_zero() && self.needs_no_history() {
             // e^(−χ t): a zero may carry a derivative.
             let stage = self.contact.stage(self.time, self.radius);
             return self.undrained_pressure(stage, r) * (T::one() - folds);
@@ -163,6 +163,13 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// ```
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
+    }
+
+    /// Whether no history has to be followed if nothing has drained. What drains at a rate of zero may have a derivative,
+    /// which depends on when the contact has reached a radius; steps along a load that is not straight need a rate.
+    #[inline(always)]
+    fn needs_no_history(&self) -> bool {
+        has_no_derivatives::<T>() || self.time.is_zero() || !self.contact.load().is_linear_between_knots()
     }
 
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were

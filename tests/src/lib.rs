@@ -2,6 +2,7 @@
 
 pub mod budget;
 pub mod condition;
+pub mod differences;
 pub mod fractions;
 pub mod joint;
 pub mod kernel;

@@ -3,6 +3,7 @@
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{ContactError, GapProfile, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
+use tests::differences::{curvature, slope};
 use tests::joint::joint;
 use tests::loads::{Announced, Knots};
 use tests::measure::relative_error;
@@ -118,9 +119,8 @@ fn compare(
         let at = |steps: f64| plain(steps * h, time);
         let (dual, values) = (dual(time)?, [at(0.0)?, at(1.0)?, at(2.0)?, at(3.0)?, at(4.0)?]);
         for (place, dual) in dual.into_iter().enumerate() {
-            let weights = [-25.0, 48.0, -36.0, 16.0, -3.0].iter();
-            let sum: f64 = values.iter().zip(weights).map(|(values, weight)| values[place] * weight).sum();
-            let (expected, scale) = (sum / (12.0 * h), values[0][0] / 100.0);
+            let expected = slope(values.each_ref().map(|values| values[place]), h);
+            let scale = values[0][0] / 100.0;
             let is_near = (dual.eps - expected).abs() <= DIFFERENCES * scale;
             assert!(is_near, "{name}, {time} s, {place}: {dual} instead of {expected}");
         }
@@ -185,13 +185,13 @@ fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure>
 fn second_derivatives_with_respect_to_a_step_are_those_of_differences() -> Result<(), Failure> {
     let (_, history) = histories().swap_remove(3);
     for &time in &history.times[1..] {
-        let at = |steps: f64| pressures(Patellofemoral, CHI, history.load(0.02 * steps), time);
+        let h = 0.02;
+        let at = |steps: f64| pressures(Patellofemoral, CHI, history.load(steps * h), time);
         let values = [at(0.0)?, at(1.0)?, at(2.0)?, at(3.0)?, at(4.0)?, at(5.0)?];
         let load = history.load(Dual2_64::from(0.0).derivative());
         for (place, dual) in pressures(Patellofemoral, CHI, load, time)?.into_iter().enumerate() {
-            let weights = [45.0, -154.0, 214.0, -156.0, 61.0, -10.0].iter();
-            let sum: f64 = values.iter().zip(weights).map(|(values, weight)| values[place] * weight).sum();
-            let (expected, scale) = (sum / (12.0 * 0.02 * 0.02), values[0][0] / 1e4);
+            let expected = curvature(values.each_ref().map(|values| values[place]), h);
+            let scale = values[0][0] / 1e4;
             assert!(
                 (dual.v2 - expected).abs() <= SECOND_DIFFERENCES * scale,
                 "{time}, {place}: {dual}, {expected}"

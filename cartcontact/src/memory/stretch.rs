@@ -7,6 +7,7 @@ use super::{Increment, time_form};
 use crate::contact::Contact;
 use crate::load::{ForceSeries, Load};
 use crate::numbers::exponential::decay;
+use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
 
 /// Below this degree of J the radius, as a function of time, is steeper than a cube root. Measured: time, as the
@@ -38,13 +39,13 @@ pub(super) enum Course<'a, T> {
 
 impl<'a, T: Scalar> Course<'a, T> {
     /// A straight load between two forces; a rise during which nothing drains is a step, whose rate need not be in
-    /// range.
+    /// range. What drains may have a derivative, unless the rate is out of range.
     pub(super) fn straight(chi: T, duration: T, (first, last): (T, T)) -> Self {
-        let folds = chi * duration;
-        if last > first && is_instant(folds) {
+        let (folds, rate) = (chi * duration, (last - first) / duration);
+        if last > first && is_instant(folds) && (has_no_derivatives::<T>() || !rate.is_finite()) {
             return Self::at_once(folds);
         }
-        Self::Linear { line: Line::to(last, (last - first) / duration, chi), duration }
+        Self::Linear { line: Line::to(last, rate, chi), duration }
     }
 
     /// A load of any other kind.

@@ -294,9 +294,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.transition.reach <= self.now.radius
     }
 
-    /// The radius beyond which the next stretch counts.
+    /// The radius beyond which the next stretch counts. Of equal ones the present radius: what lies below it, also for
+    /// other values of the parameters with respect to which numbers carry derivatives, has been laid.
     fn low(&self) -> T {
-        self.transition.reach.max(self.now.radius)
+        if self.is_covered() { self.now.radius } else { self.transition.reach }
     }
 
     /// Lets time pass during which nothing is covered.
