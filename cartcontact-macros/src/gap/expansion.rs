@@ -274,18 +274,26 @@ fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
 }
 
 fn expanded(shape: &Shape, order: u32) -> Result<Polynomial, Fault> {
+    let beyond_range = |extent| {
+        let message = format!("order {order} has coefficients beyond the range of `f64`; write a lower one");
+        Err(Fault::of_truncation(extent, message))
+    };
     let mut sum = shape.powers.clone();
     for surface in &shape.surfaces {
         let extent = surface.extent;
         let series = surface.series(order / 2).map_err(|message| Fault::of_truncation(extent, message))?;
         if !series.iter().all(Coefficient::is_representable) {
-            let message =
-                format!("order {order} has coefficients beyond the range of `f64`; write a lower one");
-            return Err(Fault::of_truncation(extent, message));
+            return beyond_range(extent);
         }
         for (j, coefficient) in (1_u32..).zip(series) {
             sum.accumulate(integer(2 * j), Monomial { coefficient, extent });
         }
     }
-    Ok(sum)
+    // What is left of surfaces that nearly cancel may be too small. A power that was written is a fault of its own.
+    let is_written = |power: &Rational| shape.powers.terms().iter().any(|(own, _)| own == power);
+    let mut left = sum.terms().iter().filter(|(_, left)| !left.coefficient.is_representable());
+    match left.find(|(power, _)| !is_written(power)) {
+        Some((_, lost)) => beyond_range(lost.extent),
+        None => Ok(sum),
+    }
 }

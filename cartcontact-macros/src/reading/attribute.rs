@@ -106,6 +106,11 @@ impl Attribute {
             self.positive = Some(Positive { place: name.span(), names });
         } else if name == "crate" {
             self.set_crate(&ungrouped(value.iter().cloned().collect()), option.place(), diagnostics);
+        } else if self.gap.is_none()
+            && let Some(message) = surface_without_parentheses(&name.to_string())
+        {
+            self.mark_gap_faulty(entry);
+            diagnostics.report(entry.extent(), message);
         } else if self.gap.is_none() && likely_option(name).is_none() && (is_of_r(value) || name == "gap") {
             self.name_gap(name, entry, diagnostics);
         } else {
@@ -227,7 +232,10 @@ impl Attribute {
             sign @ ('=' | '-') if is_punct(next, '>') => format!("{name} {sign}>"),
             '=' if is_call => format!("{name} ="),
             ':' if is_punct(next, '=') => format!("{name} :="),
-            ':' if !is_punct(next, ':') => format!("{name}:"),
+            ':' if !is_punct(next, ':') => match surface_without_parentheses(&name) {
+                Some(message) => return Some(message),
+                None => format!("{name}:"),
+            },
             _ => return None,
         }))
     }
@@ -287,6 +295,16 @@ fn path_in_quotes(literal: &Literal) -> Option<(String, TokenStream)> {
     last_of_path(&tokens)?;
     tokens.iter_mut().for_each(|token| token.set_span(literal.span()));
     Some((text.to_owned(), quote!(#(#tokens)*)))
+}
+
+/// What to say about `sphere = 20` and `conic: 20`, which are meant as the gap.
+fn surface_without_parentheses(name: &str) -> Option<String> {
+    let example = match name {
+        "sphere" => "sphere(20)",
+        "conic" => "conic(20, -0.5)",
+        _ => return None,
+    };
+    Some(format!("a surface has its numbers in parentheses; write it as in `{example}`"))
 }
 
 fn written_first(name: &str) -> String {

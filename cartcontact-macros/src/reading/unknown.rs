@@ -30,14 +30,18 @@ impl Item {
         };
         let mut known = if matches!(context, Context::Number) { Vec::new() } else { self.field_names() };
         known.extend(knows_r.then(|| "r".to_owned()));
+        let product = product(&written, &known);
         let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
         let (only, known) = match power_of_r(&written) {
             Some(power) if knows_r => (format!("for the power write `{power}`; "), format!("`{power}`")),
             _ if knows_r => ("only `r` is known here; ".to_owned(), "`r`".to_owned()),
             _ => (String::new(), "a number".to_owned()),
         };
-        if written.contains('·') {
-            return format!("a product is written with `*`; write `{}`", literal::with_stars(&written));
+        let with_stars = || written.contains('·').then(|| literal::with_stars(&written));
+        if let Some(product) = product.or_else(with_stars) {
+            return format!(
+                "a product is written with `*`; write `{product}`, and parentheses around the product behind `/`"
+            );
         }
         match closest.or_else(|| known_number(name).map(str::to_owned)) {
             Some(remedy) => remedy,
@@ -68,6 +72,13 @@ impl Item {
             None => format!("write {known} or a field of `{}`", self.ident),
         }
     }
+}
+
+/// The product that a name such as `kr` is meant as, if it consists of two known ones.
+fn product(name: &str, known: &[String]) -> Option<String> {
+    let mut splits = known.iter().filter_map(|first| Some((first, name.strip_prefix(first.as_str())?)));
+    let (first, second) = splits.find(|(_, second)| known.iter().any(|known| known == second))?;
+    Some(format!("{first} * {second}"))
 }
 
 /// Whether the distance from the axis is often called like this.
@@ -102,6 +113,7 @@ mod tests {
         assert_eq!(remedy("R"), "did you mean `r`?");
         assert_eq!(remedy("curvature"), "write `r` or a field of `Ball`");
         assert_eq!(remedy("r4"), "write `r^4` or a field of `Ball`");
+        assert!(remedy("radiusr").starts_with("a product is written with `*`; write `radius * r`"));
         assert_eq!(remedy("ρ"), "the distance from the axis is called `r`");
         assert_eq!(remedy("true"), "write `r` or a field");
         let remedy = |context| item.remedy(&format_ident!("R"), context);

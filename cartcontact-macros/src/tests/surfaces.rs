@@ -386,3 +386,12 @@ fn each_fault_of_a_surface_is_named() {
         assert!(messages.iter().any(|message| message.contains(rule)), "{text}: {messages:?}");
     }
 }
+
+/// What is left of the highest powers is too small for an `f64`, though each surface alone is not.
+#[test]
+fn surfaces_that_nearly_cancel_are_one_fault() {
+    let messages = on_unit("sphere(10) - conic(10, -1e-300), order = 128").err().unwrap();
+    assert_eq!(messages, ["order 128 has coefficients beyond the range of `f64`; write a lower one"]);
+    let messages = on_unit("sphere(10) + 1e-390*r^3, order = 4").err().unwrap();
+    assert!(matches!(&messages[..], [only] if only.starts_with("coefficient does not fit")), "{messages:?}");
+}
