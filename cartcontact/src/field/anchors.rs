@@ -1,8 +1,8 @@
 //! Much earlier rows, from which the present one is computed anew now and then, so that roundings do not add up.
 //!
-//! Blocks of equal duration change a row by equal shares, whose roundings have the same sign. After every 64 blocks the
-//! last row is taken from the row before all of them, after every 64² from the row before these, and so on: over N
-//! blocks 64 roundings of every length add up, instead of N. Radii that the contact had not reached at that row keep
+//! Blocks of equal duration change a row by equal shares, whose roundings have the same sign. After every 4 blocks the
+//! last row is taken from the row before all of them, after every 4² from the row before these, and so on: over N
+//! blocks 4 roundings of every length add up, instead of N. Radii that the contact had not reached at that row keep
 //! their values.
 
 use super::block::Edge;
@@ -12,20 +12,20 @@ use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;
 
 /// How many blocks, or lengths of the next shorter kind, an anchor lasts.
-const RATIO: usize = 64;
+const RATIO: usize = 4;
 
 /// How many kinds of lengths there are; the longest is a quarter of a million blocks.
-const LENGTHS: usize = 3;
+const LENGTHS: usize = 9;
 
 /// The rows that began the present length of every kind, shortest first.
 pub(super) struct Anchors<T>([Anchor<T>; LENGTHS]);
 
-/// A row, and how pressures have changed since.
+/// A row, and how pressures have changed since, up to the end of the last length of the next shorter kind.
 #[derive(Clone, Copy)]
 struct Anchor<T> {
     row: usize,
     edge: Edge<T>,
-    /// How many blocks ago it was.
+    /// How many lengths of the next shorter kind ago it was.
     age: usize,
     since: LongChange<T>,
 }
@@ -53,17 +53,26 @@ impl<T: Scalar> Anchors<T> {
         runs: &Runs<'_, T>,
         values: &mut [T],
     ) {
-        for anchor in &mut self.0 {
-            anchor.pass(change);
-            if !change.is_slow() || anchor.has_faded() {
-                *anchor = Anchor::at(row, edge);
-            }
+        if !change.is_slow() {
+            *self = Self::at(row, edge);
+            return;
         }
-        let lasts = |(kind, anchor): (usize, &Anchor<T>)| anchor.age < RATIO.pow(kind as u32 + 1);
-        let due = self.0.iter().enumerate().take_while(|&place| !lasts(place)).count();
-        if let Some(longest) = due.checked_sub(1) {
-            self.0[longest].renew(row, runs, values);
-            self.0[..due].fill(Anchor::at(row, edge));
+        let (mut since, mut longest) = (change, None);
+        for anchor in &mut self.0 {
+            anchor.pass(since);
+            if anchor.has_faded() {
+                // So have those before it.
+                *self = Self::at(row, edge);
+                break;
+            }
+            if anchor.age < RATIO {
+                break;
+            }
+            since = anchor.since.rounded();
+            longest = Some(core::mem::replace(anchor, Anchor::at(row, edge)));
+        }
+        if let Some(longest) = longest {
+            longest.renew(row, runs, values);
         }
     }
 }

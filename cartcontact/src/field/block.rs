@@ -12,6 +12,10 @@ use crate::load::Load;
 use crate::memory::march;
 use crate::profile::GapProfile;
 
+/// After how many rows one is taken from the row before all of them, at radii that were not covered at the base of their
+/// block.
+const ROWS_PER_ANCHOR: usize = 8;
+
 /// The edge of the contact at a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge<T> {
@@ -168,14 +172,27 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     }
 
     /// Fills the columns of a run that lies beyond the base, which are zero so far.
+    ///
+    /// Columns go from row to row, and now and then from an earlier one: rows of equal times change by equal shares, whose
+    /// roundings have the same sign.
     fn fill_beyond(&self, contact: &Contact<T, P, L>, radii: &[T], run: &Run, values: &mut [T]) {
         let width = radii.len();
+        let (mut anchor, mut anchored, mut since_anchor) = (0, 0, Change::none());
         let mut covered = 0;
         for index in 0..self.count {
-            let (before, row) = values[index * width..][..2 * width].split_at_mut(width);
-            let columns = run.split(covered).0.columns();
-            let (before, radii_before) = (&before[columns.clone()], &radii[columns.clone()]);
-            self.since_previous.get(index).apply_to_row(before, radii_before, &mut row[columns]);
+            let since_previous = self.since_previous.get(index);
+            since_anchor = since_anchor.then(since_previous);
+            let (before, row) = values.split_at_mut((index + 1) * width);
+            let mut take = |from: usize, change: Change<T>, count: usize| {
+                let columns = run.split(count).0.columns();
+                let before = &before[from * width..][columns.clone()];
+                change.apply_to_row(before, &radii[columns.clone()], &mut row[columns]);
+            };
+            take(index, since_previous, covered);
+            if index + 1 - anchor == ROWS_PER_ANCHOR {
+                take(anchor, since_anchor, anchored);
+                (anchor, anchored, since_anchor) = (index + 1, covered, Change::none());
+            }
             let radius = self.radii[index];
             while covered < run.len() && radii[run.column(covered)] < radius {
                 let column = run.column(covered);

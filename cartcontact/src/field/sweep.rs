@@ -34,6 +34,11 @@ pub(super) struct Change<T> {
 }
 
 impl<T: Scalar> Change<T> {
+    /// No change.
+    pub(super) fn none() -> Self {
+        Self { kept: T::one(), gain: T::zero(), on_axis: T::zero(), slope: T::zero() }
+    }
+
     /// A transition over `folds` e-foldings of the memory.
     ///
     /// Taking its parabola from the axis instead of from `reach` costs up to ε reach/(a − r) near the edge.

@@ -5,3 +5,4 @@ mod late_radii;
 mod long_intervals;
 mod order;
 mod rows;
+mod short_intervals;

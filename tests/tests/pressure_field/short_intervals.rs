@@ -1,0 +1,69 @@
+//! Rows between which so little drains that all of them round the same way.
+
+use cartcontact::load::{Constant, Load, PiecewiseLinear};
+use cartcontact::{ContactError, Scalar};
+use tests::condition::edge;
+use tests::joint::joint;
+use tests::loads::Announced;
+use tests::measure::ulps;
+use tests::profiles::Patellofemoral;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// How far a row may be from what its time has alone, in ulp times 1 + 2a/(a − r): a fifth of what both may be off
+/// by. The worst is 2.7.
+const ALLOWED: f64 = 3.0;
+
+/// How many decades of spans are looked at, from the shortest within which pressures change by some roundings.
+const DECADES: i32 = 6;
+
+/// Compares every 37th of equal rows, and the last, with what the time has alone.
+fn compare<T: Scalar, L: Load<T>>(load: L, span: f64, rows: u32) -> Result<(), ContactError> {
+    let times: Vec<T> = (0..rows).map(|k| T::constant(span * f64::from(k) / f64::from(rows))).collect();
+    let contact = joint(Patellofemoral, 0.5, load);
+    let last = contact.at(times[times.len() - 1])?.radius();
+    let radii = [0.0, 0.3, 0.6].map(|share| last * T::constant(share));
+    let mut field = vec![T::zero(); times.len() * radii.len()];
+    contact.pressure_field(&times, &radii, &mut field)?;
+    for (k, (&t, row)) in times.iter().zip(field.chunks(radii.len())).enumerate() {
+        if k % 37 != 0 && k + 1 != times.len() {
+            continue;
+        }
+        let now = contact.at(t)?;
+        for (&found, &r) in row.iter().zip(&radii).filter(|(_, r)| **r < now.radius()) {
+            let error = ulps(found.value(), now.pressure(r).value().into(), T::default_epsilon().value());
+            assert!(error <= ALLOWED * edge(now.radius(), r), "{span:e}, row {k}, r = {r}: {error} ulp");
+        }
+    }
+    Ok(())
+}
+
+/// Spans from the shortest within which pressures in a format change by some roundings.
+fn spans<T: Scalar>() -> impl Iterator<Item = f64> {
+    (0..8 * DECADES).map(|eighth| T::default_epsilon().value() * 10f64.powf(f64::from(eighth) / 8.0 + 1.0))
+}
+
+fn check<T: Scalar>() -> Result<(), Failure> {
+    for span in spans::<T>() {
+        let force = T::constant(50.0);
+        compare(Constant(force), span, 4097)?;
+        let rise = PiecewiseLinear::new([(T::zero(), T::zero()), (T::constant(0.01 * span), force)])?;
+        compare(rise, span, 64)?;
+        compare(Announced::curved(rise), span, 64)?;
+    }
+    Ok(())
+}
+
+#[test]
+fn roundings_do_not_add_up_where_hardly_anything_drains() -> Result<(), Failure> {
+    check::<f64>()?;
+    check::<f32>()
+}
+
+#[test]
+fn roundings_do_not_add_up_over_a_quarter_of_a_million_rows() -> Result<(), ContactError> {
+    for span in [1e-12, 1e-11, 1e-10, 2.5e-10, 1e-9] {
+        compare(Constant(50.0), span, 270_000)?;
+    }
+    Ok(())
+}
