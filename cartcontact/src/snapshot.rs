@@ -242,11 +242,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         let present = self.force();
         let mut past = folds;
         while past < chi * self.time {
-            let time = self.time - past / chi;
-            if time >= self.time {
-                // So many e-foldings are less than one rounding of the time.
-                past += past;
-                continue;
+            // One rounding of the time more, so that no fewer e-foldings are left when the difference is rounded.
+            let time = self.time - (past / chi + self.time * T::default_epsilon());
+            if time <= T::zero() {
+                break;
             }
             let share = load.force(time) * (folds - past).exp();
             // Also where the share is not a number, so that the search ends.

@@ -1,11 +1,12 @@
 //! Pressures long after the row before, and after histories so long that an e-folding is only a few roundings of the
 //! time.
 
+use cartcontact::load::{Constant, Load};
 use cartcontact::{ContactError, Polynomial};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::Swing;
+use tests::loads::{Announced, Swing};
 use tests::measure::Errors;
 use tests::profiles::Paraboloid;
 
@@ -55,4 +56,22 @@ fn a_long_history_carries_the_force_in_single_precision() -> Result<(), ContactE
         }
     }
     Ok(())
+}
+
+/// Where tens of e-foldings are a few roundings of the time, those that count must not be rounded away.
+#[test]
+fn a_held_load_is_carried_however_long() {
+    fn check(load: impl Load<f64>) {
+        let contact = joint(Paraboloid, 1.0, load);
+        for step in 0..4000 {
+            let time = 10f64.powf(15.0 + f64::from(step) / 800.0);
+            let Ok(now) = contact.at(time) else { unreachable!("{time:e}") };
+            let mean = now.force() / (core::f64::consts::PI * now.radius() * now.radius());
+            let error = (now.peak_pressure() / (2.0 * mean) - 1.0).abs() / f64::EPSILON;
+            // The radius is rounded too.
+            assert!(error <= budget::PEAK_PRESSURE.double + 2.0, "{time:e}: {error} ε");
+        }
+    }
+    check(Constant(100.0));
+    check(Announced::curved(Constant(100.0)));
 }
