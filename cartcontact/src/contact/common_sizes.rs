@@ -1,10 +1,11 @@
 //! Numbers of common size, with which no formula leaves the format.
 //!
-//! Whether a radius has all its digits depends on Y, χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, δ₀′ and a J′, of which the last
-//! two are J/a⁵ and J up to a factor that depends on the exponents. If rate, force, time, load integral and radius lie
-//! between 1/b and b, or time and rate at 0, and π m/4 = Y/J is not huge, all of these are normal numbers, most of them
-//! between b⁻⁶ and b⁶ up to that factor: a few comparisons with constants replace a division and a dozen comparisons.
-//! Where numbers are less common, the conditions themselves are checked.
+//! Whether a radius has all its digits depends on Y, χ F, 4 F/(π m), J, a⁴, J/a⁵, F/a⁴, a J′, δ₀′ and, with an exponent
+//! below 1, √(8/ε) δ₀′. Of these a J′ and δ₀′ are J and J/a⁵ up to a factor of at most 2056. If rate, force, time, load
+//! integral and radius lie between 1/b and b, or time and rate at 0, and π m/4 = Y/J is not huge, all of these are normal
+//! numbers, most of them between b⁻⁶ and b⁶ up to that factor and √(8/ε), 8192 in single and 1.9 · 10⁸ in double
+//! precision: a few comparisons with constants replace a division and a dozen comparisons. Where numbers are less common,
+//! the conditions themselves are checked.
 
 use super::Loading;
 use crate::Scalar;
@@ -20,7 +21,7 @@ pub(super) struct CommonSizes<T> {
 impl<T: Scalar> CommonSizes<T> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let (least, most) = if is_single::<T>() { (1e-6, 1e6) } else { (1e-50, 1e50) };
+        let (least, most) = if is_single::<T>() { (1e-5, 1e5) } else { (1e-49, 1e49) };
         Self { least: T::constant(least), most: T::constant(most) }
     }
 

@@ -208,4 +208,25 @@ mod tests {
         };
         assert_eq!((fallen(2.0), fallen(4.0)), (Some([false; 2]), Some([true; 2])));
     }
+
+    /// Force, rate, time, load integral and radius are within six decades of 1, or fifty, but √(8/ε) δ₀′ is not in the
+    /// format: a pressure on the axis would not be a number.
+    #[test]
+    fn slopes_beyond_the_format_are_refused_among_common_sizes() {
+        fn is_refused<T: Scalar>(load_integral: f64, radius: f64) -> bool {
+            let (n, m) = (0.1, 4.0 * core::f64::consts::FRAC_1_PI);
+            let c = load_integral * radius.powf(-n - 4.0) * ((n + 2.0) * (n + 4.0) / n);
+            let [c, n, m, chi, force] = [c, n, m, 1.0, load_integral].map(T::constant);
+            let contact = Polynomial::new([(c, n)]).map(|gap| {
+                Medium::from_constants(m, chi).map(|medium| Contact::new(gap, medium, Constant(force)))
+            });
+            let Ok(Ok(Ok(contact))) = contact else { return false };
+            let (t, unrepresentable) =
+                (T::zero(), |error| matches!(error, ContactError::Unrepresentable { .. }));
+            contact.at(t).is_err_and(unrepresentable)
+                && contact.radii(&[t; 3], &mut [t; 3]).is_err_and(unrepresentable)
+        }
+        assert!(is_refused::<f32>(9e5, 1.1e-6) && !is_refused::<f32>(9e4, 1.1e-5));
+        assert!(is_refused::<f64>(9e49, 1.1e-50) && !is_refused::<f64>(9e48, 1.1e-49));
+    }
 }
