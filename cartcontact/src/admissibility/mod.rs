@@ -236,6 +236,17 @@ mod tests {
         assert!((crossing - 1.0).abs() < 1e-4, "{crossing}");
     }
 
+    /// δ₀′ ∝ a (1 − 3 a + a²): either half of the term between would leave it positive, by the inequality of means, but
+    /// not both.
+    #[test]
+    fn several_negative_terms_share_what_the_ends_allow() {
+        let expected = (3.0 - 5f64.sqrt()) / 2.0;
+        let found = range(&[(1.0, 2.0), (-1.25, 3.0), (-1.25, 3.0), (0.75, 4.0)]);
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found}");
+        let found = range(&[(1.0, 2.0), (-1.25, 2.875), (-1.25, 3.125), (0.75, 4.0)]);
+        assert!((found / expected - 1.0).abs() < 0.1, "{found}");
+    }
+
     #[test]
     fn extreme_coefficients_do_not_overflow() {
         let found = range(&[(1e300, 2.0), (-1e-300, 64.0)]);

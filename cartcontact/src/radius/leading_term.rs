@@ -52,7 +52,7 @@ impl<T: Scalar> Start<T> {
         let base = T::constant(f64::from((bias::<T>() << LOGARITHM_DIGITS) - floor(half_octave)))
             + T::constant(OFF_MIDDLE);
         let (_, place) = nearest_integer(least + base);
-        // 2^(u−1) by a parabola through both ends of the octave, within 0.2 %.
+        // 2^(u−1) by a parabola through both ends of the octave, within 0.32 %.
         let u = one_and_digits::<T>(place);
         let fraction = (T::constant(0.6870) - u * T::constant(0.0305)) + (u * T::constant(0.3435)) * u;
         Self { octave: (place >> LOGARITHM_DIGITS) - bias::<T>(), fraction }

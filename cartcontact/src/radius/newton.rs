@@ -181,7 +181,7 @@ const FREE_STEPS: usize = 8;
 /// Halvings of ln a that make the widest bracket narrow; beside each there is one more free step.
 const HALVINGS: usize = 63;
 
-/// The relative change up to which a step keeps the derivatives of dual numbers.
+/// Half the relative change up to which a step keeps the derivatives of dual numbers.
 ///
 /// They follow from the last steps alone, each of which gains an order. Far from the root they need not be numbers: they
 /// are quotients whose divisor is a square, and what is not a number once would remain so.
@@ -229,7 +229,7 @@ fn iterate<T: Scalar>(
     if correction.abs() <= a * T::default_epsilon().sqrt() { a - correction } else { a }
 }
 
-/// The relative change below which one more step of each kind ends the iteration.
+/// Half the relative change, B/A, below which one more step of each kind ends the iteration.
 ///
 /// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers weighted by
 /// their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is below ε/4 for the

@@ -8,8 +8,8 @@
 //! ε/16, and six in single precision; the macro has checked that for every row. No power of a radius is formed, so
 //! that powers need not be whole, nor few.
 //!
-//! **Accuracy.** A has two parts, and w is exact. What is rounded besides the last sum is less than 1/50 of it: 1/2 ulp
-//! and little more is left.
+//! **Accuracy.** A has two parts, and w is exact. What is rounded besides the last sum is less than 1/33 of it, and less
+//! than 1/50 where p ≥ 6, as a changes by a factor of (9/8)^(1/p) at the most: 1/2 ulp and little more is left.
 
 use super::{Row, Step, Table};
 use crate::Scalar;
