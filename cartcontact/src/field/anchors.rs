@@ -6,7 +6,6 @@
 //! their values.
 
 use super::block::Edge;
-use super::runs::Runs;
 use super::sweep::Change;
 use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;
@@ -50,7 +49,7 @@ impl<T: Scalar> Anchors<T> {
         &mut self,
         change: Change<T>,
         (row, edge): (usize, Edge<T>),
-        runs: &Runs<'_, T>,
+        radii: &[T],
         values: &mut [T],
     ) {
         if !change.is_slow() {
@@ -72,7 +71,7 @@ impl<T: Scalar> Anchors<T> {
             longest = Some(core::mem::replace(anchor, Anchor::at(row, edge)));
         }
         if let Some(longest) = longest {
-            longest.renew(row, runs, values);
+            longest.renew(row, radii, values);
         }
     }
 }
@@ -97,12 +96,13 @@ impl<T: Scalar> Anchor<T> {
     }
 
     /// Computes a later row from this one, at the radii that were covered here.
-    fn renew(&self, row: usize, runs: &Runs<'_, T>, values: &mut [T]) {
-        let (radii, change) = (runs.radii, self.since.rounded());
+    fn renew(&self, row: usize, radii: &[T], values: &mut [T]) {
+        let change = self.since.rounded();
         let (before, now) = values[self.row * radii.len()..].split_at_mut((row - self.row) * radii.len());
-        for run in runs.iter() {
-            let columns = run.split(run.count_inside(radii, self.edge.radius)).0.columns();
-            change.apply_to_row(&before[columns.clone()], &radii[columns.clone()], &mut now[columns]);
+        for ((now, &before), &r) in now.iter_mut().zip(&*before).zip(radii) {
+            // Chosen afterwards, for vectors.
+            let renewed = change.apply(before, r * r);
+            *now = if r < self.edge.radius { renewed } else { *now };
         }
     }
 }

@@ -153,6 +153,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let widest = self.radii[..self.count]
             .iter()
             .fold(self.base.radius, |widest, &a| if a > widest { a } else { widest });
+        let changes_between_anchors = self.changes_between_anchors();
         for run in runs.iter() {
             let covered = run.count_inside(runs.radii, self.base.radius);
             if covered == run.len() {
@@ -166,32 +167,52 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
                 rows.for_each(|row| row[in_span.clone()].fill(T::zero()));
             }
             if runs.radii[beyond.column(0)] < widest {
-                self.fill_beyond(contact, runs.radii, &beyond, values);
+                let changes = changes_between_anchors.as_ref().map(|changes| &changes[..]);
+                self.fill_beyond(contact, (runs.radii, &beyond), changes, values);
             }
         }
     }
 
+    /// How rows follow from those [`ROWS_PER_ANCHOR`] before them, for each full number of these; none if rows round each
+    /// in its own way.
+    ///
+    /// The share by which pressures change from row to row itself changes by its square. Where that is more than ε, what
+    /// is rounded differs from row to row.
+    fn changes_between_anchors(&self) -> Option<[Change<T>; BLOCK / ROWS_PER_ANCHOR]> {
+        let share = self.change()?.gain / T::constant(self.count as f64);
+        let anchored = |anchor| {
+            let rows = anchor * ROWS_PER_ANCHOR..self.count.min((anchor + 1) * ROWS_PER_ANCHOR);
+            rows.fold(Change::none(), |change, row| change.then(self.since_previous.get(row)))
+        };
+        (share * share <= T::default_epsilon()).then(|| core::array::from_fn(anchored))
+    }
+
     /// Fills the columns of a run that lies beyond the base, which are zero so far.
     ///
-    /// Columns go from row to row, and now and then from an earlier one: rows of equal times change by equal shares, whose
-    /// roundings have the same sign.
-    fn fill_beyond(&self, contact: &Contact<T, P, L>, radii: &[T], run: &Run, values: &mut [T]) {
+    /// Columns go from row to row, and now and then from the last anchor: rows of equal times change by equal shares,
+    /// whose roundings have the same sign.
+    fn fill_beyond(
+        &self,
+        contact: &Contact<T, P, L>,
+        (radii, run): (&[T], &Run),
+        changes_between_anchors: Option<&[Change<T>]>,
+        values: &mut [T],
+    ) {
         let width = radii.len();
-        let (mut anchor, mut anchored, mut since_anchor) = (0, 0, Change::none());
-        let mut covered = 0;
+        let (mut covered, mut covered_at_anchor) = (0, 0);
         for index in 0..self.count {
-            let since_previous = self.since_previous.get(index);
-            since_anchor = since_anchor.then(since_previous);
             let (before, row) = values.split_at_mut((index + 1) * width);
             let mut take = |from: usize, change: Change<T>, count: usize| {
                 let columns = run.split(count).0.columns();
                 let before = &before[from * width..][columns.clone()];
                 change.apply_to_row(before, &radii[columns.clone()], &mut row[columns]);
             };
-            take(index, since_previous, covered);
-            if index + 1 - anchor == ROWS_PER_ANCHOR {
-                take(anchor, since_anchor, anchored);
-                (anchor, anchored, since_anchor) = (index + 1, covered, Change::none());
+            take(index, self.since_previous.get(index), covered);
+            if let Some(changes) = changes_between_anchors
+                && (index + 1).is_multiple_of(ROWS_PER_ANCHOR)
+            {
+                take(index + 1 - ROWS_PER_ANCHOR, changes[index / ROWS_PER_ANCHOR], covered_at_anchor);
+                covered_at_anchor = covered;
             }
             let radius = self.radii[index];
             while covered < run.len() && radii[run.column(covered)] < radius {

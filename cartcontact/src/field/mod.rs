@@ -100,7 +100,7 @@ where
         block.fill(contact, &runs, &mut squares, &mut values[(done - 1) * width..]);
         done += block.len();
         if let Some(change) = block.change() {
-            anchors.pass(change, (done - 1, block.last()), &runs, values);
+            anchors.pass(change, (done - 1, block.last()), radii, values);
         }
     }
     Ok(())

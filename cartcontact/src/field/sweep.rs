@@ -72,7 +72,7 @@ impl<T: Scalar> Change<T> {
 
     /// The pressure after the change.
     #[inline(always)]
-    fn apply(self, pressure: T, square: T) -> T {
+    pub(super) fn apply(self, pressure: T, square: T) -> T {
         not_negative(self.kept * pressure + (self.gain * pressure + (self.on_axis - self.slope * square)))
     }
 
