@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 
-use cartcontact::{GapProfile, RadiusError};
+use cartcontact::{GapProfile, RadiusError, Scalar};
 
 use crate::budget;
 use crate::measure::{Errors, Exact};
@@ -22,17 +22,29 @@ pub fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
 /// # Panics
 ///
 /// If a radius differs, or a slice is refused.
-pub fn assert_same_one_by_one(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
+pub fn assert_same_one_by_one<T: Scalar>(
+    profile: &dyn GapProfile<T>,
+    load_integrals: &[T],
+    place: &dyn Debug,
+) {
+    let nan = T::constant(f64::NAN);
     let mut ascending = load_integrals.to_vec();
-    ascending.sort_by(f64::total_cmp);
-    let close = load_integrals.first().map_or(0.0, |&first| first);
-    let close: Vec<f64> = (0..600).map(|k| close * 0.999_f64.powi(k)).collect();
+    ascending.sort_by(|x, y| x.value().total_cmp(&y.value()));
+    let close = load_integrals.first().map_or(T::zero(), |&first| first);
+    let close: Vec<T> = (0..600).map(|k| close * T::constant(0.999_f64.powi(k))).collect();
     for load_integrals in [load_integrals, &ascending, &close] {
-        let mut radii = vec![f64::NAN; load_integrals.len()];
+        let mut radii = vec![nan; load_integrals.len()];
         assert_eq!(profile.radii(load_integrals, &mut radii), Ok(()), "{place:?}");
-        let single = |&load_integral| profile.radius(load_integral).unwrap_or(f64::NAN);
+        let single = |&load_integral| profile.radius(load_integral).unwrap_or(nan);
         assert!(load_integrals.iter().map(single).eq(radii), "{place:?}");
     }
+}
+
+/// The load integrals in single precision that have a radius there.
+#[must_use]
+pub fn in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64]) -> Vec<f32> {
+    let single = load_integrals.iter().map(|&load_integral| load_integral as f32);
+    single.filter(|&load_integral| profile.radius(load_integral).is_ok()).collect()
 }
 
 /// Asserts that a slice is refused for the one load integral in it that is negative or infinite, and with its value.
@@ -128,5 +140,6 @@ pub fn assert_slices_are_the_same(kinds: &[Kind]) {
         let mut stream = Stream::of_case(2, index);
         let load_integrals: Vec<f64> = (0..500).map(|_| kind.load_integral(&mut stream)).collect();
         assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);
+        assert_same_one_by_one(kind.single, &in_single(kind.single, &load_integrals), &kind.terms);
     }
 }

@@ -4,7 +4,9 @@ use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
-use tests::radii::{assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one};
+use tests::radii::{
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, in_single,
+};
 use tests::random::Stream;
 
 macro_rules! powers {
@@ -117,7 +119,8 @@ fn other_units_of_load_change_no_digit() {
 fn slices_have_the_same_radii() {
     for (index, kind) in (0..).zip(KINDS) {
         let mut stream = Stream::of_case(3, index);
-        let profile = (kind.double)(stream.magnitude(-3.0, 3.0));
+        let c = stream.magnitude(-3.0, 3.0);
+        let (profile, single) = ((kind.double)(c), (kind.single)(c as f32));
         let mut load_integrals: Vec<f64> = (0..600).map(|_| stream.magnitude(-200.0, 200.0)).collect();
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
@@ -125,6 +128,9 @@ fn slices_have_the_same_radii() {
         for profile in [&*profile, kind.constant.0] {
             assert_same_one_by_one(profile, &load_integrals, &kind.decimal);
             assert_one_fault_is_named(profile, &load_integrals, &kind.decimal);
+        }
+        for profile in [&*single, kind.constant.1] {
+            assert_same_one_by_one(profile, &in_single(profile, &load_integrals), &kind.decimal);
         }
     }
 }

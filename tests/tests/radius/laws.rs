@@ -7,7 +7,7 @@ use tests::budget;
 use tests::condition::degree;
 use tests::measure::{relative_error, ulps};
 use tests::profiles::{case, cases};
-use tests::radii::assert_same_one_by_one;
+use tests::radii::{assert_same_one_by_one, in_single};
 use tests::random::{self, magnitude, positive_sums};
 
 /// In units of ε; J is rounded twice, and its degree divides its error.
@@ -175,8 +175,11 @@ fn many_radii_are_those_of_single_ones() {
         for ratio in [0.99_f64, 0.9] {
             let falling = (0..1000).map(|k| largest * ratio.powi(k * 37 % 1000));
             let load_integrals: Vec<f64> = falling.chain([0.0, largest]).collect();
+            let single = in_single(case.single, &load_integrals);
             for length in [1, 15, 16, 17, 63, 64, 65, 127, 128, 129, 1002] {
-                assert_same_one_by_one(case.double, &load_integrals[..length], &(case, ratio, length));
+                let place = (case, ratio, length);
+                assert_same_one_by_one(case.double, &load_integrals[..length], &place);
+                assert_same_one_by_one(case.single, &single[..length.min(single.len())], &place);
             }
         }
     }

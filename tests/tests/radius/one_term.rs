@@ -4,7 +4,7 @@ use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact, ulps};
 use tests::radii::{
-    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius,
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius, in_single,
 };
 use tests::random::Stream;
 
@@ -126,12 +126,14 @@ fn no_digit_is_lost_next_to_the_ends_of_a_format() {
 fn slices_have_the_same_radii() {
     for (index, kind) in (0..).zip(KINDS) {
         let mut stream = Stream::of_case(3, index);
-        let profile = (kind.double)(stream.magnitude(-3.0, 3.0));
+        let c = stream.magnitude(-3.0, 3.0);
+        let (profile, single) = ((kind.double)(c), (kind.single)(c as f32));
         let mut load_integrals: Vec<f64> = (0..600).map(|_| stream.magnitude(-90.0, 90.0)).collect();
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         load_integrals[72] = f64::MAX;
         assert_same_one_by_one(&*profile, &load_integrals, &kind.exponent);
+        assert_same_one_by_one(&*single, &in_single(&*single, &load_integrals), &kind.exponent);
         assert_one_fault_is_named(&*profile, &load_integrals, &kind.exponent);
     }
 }

@@ -8,7 +8,7 @@ use tests::measure::{Errors, Exact, ulps};
 use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
 use tests::radii::{
-    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius,
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius, in_single,
 };
 use tests::random::Stream;
 
@@ -256,12 +256,15 @@ fn other_units_change_no_digit() {
 fn slices_have_the_same_radii() {
     for (index, kind) in KINDS.iter().enumerate() {
         let mut stream = Stream::of_case(3, index as u64);
-        let profile = (kind.double)(kind.coefficients(&mut stream, 1.0));
+        let coefficients = kind.coefficients(&mut stream, 1.0);
+        let profile = (kind.double)(coefficients);
+        let single = (kind.single)(coefficients.map(|c| c as f32));
         let mut load_integrals: Vec<f64> = (0..200).map(|_| stream.magnitude(-9.0, 9.0)).collect();
         // Load integrals to which the leading term does not lead.
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         assert_same_one_by_one(&*profile, &load_integrals, &kind.exponents);
+        assert_same_one_by_one(&*single, &in_single(&*single, &load_integrals), &kind.exponents);
         assert_one_fault_is_named(&*profile, &load_integrals, &kind.exponents);
     }
 }
