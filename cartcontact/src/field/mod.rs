@@ -8,9 +8,9 @@
 //! radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies them.
 //!
 //! **Rounding.** Taking every row from the one before it would add up N roundings. Rows are therefore taken from the
-//! last row before their block; only radii covered within the block go row by row. Where rows change too much for
-//! blocks, the memory has lost its roundings after some dozen rows; [`anchors`] keep those of many blocks from adding
-//! up.
+//! last row before their block; only radii covered within the block go row by row, and where all rows round alike every
+//! eighth of them is taken from the one eight rows before. Where rows change too much for blocks, the memory has lost its
+//! roundings after some dozen rows; [`anchors`] keep those of many blocks from adding up.
 
 mod anchors;
 mod block;
@@ -125,9 +125,10 @@ where
     Ok(is_apart.then_some(now))
 }
 
-/// Whether the pressures at a time may not follow from those at an earlier one: they fade below rounding in between,
-/// unless forces fall as fast, and a history of many e-foldings takes long to follow; or no time passes that could carry
-/// the derivatives that only the later time may have.
+/// Whether the pressures at a time may not follow from those at an earlier one.
+///
+/// After many e-foldings nothing is left of those, unless forces fall as fast, and what lies between takes long to
+/// follow. At an equal time no time passes that could carry the derivatives which only the later one may have.
 fn may_be_apart<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, L>, from: T, to: T) -> bool {
     contact.medium().chi() * (to - from) > faded_folds::<T>() || !has_no_derivatives::<T>() && to <= from
 }
