@@ -16,6 +16,9 @@ use crate::profile::GapProfile;
 /// block.
 const ROWS_PER_ANCHOR: usize = 8;
 
+/// How such rows follow from those [`ROWS_PER_ANCHOR`] before them.
+type BetweenAnchors<T> = [Change<T>; BLOCK / ROWS_PER_ANCHOR];
+
 /// The edge of the contact at a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge<T> {
@@ -167,8 +170,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
                 rows.for_each(|row| row[in_span.clone()].fill(T::zero()));
             }
             if runs.radii[beyond.column(0)] < widest {
-                let changes = changes_between_anchors.as_ref().map(|changes| &changes[..]);
-                self.fill_beyond(contact, (runs.radii, &beyond), changes, values);
+                self.fill_beyond(contact, (runs.radii, &beyond), changes_between_anchors.as_ref(), values);
             }
         }
     }
@@ -178,7 +180,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     ///
     /// The share by which pressures change from row to row itself changes by its square. Where that is more than ε, what
     /// is rounded differs from row to row.
-    fn changes_between_anchors(&self) -> Option<[Change<T>; BLOCK / ROWS_PER_ANCHOR]> {
+    fn changes_between_anchors(&self) -> Option<BetweenAnchors<T>> {
         let share = self.change()?.gain / T::constant(self.count as f64);
         let anchored = |anchor| {
             let rows = anchor * ROWS_PER_ANCHOR..self.count.min((anchor + 1) * ROWS_PER_ANCHOR);
@@ -195,7 +197,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         &self,
         contact: &Contact<T, P, L>,
         (radii, run): (&[T], &Run),
-        changes_between_anchors: Option<&[Change<T>]>,
+        changes_between_anchors: Option<&BetweenAnchors<T>>,
         values: &mut [T],
     ) {
         let width = radii.len();
