@@ -133,11 +133,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         if r >= self.radius {
             return T::zero();
         }
-        let folds = self.contact.medium().chi() * self.time;
-        if folds.is_zero() && self.needs_no_history() {
+        if self.is_undrained() {
             // e^(−χ t): a zero may carry a derivative.
-            let stage = self.contact.stage(self.time, self.radius);
-            return self.undrained_pressure(stage, r) * (T::one() - folds);
+            let decay = T::one() - self.folds();
+            return self.undrained_pressure(self.contact.stage(self.time, self.radius), r) * decay;
         }
         let start = self.first_stage();
         let change = march(self.contact, start, (self.time, self.radius), r);
@@ -165,17 +164,26 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         self.pressure(T::zero())
     }
 
-    /// Whether no history has to be followed if nothing has drained. What drains at a rate of zero may have a derivative,
+    /// χ t.
+    #[inline(always)]
+    fn folds(&self) -> T {
+        self.contact.medium().chi() * self.time
+    }
+
+    /// Whether nothing has drained, and no history has to be followed. What drains at a rate of zero may have a derivative,
     /// which depends on when the contact has reached a radius; steps along a load that is not straight need a rate.
     #[inline(always)]
-    fn needs_no_history(&self) -> bool {
-        has_no_derivatives::<T>() || self.time.is_zero() || !self.contact.load().is_linear_between_knots()
+    fn is_undrained(&self) -> bool {
+        self.folds().is_zero()
+            && (has_no_derivatives::<T>()
+                || self.time.is_zero()
+                || !self.contact.load().is_linear_between_knots())
     }
 
     /// The pressures at many radii, finite and not negative, with one memory integral for all radii that were
     /// covered from the start.
     pub(crate) fn pressures(&self, radii: &[T], pressures: &mut [T]) {
-        if !has_no_derivatives::<T>() && (self.contact.medium().chi() * self.time).is_zero() {
+        if !has_no_derivatives::<T>() && self.is_undrained() {
             // Nothing drains that could carry derivatives.
             pressures.iter_mut().zip(radii).for_each(|(pressure, &r)| *pressure = self.pressure(r));
             return;
