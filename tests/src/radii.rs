@@ -40,6 +40,15 @@ pub fn assert_same_one_by_one<T: Scalar>(
     }
 }
 
+/// [`assert_same_one_by_one`] in single precision, of the load integrals that have a radius there.
+///
+/// # Panics
+///
+/// If a radius differs, or a slice is refused.
+pub fn assert_same_in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64], place: &dyn Debug) {
+    assert_same_one_by_one(profile, &in_single(profile, load_integrals), place);
+}
+
 /// The load integrals in single precision that have a radius there.
 #[must_use]
 pub fn in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64]) -> Vec<f32> {
@@ -140,6 +149,6 @@ pub fn assert_slices_are_the_same(kinds: &[Kind]) {
         let mut stream = Stream::of_case(2, index);
         let load_integrals: Vec<f64> = (0..500).map(|_| kind.load_integral(&mut stream)).collect();
         assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);
-        assert_same_one_by_one(kind.single, &in_single(kind.single, &load_integrals), &kind.terms);
+        assert_same_in_single(kind.single, &load_integrals, &kind.terms);
     }
 }

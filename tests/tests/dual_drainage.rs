@@ -6,6 +6,7 @@ use cartcontact::load::PiecewiseLinear;
 use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
 use num_dual::Dual2_64;
 use tests::differences::{curvature, slope};
+use tests::joint::pressures_each_way;
 use tests::profiles::Patellofemoral;
 
 type Failure = Box<dyn core::error::Error>;
@@ -37,7 +38,7 @@ const STEPS: [f64; 2] = [1e-3, 5e-3];
 /// rounding of pressures by some thousand and by some million. The worst are 1.9e-12 and 2.5e-8.
 const ALLOWED: [f64; 2] = [5e-12, 6e-8];
 
-/// The pressures at a time: of snapshots, and of fields of one row and of two.
+/// The pressures at a time, at all radii [each way](pressures_each_way).
 fn pressures<T: Scalar>(
     profile: impl GapProfile<T>,
     chi: T,
@@ -47,17 +48,10 @@ fn pressures<T: Scalar>(
     let knots = knots.iter().map(|&(time, force)| (T::constant(time), T::constant(force)));
     let medium = Medium::from_constants(T::constant(0.375), chi)?;
     let load = PiecewiseLinear::new(knots.collect::<Vec<_>>())?;
-    let [time, before] = [time, 0.9 * time].map(T::constant);
     let undrained = Medium::from_constants(medium.m(), T::zero())?;
-    let edge = Contact::new(&profile, undrained, &load)?.at(time)?.radius();
+    let edge = Contact::new(&profile, undrained, &load)?.at(T::constant(time))?.radius();
     let radii = SHARES.map(|share| edge * T::constant(share));
-    let contact = Contact::new(profile, medium, load)?;
-    let now = contact.at(time)?;
-    let (mut one, mut two) = ([T::zero(); SHARES.len()], [T::zero(); 2 * SHARES.len()]);
-    contact.pressure_field(&[time], &radii, &mut one)?;
-    contact.pressure_field(&[before, time], &radii, &mut two)?;
-    let snapshot = radii.map(|r| now.pressure(r));
-    Ok([&snapshot[..], &one, &two[SHARES.len()..]].concat())
+    Ok(pressures_each_way(&Contact::new(profile, medium, load)?, time, &radii)?)
 }
 
 fn check<P: GapProfile<Dual2_64> + GapProfile<f64>>(profile: &P) -> Result<(), Failure> {

@@ -4,7 +4,7 @@ use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{ContactError, GapProfile, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::differences::{curvature, slope};
-use tests::joint::joint;
+use tests::joint::{joint, pressures_each_way};
 use tests::loads::{Announced, Knots};
 use tests::measure::relative_error;
 use tests::profiles::Patellofemoral;
@@ -89,22 +89,14 @@ fn histories() -> Vec<(&'static str, History)> {
 
 const RADII: [f64; 4] = [0.0, 3.0, 6.0, 7.3];
 
-/// The pressures at a time: of snapshots, and of fields of one row and of two.
+/// The pressures at a time, at all radii [each way](pressures_each_way).
 fn pressures<T: Scalar>(
     profile: impl GapProfile<T>,
     chi: f64,
     load: impl Load<T>,
     time: f64,
 ) -> Result<Vec<T>, ContactError> {
-    let contact = joint(profile, chi, load);
-    let radii = RADII.map(T::constant);
-    let [time, before] = [time, 0.9 * time].map(T::constant);
-    let now = contact.at(time)?;
-    let (mut one, mut two) = ([T::zero(); RADII.len()], [T::zero(); 2 * RADII.len()]);
-    contact.pressure_field(&[time], &radii, &mut one)?;
-    contact.pressure_field(&[before, time], &radii, &mut two)?;
-    let snapshot = radii.map(|r| now.pressure(r));
-    Ok([&snapshot[..], &one, &two[RADII.len()..]].concat())
+    pressures_each_way(&joint(profile, chi, load), time, &RADII.map(T::constant))
 }
 
 /// Compares derivatives with forward differences of fourth order: with lower forces some loads would fall too fast.

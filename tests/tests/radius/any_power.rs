@@ -5,7 +5,7 @@ use tests::budget;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::radii::{
-    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, in_single,
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
 };
 use tests::random::Stream;
 
@@ -130,7 +130,7 @@ fn slices_have_the_same_radii() {
             assert_one_fault_is_named(profile, &load_integrals, &kind.decimal);
         }
         for profile in [&*single, kind.constant.1] {
-            assert_same_one_by_one(profile, &in_single(profile, &load_integrals), &kind.decimal);
+            assert_same_in_single(profile, &load_integrals, &kind.decimal);
         }
     }
 }

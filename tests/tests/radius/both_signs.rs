@@ -6,7 +6,7 @@ use tests::budget;
 use tests::condition::{of_radius, of_sizes};
 use tests::measure::{Errors, relative_error};
 use tests::of_two_fields;
-use tests::radii::{assert_same_in_other_units, assert_same_one_by_one, exact_radius, in_single};
+use tests::radii::{assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 use tests::two_fields::OfTwoFields;
 
@@ -168,6 +168,6 @@ fn slices_have_the_same_radii() {
         let load_integrals: Vec<f64> = (0..300).map(|_| largest * stream.magnitude(-9.0, 0.0)).collect();
         assert_same_one_by_one(&*profile, &load_integrals, &index);
         let (_, single) = (kind.single)(0.3, 20.0);
-        assert_same_one_by_one(&*single, &in_single(&*single, &load_integrals), &index);
+        assert_same_in_single(&*single, &load_integrals, &index);
     }
 }

@@ -5,7 +5,7 @@ use cartcontact::gap_profile;
 use tests::budget;
 use tests::measure::Errors;
 use tests::of_two_fields;
-use tests::radii::{assert_same_in_other_units, assert_same_one_by_one, exact_radius, in_single};
+use tests::radii::{assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
 use tests::two_fields::OfTwoFields;
 
@@ -102,6 +102,6 @@ fn slices_have_the_same_radii() {
         let load_integrals: Vec<f64> = sizes.map(|size| profile.load_integral(size)).collect();
         assert_same_one_by_one(&*profile, &load_integrals, &index);
         let (_, single) = (kind.single)(0.3, 20.0);
-        assert_same_one_by_one(&*single, &in_single(&*single, &load_integrals), &index);
+        assert_same_in_single(&*single, &load_integrals, &index);
     }
 }

@@ -8,7 +8,8 @@ use tests::measure::{Errors, Exact, ulps};
 use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
 use tests::radii::{
-    assert_one_fault_is_named, assert_same_in_other_units, assert_same_one_by_one, exact_radius, in_single,
+    assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
+    exact_radius,
 };
 use tests::random::Stream;
 
@@ -264,7 +265,7 @@ fn slices_have_the_same_radii() {
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         assert_same_one_by_one(&*profile, &load_integrals, &kind.exponents);
-        assert_same_one_by_one(&*single, &in_single(&*single, &load_integrals), &kind.exponents);
+        assert_same_in_single(&*single, &load_integrals, &kind.exponents);
         assert_one_fault_is_named(&*profile, &load_integrals, &kind.exponents);
     }
 }
