@@ -54,7 +54,7 @@ fn read_order(written: &Expression, evaluator: &mut Evaluator<'_>) -> Option<(Or
     };
     if number > integer(HIGHEST_ORDER) {
         let message =
-            format!("order must be at most {HIGHEST_ORDER}; lower max_radius if less does not suffice");
+            format!("order must be at most {HIGHEST_ORDER}; if less does not suffice, end the range earlier");
         return evaluator.fault(extent, message);
     }
     match (&number / integer(2)).to_u32().filter(|half| integer(2 * half) == number && *half > 0) {

@@ -16,7 +16,7 @@ const CHECKPOINTS: usize = 64;
 /// A load through knots (time in s, force in N), linear between them and constant after the last.
 ///
 /// The knots may be held in any storage: an array, a slice, a `Vec`. The first is at time 0; two knots at the
-/// same time are a step.
+/// same time are a step. There is no solution after a step down, at time 0 as at any other.
 ///
 /// # Examples
 ///
