@@ -99,6 +99,8 @@ pub(crate) use shortest::{Shortest, least_step};
 ///
 /// impl Live {
 ///     fn push(&mut self, time: f64, force: f64) {
+///         // Before the last sample makes room, so that no peak is forgotten. `max` takes NaN for the lowest.
+///         let force = force.max(self.lowest(time));
 ///         let [.., before, last] = &self.samples[..self.count] else { return self.append(time, force) };
 ///         // The last sample stays once it is far enough from the one before it.
 ///         if last.0 - before.0 < 0.999 * self.interval {
@@ -114,9 +116,13 @@ pub(crate) use shortest::{Shortest, least_step};
 ///         }
 ///         self.append(time, force);
 ///     }
+///     fn lowest(&self, time: f64) -> f64 {
+///         let (before, last, _) = self.samples[self.count - 1];
+///         last / (1.0 + self.chi * (time - before))
+///     }
 ///     fn append(&mut self, time: f64, force: f64) {
 ///         let (before, last, impulse) = self.samples[self.count - 1];
-///         let force = force.max(last / (1.0 + self.chi * (time - before)));
+///         let force = force.max(self.lowest(time));
 ///         self.samples[self.count] = (time, force, impulse + 0.5 * (last + force) * (time - before));
 ///         self.count += 1;
 ///     }
@@ -165,6 +171,9 @@ pub(crate) use shortest::{Shortest, least_step};
 /// let found = Contact::new(&gap, medium, &load)?.at(60.0)?.peak_pressure();
 /// let expected = Contact::new(&gap, medium, &exact)?.at(60.0)?.peak_pressure();
 /// assert!((found / expected - 1.0).abs() < 2e-4);
+/// load.push(60.001, 200.0);
+/// load.push(60.002, 100.0);
+/// assert!(load.force(60.002) > 199.9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(
