@@ -52,24 +52,24 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
 
     let mut out = io::stdout().lock();
     writeln!(out, "time_s,force_n,radius_mm,approach_mm,peak_pressure_mpa")?;
-    for (&(time, force), [radius, approach, peak_pressure]) in record.knots().iter().zip(states) {
+    for (&(time, _), [force, radius, approach, peak_pressure]) in record.knots().iter().zip(states) {
         writeln!(out, "{time},{force},{radius:.5},{approach:.6},{peak_pressure:.6}")?;
     }
     Ok(())
 }
 
-/// Contact radius, approach and peak pressure at every knot.
+/// Force, contact radius, approach and peak pressure at every knot; at both knots of a step those after the step.
 fn states<L: Load<f64>>(
     contact: &Contact<f64, Patellofemoral, L>,
     knots: &[Knot],
-) -> Result<Vec<[f64; 3]>, ContactError> {
+) -> Result<Vec<[f64; 4]>, ContactError> {
     let times: Vec<f64> = knots.iter().map(|&(time, _)| time).collect();
     let mut peak_pressures = vec![0.0; times.len()];
     // Each time begins where the last one ended, instead of with the first knot.
     contact.pressure_field(&times, &[0.0], &mut peak_pressures)?;
     let states = times.iter().zip(peak_pressures).map(|(&time, peak_pressure)| {
         let now = contact.at(time)?;
-        Ok([now.radius(), now.approach(), peak_pressure])
+        Ok([now.force(), now.radius(), now.approach(), peak_pressure])
     });
     states.collect()
 }
