@@ -6,7 +6,7 @@ use tests::joint::joint;
 use tests::loads::{Rise, through};
 use tests::profiles::Patellofemoral;
 
-/// More columns than are taken at once, half of them outside the contact at the end.
+/// More columns than are taken at once, half of them or more outside the contact at the start.
 const COUNT: usize = 1500;
 
 fn ascending() -> Vec<f64> {
