@@ -99,7 +99,7 @@ pub(crate) use shortest::{Shortest, least_step};
 ///
 /// impl Live {
 ///     fn push(&mut self, time: f64, force: f64) {
-///         // Before the last sample makes room, so that no peak is forgotten. `max` takes NaN for the lowest.
+///         // Before the last sample makes room, so that no peak is forgotten. NaN becomes the lowest, too.
 ///         let force = force.max(self.lowest(time));
 ///         let [.., before, last] = &self.samples[..self.count] else { return self.append(time, force) };
 ///         // The last sample stays once it is far enough from the one before it.
