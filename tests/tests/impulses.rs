@@ -145,6 +145,7 @@ fn straight_loads_and_single_precision_are_no_exception() {
         // Sums of plain arithmetic may be off by 1/256.
         assert_eq!(Held { impulse: 100.3 }.recession(0.02, t), None);
         is_refused(200.0, t);
+        is_refused(50.0, t);
     }
     // At 1 s this is less than the error of a quadrature.
     is_refused(100.5, 1e2);
@@ -161,6 +162,23 @@ fn an_impulse_may_jump_by_twice_the_error_of_a_quadrature() {
             let impulse = move |s| 100.0 * s + if s > 0.7 * t { jump } else { 0.0 };
             contact(CHI, told(|_| 100.0, impulse)).at(t).err()
         };
+        assert_eq!(refused(1.9 * error), None, "{folds}");
+        let found = refused(3.0 * error);
+        assert!(
+            matches!(found, Some(ContactError::Load(LoadError::ContradictoryImpulse { .. }))),
+            "{folds}: {found:?}"
+        );
+    }
+}
+
+/// Either half of the time has half of the error, which alone would be allowed.
+#[test]
+fn an_impulse_may_drift_by_no_more() {
+    for folds in [1e-6, 1e-5, 1e-4] {
+        let t = folds / CHI;
+        let error = f64::EPSILON.sqrt() * 100.0 * (1.0 + folds) / CHI;
+        let refused =
+            |drift: f64| contact(CHI, told(|_| 100.0, move |s| 100.0 * s + drift * (s / t))).at(t).err();
         assert_eq!(refused(1.9 * error), None, "{folds}");
         let found = refused(3.0 * error);
         assert!(

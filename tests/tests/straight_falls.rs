@@ -171,6 +171,27 @@ fn falls_in_small_steps_begin_behind_a_rise() {
     }
 }
 
+/// Where a load is held, nearly nothing drains that could make up for a jump down.
+#[test]
+fn falls_in_small_jumps_add_up() {
+    let chi = 1e-6_f32;
+    let staircase = |roundings: f32, count: u16| {
+        let fall = roundings * f32::EPSILON;
+        let step = |k: u16| [k, k + 1].map(|end| (f32::from(end) * 1e-3, 80.0 * (1.0 - fall * f32::from(k))));
+        let knots: Vec<(f32, f32)> = (0..count).flat_map(step).collect();
+        PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"))
+    };
+    let recession = |load: &PiecewiseLinear<f32, _>, t| {
+        [load.recession(chi, t), Announced::curved(load).recession(chi, t)]
+    };
+    // Up to √ε of the force a jump may be rounding.
+    assert_eq!(recession(&staircase(5.0, 400), 0.4), [None; 2]);
+    let found = recession(&staircase(5.0, 2000), 2.0);
+    assert!(found.into_iter().all(|since| since.is_some_and(|since| since < 0.01)), "{found:?}");
+    let found = recession(&staircase(12.0, 2), 0.0015);
+    assert!(found.into_iter().all(|since| since.is_some_and(|since| since <= 0.001)), "{found:?}");
+}
+
 /// The rounding of F₀/(1 + χ Δt) is the same in many steps; other ways to compute it round differently.
 #[test]
 fn a_load_at_the_bound_may_have_any_number_of_knots() {
@@ -180,11 +201,13 @@ fn a_load_at_the_bound_may_have_any_number_of_knots() {
             ("half as fast", sampled(chi, 100_000, |force, folds| force / (1.0 + 0.5 * folds))),
             ("held", sampled(chi, 100_000, |force, _| force)),
         ];
-        for (name, load) in loads {
+        for (name, load) in &loads {
             for t in [0.5, 20.0, 99.999, 1e3] {
                 assert_eq!(load.recession(chi, t), None, "{name}, {chi}, {t}");
             }
         }
+        // Followed in panels, the load at the bound adds up roundings between its knots, too.
+        assert_eq!(Announced::curved(&loads[0].1).recession(chi, 10.0), None, "{chi}");
         // Noise above the least force.
         let noisy = |k: usize| 80.0 * (1.0 + 0.01 * (k as f32 * 1.7).sin() * (k as f32 * 0.0137).cos());
         let mut knots = vec![(0.0, noisy(0))];

@@ -212,3 +212,32 @@ impl<T: Scalar> Expansion<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// r², r⁵¹² and r¹⁰²⁴ with 2 C n/(n+2) = a + b, −a and −b, so that the zero is at 1. In so steep a sum, roundings move
+    /// it by less than the rounding of e^x moves a radius.
+    #[test]
+    fn radii_before_a_steep_zero_are_rounded_down() {
+        for a in (1..40).map(f64::from) {
+            let b = 1024.0 - a;
+            let terms = [(a + b, 2.0), (-257.0 / 512.0 * a, 512.0), (-513.0 / 1024.0 * b, 1024.0)];
+            let found = Slope { terms: &terms, smallest: 2.0 }.first_zero();
+            assert!(found < 1.0 && found > 1.0 - 1e-13, "{a}: {found}");
+        }
+    }
+
+    /// The difference of the exponents, 62 + 2⁻⁴⁹, is rounded to 62, and the power of 2¹⁶ with it by 88 ε. The last term
+    /// seems to be 40 ε smaller than the first, and is 48 ε larger.
+    #[test]
+    fn exponents_may_be_rounded() {
+        let (radius, smallest) = (2f64.powi(16), 2.0 - 2f64.powi(-49));
+        let last = 33.0 / 64.0 * 2f64.powi(-16 * 62) * (1.0 - 40.0 * f64::EPSILON);
+        let terms = [(1.0, smallest), (-last, 64.0)];
+        let slope = Slope { terms: &terms, smallest };
+        assert!(!slope.first_outweighs_negative_up_to(radius));
+        assert!(slope.first_outweighs_negative_up_to(radius * (1.0 - 1e-12)));
+    }
+}

@@ -351,6 +351,16 @@ mod tests {
     }
 
     #[test]
+    fn a_proved_end_is_rounded_down() {
+        for end in [0.1, 0.3, 1.0 / 3.0, 6.0, 1e-3, 1e3 + 1e-9, 5.5] {
+            let (single, nearest) = (f64::from(not_above::<f32>(end)), f64::from(end as f32));
+            assert!(single <= end && end - single <= 2.0 * f64::from(f32::EPSILON) * end, "{end}: {single}");
+            assert!(nearest > end || single == nearest, "{end}: {single}");
+            assert_eq!(not_above::<f64>(end), end);
+        }
+    }
+
+    #[test]
     fn powers_below_the_format_are_not_taken_for_nothing() {
         // The zero is at 1e-300, and at 1e-25.
         assert!(checked_range([(1e-300, 2.0), (-1e300, 4.0)], Some(1e-200)).is_err());

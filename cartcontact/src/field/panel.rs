@@ -300,6 +300,9 @@ mod tests {
         assert!(exponential(0.03).is_resolved(1.0));
         assert!(!exponential(0.09).is_resolved(1.0));
         assert!(!exponential(f64::NAN).is_resolved(1.0));
+        // Either part alone.
+        assert!(!Interpolant::through(NODES.map(|x| (x.cosh(), x.cosh()))).is_resolved(1.0));
+        assert!(!Interpolant::through(NODES.map(|x| (-x.sinh(), x.sinh()))).is_resolved(1.0));
     }
 
     /// The changes computed with wide vectors, beside the same arithmetic row by row.
