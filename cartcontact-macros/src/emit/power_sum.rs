@@ -96,7 +96,7 @@ impl WholeExponents {
         quote!(#(* #factors)* #odd)
     }
 
-    pub(super) fn largest_gap(&self) -> u32 {
+    fn largest_gap(&self) -> u32 {
         self.exponents.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(0)
     }
 

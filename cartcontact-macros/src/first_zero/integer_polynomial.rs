@@ -62,7 +62,7 @@ impl IntegerPolynomial {
     }
 
     /// The value at offset/2^bits, times 2^(bits n) for the degree n.
-    pub(crate) fn value_at(&self, offset: &BigInt, bits: u64) -> BigInt {
+    fn value_at(&self, offset: &BigInt, bits: u64) -> BigInt {
         let coefficients = self.coefficients.iter().rev().zip(0_u64..);
         coefficients.fold(BigInt::zero(), |value, (coefficient, steps)| {
             value * offset + (coefficient << (bits * steps))

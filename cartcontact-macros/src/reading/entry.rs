@@ -7,8 +7,7 @@ use crate::reading::similar::closest;
 use crate::reading::syntax::Expression;
 use crate::reading::{is_punct, literal, parse};
 
-pub(super) const OPTIONS: [&str; 7] =
-    ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
+const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
 
 /// The option that a name is likely to stand for.
 pub(super) fn likely_option(name: &Ident) -> Option<String> {

@@ -36,7 +36,7 @@ pub(crate) fn weighted_power_sum<T: Scalar, const FUSED: bool>(
 
 /// c x^n in twice the working precision; to a few digits more than a word has, if the exponent is no multiple of 1/4.
 #[inline(always)]
-pub(crate) fn double_term<T: Scalar, const FUSED: bool>(
+pub(super) fn double_term<T: Scalar, const FUSED: bool>(
     c: DoubleWord<T, FUSED>,
     x: T,
     n: Exponent<T>,

@@ -174,7 +174,7 @@ pub(super) fn quarter_power<X: Copy>(
 
 /// 4 φ, if that is whole and neither number can carry a derivative that a root would lose.
 #[inline]
-pub(crate) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
+pub(super) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     // Not a loop: small code would convert its constants one by one.
     let whole = if fraction.is_zero() {
         0
@@ -190,7 +190,7 @@ pub(crate) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     (has_no_derivatives::<T>() && !x.is_zero()).then_some(whole)
 }
 
-pub(crate) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
+pub(super) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     // Zero has no finite slope here; dual numbers would turn it into NaN.
     if x.is_zero() {
         return if fraction.is_zero() { T::one() } else { T::zero() };

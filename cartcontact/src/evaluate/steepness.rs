@@ -73,7 +73,7 @@ impl<T: Scalar> Steepness<T> {
 
     /// With derivatives in units of the power of two just below a J′, whose square may not fit single precision.
     #[inline(always)]
-    pub(crate) fn in_units_of_its_slope(self) -> Self {
+    fn in_units_of_its_slope(self) -> Self {
         let per_unit = power_of_two(-exponent(self.first));
         let (first, half_second) = (self.first * per_unit, self.half_second * per_unit * per_unit);
         Self { first, half_second, per_unit, ..self }

@@ -60,7 +60,7 @@ struct Local<T> {
 
 impl<T: Scalar> ForceSeries<T> {
     /// The first node in time; nodes are counted from the end.
-    pub(crate) const START: usize = DEGREE;
+    pub(in crate::load) const START: usize = DEGREE;
 
     /// The series of a load between two times without a knot between them.
     pub(crate) fn between<L: Load<T> + ?Sized>(load: &L, times: (T, T), chi: T) -> Self {
@@ -190,7 +190,7 @@ impl<T: Scalar> ForceSeries<T> {
 
     /// The most by which the hereditary load can fall within the step, as far as the coefficients tell: it does not
     /// fall unless this is above zero.
-    pub(crate) fn deepest_dip(&self) -> T {
+    pub(in crate::load) fn deepest_dip(&self) -> T {
         let least = self.growth[1..].iter().fold(self.growth[0], |least, g| least - g.abs());
         let left_out = self.rest * T::constant((DEGREE * DEGREE) as f64);
         T::constant(2.0) * (left_out - least)
@@ -208,7 +208,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// How large a [dip](Self::deepest_dip) the rounding of forces may make, N³ ε of them.
-    pub(crate) fn rounding_of_dip(&self) -> T {
+    pub(in crate::load) fn rounding_of_dip(&self) -> T {
         self.size * T::default_epsilon() * T::constant((DEGREE * DEGREE * DEGREE) as f64)
     }
 
@@ -221,7 +221,7 @@ impl<T: Scalar> ForceSeries<T> {
     ///
     /// The forces at the nodes are taken as they are, so that a jump between nodes, which spoils the series, affects
     /// only what drains.
-    pub(crate) fn growth_since_nodes(&self) -> Coefficients<T> {
+    pub(in crate::load) fn growth_since_nodes(&self) -> Coefficients<T> {
         let mean = mean_to_the_end(&self.variation[..self.length]);
         core::array::from_fn(|node| {
             let x = abscissa(node);
@@ -231,29 +231,29 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be off because of what the series leaves out.
-    pub(crate) fn uncertainty_of_gains(&self) -> T {
+    pub(in crate::load) fn uncertainty_of_gains(&self) -> T {
         self.folds * self.rest
     }
 
     /// By how much [`growth_since_nodes`](Self::growth_since_nodes) may be rounded: early in a long step the hereditary
     /// load may be far smaller.
-    pub(crate) fn rounding_of_gains(&self) -> T {
+    pub(in crate::load) fn rounding_of_gains(&self) -> T {
         self.folds * self.size * T::default_epsilon() * T::constant(DEGREE as f64)
     }
 
     /// The force at a node.
-    pub(crate) fn force_at(&self, node: usize) -> T {
+    pub(in crate::load) fn force_at(&self, node: usize) -> T {
         self.forces[node]
     }
 
     /// The time and the force of the first node whose force is negative by more than what is negligible, or not finite.
-    pub(crate) fn invalid_force(&self, negligible: T) -> Option<(T, T)> {
+    pub(in crate::load) fn invalid_force(&self, negligible: T) -> Option<(T, T)> {
         let node = (0..=Self::START).rev().find(|&node| !is_force(self.forces[node], negligible))?;
         Some((self.time(node), self.forces[node]))
     }
 
     /// The time of a node.
-    pub(crate) fn time(&self, node: usize) -> T {
+    pub(in crate::load) fn time(&self, node: usize) -> T {
         self.time_at(abscissa(node))
     }
 
@@ -262,7 +262,7 @@ impl<T: Scalar> ForceSeries<T> {
     }
 
     /// The time at which the hereditary load turns, next to the node at which it is highest.
-    pub(crate) fn time_of_turn(&self, highest: usize) -> T {
+    pub(in crate::load) fn time_of_turn(&self, highest: usize) -> T {
         let half = T::constant(0.5);
         let (mut rising, mut falling) =
             (abscissa((highest + 1).min(DEGREE)), abscissa(highest.saturating_sub(1)));
