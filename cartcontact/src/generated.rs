@@ -13,10 +13,12 @@ pub use crate::evaluate::dense_kernel::{
     quick_whole_pressure_kernel, whole_pressure_kernel,
 };
 pub use crate::evaluate::double_power::power_sum;
+pub use crate::evaluate::drops_by_roots::{drop_by_roots, fill_by_roots};
 pub use crate::evaluate::horner::{
     divided_difference, even_divided_difference, precise_even_sum, precise_sum, quick_even_sum,
     value_and_slope,
 };
+pub use crate::evaluate::long_sums::fill_long_sums;
 pub use crate::evaluate::power::{
     integer_power, power_of_half_digits, power_sum_and_log_slope, power_sum_drop, quarter_root,
     quick_power_sum, real_power,
@@ -24,15 +26,13 @@ pub use crate::evaluate::power::{
 pub use crate::evaluate::pressure_kernel::{
     pressure_kernel, quick_pressure_kernel, quick_pressure_kernel_in_root,
 };
+pub use crate::evaluate::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::evaluate::steepness::{
     NestedPowers, Steepness, plain_power_sum_steepness, power_sum_steepness, scaled_power_sum_steepness,
 };
 pub use crate::generated as root;
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};
-pub use crate::profile::drops_by_roots::{drop_by_roots, fill_by_roots};
-pub use crate::profile::long_sums::fill_long_sums;
-pub use crate::profile::slopes_and_drops::{fill_by_functions, fill_slopes_and_drops};
 pub use crate::profile::with_parameters;
 pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
 pub use crate::radius::one_term::invert_one_term;

@@ -8,6 +8,7 @@ use crate::dispatch::found_or;
 use crate::evaluate::double_power::{power_sum, weighted_power_sum};
 use crate::evaluate::power::{power_sum_and_log_slope, power_sum_drop, quick_power_sum};
 use crate::evaluate::pressure_kernel::{pressure_kernel, quick_pressure_kernel};
+use crate::evaluate::slopes_and_drops::fill_slopes_and_drops;
 use crate::evaluate::steepness::{
     halved_power_sum_steepness, load_integral_coefficient, load_integral_divisor, plain_power_sum_steepness,
 };
@@ -16,7 +17,6 @@ use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 use crate::numbers::halved::Halved;
 use crate::pairs::Pairs;
-use crate::profile::slopes_and_drops::fill_slopes_and_drops;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
 use crate::radius::newton::{invert, positive_terms};
 use crate::radius::real_powers::radius_of_real_powers;

@@ -11,7 +11,7 @@ use crate::numbers::double_word::DoubleWord;
 ///
 /// The two highest coefficients are taken out of the loop: no compiler may leave out a multiplication by zero.
 #[inline(always)]
-pub(crate) fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coefficients: &[T; N]) -> (T, T) {
+pub(super) fn value_and_quotient<T: Scalar, const N: usize>(x: T, y: T, coefficients: &[T; N]) -> (T, T) {
     let Some((&last, rest)) = coefficients.split_last() else { return (T::zero(), T::zero()) };
     let Some((&next, rest)) = rest.split_last() else { return (last, T::zero()) };
     rest.iter().rev().fold((last * x + next, last), |(value, quotient), &coefficient| {

@@ -3,6 +3,7 @@
 //! | what | modules |
 //! |---|---|
 //! | sums of powers | `horner` (all powers of a polynomial), `power` (any exponents), `double_power` (the same, rounded once), `steepness` (a sum with its derivatives) |
+//! | δ₀′ and drops of J at many radii | `slopes_and_drops` (any exponents), `drops_by_roots` (multiples of 1/4), `long_sums` (many whole ones) |
 //! | pressure kernels | `pressure_kernel` (any exponents), `kernel_of_term`, `real_exponent_kernel`; `dense_kernel` (all whole or even ones) |
 //! | what they are made of | `coefficient` (a number, or what follows from fields), `arithmetic` (a trait of plain and double words) |
 //!
@@ -15,9 +16,12 @@ pub(crate) mod arithmetic;
 pub(crate) mod coefficient;
 pub(crate) mod dense_kernel;
 pub(crate) mod double_power;
+pub(crate) mod drops_by_roots;
 pub(crate) mod horner;
 mod kernel_of_term;
+pub(crate) mod long_sums;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;
 pub(crate) mod real_exponent_kernel;
+pub(crate) mod slopes_and_drops;
 pub(crate) mod steepness;

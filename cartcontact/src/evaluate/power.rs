@@ -72,7 +72,7 @@ pub fn power_sum_drop<T: Scalar>(a: T, depth: T, terms: impl IntoIterator<Item =
 
 /// c x^n within 14 ε at the most, which is enough for a drop: powers up to the 24th have every product rounded.
 #[inline]
-pub(crate) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
+pub(super) fn term_of_drop<T: Scalar>(c: T, x: T, n: Exponent<T>) -> T {
     if n.value() <= T::constant(24.0) { plain_term(c, x, n) } else { term(c, x, n) }
 }
 

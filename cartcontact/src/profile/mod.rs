@@ -1,18 +1,15 @@
 //! What a solver needs to know about a geometry.
 
-pub(crate) mod drops_by_roots;
 mod error;
-pub(crate) mod long_sums;
 mod parameters;
 mod pointers;
-pub(crate) mod slopes_and_drops;
 
 pub(crate) use error::check_places;
 pub use error::{ProfileError, RadiusError, with_parameters};
 pub use parameters::Parameters;
-use slopes_and_drops::fill_one_by_one;
 
 use crate::Scalar;
+use crate::evaluate::slopes_and_drops::fill_one_by_one;
 use crate::quadrature::Rule;
 
 /// A gap profile Φ(r) = Σ C r^n with everything that follows from it in closed form.

@@ -6,8 +6,8 @@
 //! which is at most 0.37, and at most once in a drop. The powers at a are formed once for all radii; for each radius
 //! one logarithm is left, and two exponentials for each term, in vector code.
 
+use super::power::term_of_drop;
 use crate::dispatch::half_wide;
-use crate::evaluate::power::term_of_drop;
 use crate::numbers::exponent::Exponent;
 use crate::numbers::exponential::{decay, loss};
 use crate::numbers::logarithm::log_of_ratio;
@@ -21,10 +21,10 @@ const HIGH_POWER: f64 = 24.0;
 const BLOCK: usize = 32;
 
 /// Radii below a, and their depths below it: one of each pair is rounded. Slices of the same length.
-pub(crate) type Places<'a, T> = (&'a [T], &'a [T]);
+pub(super) type Places<'a, T> = (&'a [T], &'a [T]);
 
 /// δ₀′ at these places, and J(a) less J there. Slices of the same length.
-pub(crate) type SlopesAndDrops<'a, T> = (&'a mut [T], &'a mut [T]);
+pub(super) type SlopesAndDrops<'a, T> = (&'a mut [T], &'a mut [T]);
 
 /// The slopes and drops of any profile, by its functions of one radius.
 #[inline(always)]

@@ -16,9 +16,9 @@
 //!
 //! so that α − σ cancels; for H the factor is α² − σ², and for R α³ − σ³ = (α − σ) (α² + α σ + σ²).
 
+use super::horner::{divided_difference, value_and_quotient};
+use super::power::power_sum_drop;
 use super::slopes_and_drops::{Places, SlopesAndDrops, fill_one_by_one};
-use crate::evaluate::horner::{divided_difference, value_and_quotient};
-use crate::evaluate::power::power_sum_drop;
 use crate::numbers::exponent::Exponent;
 use crate::scalar::has_no_derivatives;
 use crate::{GapProfile, Scalar};
