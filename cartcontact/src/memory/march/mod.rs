@@ -273,15 +273,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let (kept, sizes) = fading.kept_of(forces);
             let laid = kept - self.settle_strips(is_over_time || is_left_out, surplus, fading);
             let load = laid * contact.integral_per_load();
-            if !is_straight {
-                increment = increment
-                    .scaled_if_resolved(load, low)
-                    .unwrap_or_else(|| self.laid_at_once(high, laid, gain));
+            let scaled = if !is_straight {
+                increment.scaled_if_resolved(load, low)
             } else if is_well_conditioned(kept, sizes) || is_left_out && !is_over_time {
-                increment = increment
-                    .scaled_to_load(load, low)
-                    .unwrap_or_else(|| self.laid_at_once(high, laid, gain));
-            }
+                increment.scaled_to_load(load, low)
+            } else {
+                Some(increment)
+            };
+            increment = scaled.unwrap_or_else(|| self.laid_at_once(high, laid, gain));
         }
         self.transition.advance(fading, self.quarter_m(), increment, low);
         self.now = Stage { radius: high, surplus, ..self.now };
