@@ -80,13 +80,8 @@ impl Coefficient {
 
     /// Whether every number in it has a finite `f64` other than 0 next to it.
     pub(crate) fn is_representable(&self) -> bool {
-        self.products.iter().all(|product| {
-            let wholes = product.powers.iter().all(|(atom, _)| match atom {
-                Atom::Field { .. } => true,
-                Atom::Sum(inner) => inner.is_representable(),
-            });
-            wholes && number::nearest(&product.number).is_some()
-        })
+        self.products.iter().all(|product| number::nearest(&product.number).is_some())
+            && self.sums().all(Coefficient::is_representable)
     }
 }
 
