@@ -38,17 +38,17 @@ pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
         let factors = whole.iter().zip(0_u64..).skip(1);
         let slope = factors.map(|(residue, power)| residue * power % prime).collect();
         let repeated = divisor_modulo(whole.clone(), slope, prime);
-        let loss = repeated.len() - 1;
-        if 2 * loss <= polynomial.degree() {
-            return Some(Image { loss, residues: repeated });
+        let divisor_degree = repeated.len() - 1;
+        if 2 * divisor_degree <= polynomial.degree() {
+            return Some(Image { divisor_degree, residues: repeated });
         }
         let (simple, _) = division(whole, &repeated, prime);
-        Some(Image { loss, residues: monic(simple, prime) })
+        Some(Image { divisor_degree, residues: monic(simple, prime) })
     };
-    let simple = from_images(&polynomial.leading(), &image, &|candidate, loss| {
+    let simple = from_images(&polynomial.leading(), &image, &|candidate, divisor_degree| {
         let other = polynomial.exact_quotient(&candidate)?;
         let (simple, repeated) =
-            if candidate.degree() == loss { (other, candidate) } else { (candidate, other) };
+            if candidate.degree() == divisor_degree { (other, candidate) } else { (candidate, other) };
         slope.exact_quotient(&repeated).map(|_| simple)
     });
     match simple {
@@ -62,7 +62,7 @@ pub(crate) fn square_free(polynomial: &IntegerPolynomial) -> IntegerPolynomial {
 pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial) -> IntegerPolynomial {
     let image = |prime: u64| {
         let residues = divisor_modulo(residues(left, prime)?, residues(right, prime)?, prime);
-        Some(Image { loss: residues.len() - 1, residues })
+        Some(Image { divisor_degree: residues.len() - 1, residues })
     };
     from_images(&common_factor(&left.leading(), &right.leading()), &image, &|candidate, _| {
         [left, right].iter().all(|whole| whole.exact_quotient(&candidate).is_some()).then_some(candidate)
@@ -70,11 +70,12 @@ pub(crate) fn common_divisor(left: &IntegerPolynomial, right: &IntegerPolynomial
     .unwrap_or_else(|| IntegerPolynomial::new(vec![BigInt::one()]))
 }
 
-/// A polynomial modulo a prime, with the leading coefficient 1.
+/// A polynomial modulo a prime: the common divisor, or what is left without it if that is shorter.
 struct Image {
+    /// The coefficients, with a leading 1 until they are scaled.
     residues: Vec<u64>,
     /// The degree of the common divisor; never too low.
-    loss: usize,
+    divisor_degree: usize,
 }
 
 /// Joins the images modulo one prime after the other into a primitive polynomial whose leading coefficient divides
@@ -88,14 +89,14 @@ fn from_images(
     let mut joined = Joined::nothing();
     loop {
         prime = prime_after(prime);
-        let Some(Image { residues, loss }) = image(prime) else { continue };
-        if loss == 0 {
+        let Some(Image { residues, divisor_degree }) = image(prime) else { continue };
+        if divisor_degree == 0 {
             return None;
         }
-        let image = Image { residues: scaled(residues, reduce(leading, prime), prime), loss };
+        let image = Image { residues: scaled(residues, reduce(leading, prime), prime), divisor_degree };
         if joined.join(&image, prime) {
             let candidate = IntegerPolynomial::new(joined.coefficients.clone()).primitive();
-            if let Some(result) = result(candidate, joined.loss) {
+            if let Some(result) = result(candidate, joined.divisor_degree) {
                 return Some(result);
             }
         }
@@ -106,20 +107,20 @@ fn from_images(
 struct Joined {
     coefficients: Vec<BigInt>,
     modulus: BigInt,
-    loss: usize,
+    divisor_degree: usize,
 }
 
 impl Joined {
     fn nothing() -> Self {
-        Joined { coefficients: Vec::new(), modulus: BigInt::one(), loss: usize::MAX }
+        Joined { coefficients: Vec::new(), modulus: BigInt::one(), divisor_degree: usize::MAX }
     }
 
     /// Takes in one more prime; returns whether the result stayed the same.
     fn join(&mut self, image: &Image, prime: u64) -> bool {
-        if image.loss < self.loss {
+        if image.divisor_degree < self.divisor_degree {
             let coefficients = vec![BigInt::zero(); image.residues.len()];
-            *self = Joined { coefficients, modulus: BigInt::one(), loss: image.loss };
-        } else if image.loss > self.loss {
+            *self = Joined { coefficients, modulus: BigInt::one(), divisor_degree: image.divisor_degree };
+        } else if image.divisor_degree > self.divisor_degree {
             return false;
         }
         let step =
