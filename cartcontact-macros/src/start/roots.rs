@@ -1,9 +1,9 @@
 //! [`Geometry`] -> [`Roots`]: for a gap of one term, the contact radius in the middle of every row of a table.
 //!
-//! J = j a^p = y has the root a = (y/j)^(1/p); with the root A of the middle u of a row,
+//! J = j a^p = y has the root a = (y/j)^(1/p); with the middle u of a row and its root A = (u/j)^(1/p),
 //!
 //! ```text
-//! a = A ((1 + s)/(1 − s))^(1/p) = A (1 + c₁ s + c₂ s² + …),     s = (y − u j)/(y + u j)
+//! a = A ((1 + s)/(1 − s))^(1/p) = A (1 + c₁ s + c₂ s² + …),     s = (y − u)/(y + u)
 //! ```
 //!
 //! and (1 − s²) d/ds ((1 + s)/(1 − s))^α = 2α ((1 + s)/(1 − s))^α gives (k + 1) c₍ₖ₊₁₎ = 2α cₖ + (k − 1) c₍ₖ₋₁₎.

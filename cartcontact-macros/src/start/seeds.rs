@@ -2,7 +2,7 @@
 //!
 //! J(a) = y is solved in one step of Halley's method from a seed that is near enough. As a ≈ y^(1/p) with p > 4, a(y)
 //! is so smooth within a quarter of an octave of y that a cubic approximates it to 5 · 10⁻⁷. Rows of single precision
-//! hold such a cubic in the fraction u of y = u · 2^e, 1 ≤ u < 2.
+//! hold such a cubic in the fraction f of y = f · 2^e, 1 ≤ f < 2.
 //!
 //! **The cubics** interpolate at four points next to Chebyshev's. Because J is explicit, the points are chosen as
 //! radii: only the ends of the rows require the solution of an equation.
@@ -225,11 +225,11 @@ fn largest_size(largest: f64, size: f64) -> f64 {
 
 /// The cubic as the solver evaluates it at y, whose fraction is cut off after 23 bits.
 fn value(row: [f32; 4], y: f64) -> f32 {
-    let u = f32::from_bits((y.to_bits() >> 29) as u32 & 0x007f_ffff | 0x3f80_0000);
-    (row[0] + row[1] * u) + (row[2] + row[3] * u) * (u * u)
+    let f = f32::from_bits((y.to_bits() >> 29) as u32 & 0x007f_ffff | 0x3f80_0000);
+    (row[0] + row[1] * f) + (row[2] + row[3] * f) * (f * f)
 }
 
-/// The coefficients of the cubic through four points (u, a), by divided differences.
+/// The coefficients of the cubic through four points (f, a), by divided differences.
 fn interpolate(nodes: [f64; 4], values: [f64; 4]) -> [f64; 4] {
     let mut differences = values;
     for order in 1..4 {
@@ -292,7 +292,7 @@ mod tests {
     fn cubics_are_reproduced() {
         let nodes = [1.0, 1.1, 1.2, 1.5];
         let expected = [3.0, -1.0, 0.0, 2.0];
-        let found = interpolate(nodes, nodes.map(|u| 3.0 - u + 2.0 * u * u * u));
+        let found = interpolate(nodes, nodes.map(|f| 3.0 - f + 2.0 * f * f * f));
         assert!(found.iter().zip(expected).all(|(c, e)| (c - e).abs() < 1e-11), "{found:?}");
     }
 }

@@ -35,7 +35,7 @@ const FLATTEST: f64 = 1.0 / 1024.0;
 pub(crate) const LARGEST_DOUBLE: f64 = 300.0;
 pub(crate) const LARGEST_SINGLE: f64 = 100.0;
 
-/// Rows for y = u · 2^e, 1 ≤ u < 2, by k = 4 e + ⌊4 (u − 1)⌋ − first.
+/// Rows for y = f · 2^e, 1 ≤ f < 2, by k = 4 e + ⌊4 (f − 1)⌋ − first.
 pub(crate) struct Table<R = [f32; 4]> {
     pub(crate) first: i32,
     pub(crate) rows: Vec<R>,

@@ -55,12 +55,12 @@ impl<T: Scalar, U: Units<T>, F: Fn(T) -> Steepness<T> + Copy> Step<T> for Halley
         (self.units.in_table(load_integral), 0)
     }
 
-    /// The cubic c₀ + c₁ u + c₂ u² + c₃ u³ where u is 1 plus the last 23 bits as a fraction. A row has the order c₀,
+    /// The cubic c₀ + c₁ f + c₂ f² + c₃ f³ where f is 1 plus the last 23 bits as a fraction. A row has the order c₀,
     /// c₂, c₁, c₃.
     #[inline(always)]
     fn start(self, row: &Row, digits: u32, _periods: i32) -> f32 {
-        let u = fraction(f32::from_bits(digits));
-        (row.at(0) + row.at(2) * u) + (row.at(1) + row.at(3) * u) * (u * u)
+        let f = fraction(f32::from_bits(digits));
+        (row.at(0) + row.at(2) * f) + (row.at(1) + row.at(3) * f) * (f * f)
     }
 
     #[inline(always)]

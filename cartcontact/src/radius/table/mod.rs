@@ -1,10 +1,10 @@
 //! A table that the macro has computed. Each row leads to the contact radius in one quarter of an octave of the load
 //! integral.
 //!
-//! A row is a cubic in the fraction of the load integral y that gives the radius to six digits, see [`cubics`]. One
-//! [step](super::halley) from there reaches the last bit. In single precision the seed is first cut to half its digits,
-//! so that its square is exact in both formats. The macro has checked the error after the step for every row: it is
-//! less than ε/8. The weights of coefficients that depend on fields have few digits, see
+//! A row is a cubic in the fraction f of the load integral y = f · 2^e, 1 ≤ f < 2, that gives the radius to six digits,
+//! see [`cubics`]. One [step](super::halley) from there reaches the last bit. In single precision the seed is first cut
+//! to half its digits, so that its square is exact in both formats. The macro has checked the error after the step for
+//! every row: it is less than ε/8. The weights of coefficients that depend on fields have few digits, see
 //! [`Target`](super::halley::Target), so that they are rounded no more than constants. Where the gap begins with r, p is
 //! least, and what its power loses is known. With whole powers about ten radii in a million are off by more than 1 ulp;
 //! `cargo run --release -p tests --bin radii` counts them, and says by how much.
@@ -34,7 +34,7 @@ use crate::Scalar;
 use crate::numbers::bits::{least_of_quarter, of_bits, quarter};
 use crate::scalar::is_same;
 
-/// A row of `N` bytes for each quarter of an octave k = 4 e + ⌊4 (u − 1)⌋ of the load integral y = u · 2^e, 1 ≤ u < 2,
+/// A row of `N` bytes for each quarter of an octave k = 4 e + ⌊4 (f − 1)⌋ of the load integral y = f · 2^e, 1 ≤ f < 2,
 /// `BYTES` in all.
 #[derive(Debug)]
 pub struct Table<const N: usize = 16, const BYTES: usize = 4096> {
