@@ -342,7 +342,7 @@ const _: () = {
                                 powers: [12, 13],
                                 steepness: __quick_steepness,
                                 last_steepness: __last_steepness,
-                                per_unit: <S as __cartcontact::Scalar>::constant(
+                                denominator: <S as __cartcontact::Scalar>::constant(
                                     1.828125f64,
                                 ),
                             },
@@ -441,7 +441,7 @@ const _: () = {
                                 powers: [12, 13],
                                 steepness: __quick_steepness,
                                 last_steepness: __last_steepness,
-                                per_unit: <S as __cartcontact::Scalar>::constant(
+                                denominator: <S as __cartcontact::Scalar>::constant(
                                     1.828125f64,
                                 ),
                             },
@@ -499,7 +499,7 @@ const _: () = {
                         powers: [12, 13],
                         steepness: __quick_steepness,
                         last_steepness: __last_steepness,
-                        per_unit: <S as __cartcontact::Scalar>::constant(1.828125f64),
+                        denominator: <S as __cartcontact::Scalar>::constant(1.828125f64),
                     },
                     __load_integral,
                     __more,

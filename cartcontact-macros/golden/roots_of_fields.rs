@@ -324,7 +324,9 @@ const _: () = {
                         powers: [13, 16, 18],
                         steepness: __quick_steepness,
                         last_steepness: __last_steepness,
-                        per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
+                        denominator: <T as __cartcontact::Scalar>::constant(
+                            1.599609375f64,
+                        ),
                     },
                     __load_integral,
                     __limit,
@@ -408,7 +410,9 @@ const _: () = {
                         powers: [13, 16, 18],
                         steepness: __quick_steepness,
                         last_steepness: __last_steepness,
-                        per_unit: <T as __cartcontact::Scalar>::constant(1.599609375f64),
+                        denominator: <T as __cartcontact::Scalar>::constant(
+                            1.599609375f64,
+                        ),
                     },
                     __load_integral,
                     __more,

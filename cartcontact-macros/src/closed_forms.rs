@@ -10,7 +10,7 @@ use crate::gap::coefficient::Coefficient;
 use crate::gap::{Gap, Term};
 use crate::number::{Rational, common_denominator, integer};
 
-/// A shortener has at most this many binary digits: half of the 53 of an `f64`.
+/// A denominator has at most this many binary digits: half of the 53 of an `f64`.
 const MOST_DIGITS: u64 = 26;
 /// Exponents of two decimals have a root index of 20 or less if they are multiples of 0.05.
 const HIGHEST_ROOT: u32 = 20;
@@ -66,10 +66,10 @@ impl Summand {
 /// the root of the radius with this index, in which its powers are whole. The index is 1, for the radius itself, if only
 /// a root of a high index would do.
 pub(crate) struct Stepped {
-    /// J times `per_unit`.
+    /// J times the `denominator`.
     pub(crate) load_integral: PowerSum,
-    /// A number from 1 to 2.
-    pub(crate) per_unit: Rational,
+    /// The common denominator of the weights over a power of two: from 1 to 2.
+    pub(crate) denominator: Rational,
     pub(crate) root: u32,
 }
 
@@ -161,16 +161,16 @@ impl PowerSum {
     }
 
     fn stepped(&self) -> Stepped {
-        let per_unit = self.shortener();
+        let denominator = self.denominator_of_weights();
         let root = self.root_of_whole_powers().unwrap_or(1);
-        let load_integral = self.weighted(|_| per_unit.clone()).in_root(root);
-        Stepped { load_integral, per_unit, root }
+        let load_integral = self.weighted(|_| denominator.clone()).in_root(root);
+        Stepped { load_integral, denominator, root }
     }
 
     /// The common denominator of the weights, made odd by dividing out powers of two and then divided by a power of two
     /// so that it is less than 2: multiplied by it, the weights are small whole numbers times powers of two. 1 if it
     /// has more than half the digits of a number.
-    fn shortener(&self) -> Rational {
+    fn denominator_of_weights(&self) -> Rational {
         let common = common_denominator(self.summands.iter().filter_map(Summand::weight));
         let odd = &common >> common.trailing_zeros().unwrap_or(0);
         let digits = odd.bits();

@@ -71,8 +71,8 @@ pub(super) fn solve(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> Opt
 fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>) -> Option<TokenStream> {
     let names = coefficients.names;
     let whole = whole(stepped)?;
-    let Stepped { load_integral: sum, per_unit, root } = stepped;
-    let per_unit = names.number(per_unit);
+    let Stepped { load_integral: sum, denominator, root } = stepped;
+    let denominator = names.number(denominator);
     let (all, root) = (names.generated("WholePowers"), Literal::u32_unsuffixed(*root));
     let [steepness, last_steepness] = functions(stepped);
     let values = sum.summands.iter().map(|summand| coefficients.factor(summand));
@@ -83,7 +83,7 @@ fn whole_powers(stepped: &Stepped, coefficients: &Coefficients<'_>) -> Option<To
             powers: [#(#powers),*],
             steepness: #steepness,
             last_steepness: #last_steepness,
-            per_unit: #per_unit,
+            denominator: #denominator,
         }
     })
 }

@@ -61,11 +61,11 @@ pub(super) fn radius_and_radii(
 /// The units of the table: those of its own geometry, or those in which the first two terms have the same size.
 fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
-    let Stepped { load_integral, per_unit, root } = stepped;
+    let Stepped { load_integral, denominator, root } = stepped;
     let own = if load_integral.summands.iter().all(|summand| summand.constant().is_some()) {
         names.generated("OwnUnits")
     } else {
-        equal_terms(seeds, load_integral, per_unit, coefficients)
+        equal_terms(seeds, load_integral, denominator, coefficients)
     };
     if *root == 1 {
         return own;
@@ -79,7 +79,7 @@ fn units(seeds: &Seeds, stepped: &Stepped, coefficients: &Coefficients<'_>) -> T
 fn equal_terms(
     seeds: &Seeds,
     load_integral: &PowerSum,
-    per_unit: &Rational,
+    denominator: &Rational,
     coefficients: &Coefficients<'_>,
 ) -> TokenStream {
     let names = coefficients.names;
@@ -91,8 +91,8 @@ fn equal_terms(
     let exponents = load_integral.summands.iter().map(|summand| names.number(&summand.exponent));
     let first_two = sizes.iter().zip(exponents).take(2).map(|(size, exponent)| quote!((#size, #exponent)));
     let others = sizes.iter().skip(2);
-    let (equal_terms, per_unit) = (names.generated("EqualTerms"), names.number(per_unit));
-    quote!(#equal_terms::of(#(#first_two,)* [#(#others),*], #per_unit))
+    let (equal_terms, denominator) = (names.generated("EqualTerms"), names.number(denominator));
+    quote!(#equal_terms::of(#(#first_two,)* [#(#others),*], #denominator))
 }
 
 /// A `Steepness` at the radius `a`: J, a J′ divided by a [unit](Seeds::unit), and a² J″/2 divided by its square. In J

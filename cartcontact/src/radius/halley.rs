@@ -13,9 +13,9 @@ use crate::numbers::halved::{Halved, product_with_few_digits};
 
 /// The value that J has to reach: a number rounded from a product, and what it lacks of that product.
 ///
-/// Where coefficients depend on fields, J is multiplied by the common denominator of its weights C n/((n+2)(n+4)),
+/// Where coefficients depend on fields, J is multiplied by the common `denominator` of its weights n/((n+2)(n+4)),
 /// divided by a power of two so that it is less than 2. The remaining weights have few digits, often one, and so has the
-/// factor: its product with the load integral loses nothing.
+/// denominator: its product with the load integral loses nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<T> {
     pub(super) value: T,
@@ -29,8 +29,8 @@ impl<T: Scalar> Target<T> {
     }
 
     #[inline(always)]
-    pub(super) fn in_units(load_integral: T, per_unit: T) -> Self {
-        let (value, rest) = product_with_few_digits(load_integral, per_unit);
+    pub(super) fn times_denominator(load_integral: T, denominator: T) -> Self {
+        let (value, rest) = product_with_few_digits(load_integral, denominator);
         Self { value, rest }
     }
 }

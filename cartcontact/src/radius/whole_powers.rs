@@ -33,8 +33,8 @@ pub struct WholePowers<T, F, L, const N: usize, const ROOT: u32> {
     pub steepness: F,
     /// The same for the last step: the higher powers of a root would round too often.
     pub last_steepness: L,
-    /// The factor by which load integrals are multiplied, so that coefficients are rounded less: see `Target`.
-    pub per_unit: T,
+    /// The common denominator of the weights, by which J and load integrals are multiplied: see `Target`.
+    pub denominator: T,
 }
 
 impl<T, F, L, const N: usize, const ROOT: u32> WholePowers<T, F, L, N, ROOT>
@@ -65,7 +65,7 @@ where
     #[inline(always)]
     pub fn solve(&self, load_integral: T, more: u32) -> (T, bool) {
         let [lowest, .., highest] = self.powers[..] else { return (load_integral, false) };
-        let logarithm_of_y = log2_digits(load_integral * self.per_unit);
+        let logarithm_of_y = log2_digits(load_integral * self.denominator);
         let alone = self.coefficients.iter().zip(&self.powers).map(
             #[inline(always)]
             |(&j, &p)| logarithm_alone(logarithm_of_y, (j, T::constant(f64::from(p)))),
@@ -82,7 +82,7 @@ where
         let spread =
             Spread { lowest: T::constant(f64::from(lowest)), highest: T::constant(f64::from(highest)) };
         // From the fraction alone, so that nothing is lost next to the ends of the format, either.
-        let target = Target::in_units(fraction(load_integral), self.per_unit);
+        let target = Target::times_denominator(fraction(load_integral), self.denominator);
         let (radius, is_near) = spread.radius(
             more,
             target.value,
@@ -209,7 +209,7 @@ mod tests {
             powers: [6, 8, 10],
             steepness: steepness::<T>,
             last_steepness: steepness::<T>,
-            per_unit: T::one(),
+            denominator: T::one(),
         }
         .radius(load_integral, T::infinity())
     }
@@ -258,7 +258,7 @@ mod tests {
             powers: [6, 7, 8, 9, 10],
             steepness: of_five::<f64>,
             last_steepness,
-            per_unit: 1.0,
+            denominator: 1.0,
         };
         let planted: Vec<f64> = (0..1600).map(|k| 0.2 * 1.002_f64.powi(k)).collect();
         let value = |x: f64| (6..=10).map(|p| x.powi(p)).sum::<f64>();

@@ -69,18 +69,18 @@ impl<T: Scalar> Units<T> for OwnUnits {
 pub struct EqualTerms<T> {
     radius: T,
     per_load_integral: T,
-    per_unit: T,
+    denominator: T,
 }
 
 impl<T: Scalar> EqualTerms<T> {
     /// From the terms j aᵖ and j′ aᵖ′ as pairs (j, p), p < p′, the coefficients of all others, each times its sign in
-    /// the table, and the factor of load integrals, see `Target`.
+    /// the table, and the common denominator of the weights, see `Target`.
     ///
     /// If all j and the unit of J lie between 1/b and b, then y, aJ′ and J′/a^(p−1) lie within 2^±71 b, and aᵖ within
     /// 2^±64 b²: none of their products in a step leaves the format. In single precision all these are 20 octaves
     /// nearer to 1. Terms outside these bounds have no table.
     #[inline(always)]
-    pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], per_unit: T) -> Self {
+    pub fn of<const N: usize>(low: (T, T), high: (T, T), others: [T; N], denominator: T) -> Self {
         let (least, most) = if is_same::<T, f32>() { (1e-11, 1e11) } else { (1e-60, 1e60) };
         let (least, most) = (T::constant(least), T::constant(most));
         let (radius, per_size) = equal_terms(low, high);
@@ -91,7 +91,11 @@ impl<T: Scalar> EqualTerms<T> {
             has_table &= fits(other);
         }
         // Zero lies in no table.
-        Self { radius, per_load_integral: if has_table { per_unit * per_size } else { T::zero() }, per_unit }
+        Self {
+            radius,
+            per_load_integral: if has_table { denominator * per_size } else { T::zero() },
+            denominator,
+        }
     }
 }
 
@@ -108,7 +112,7 @@ impl<T: Scalar> Units<T> for EqualTerms<T> {
 
     #[inline(always)]
     fn target(self, load_integral: T) -> Target<T> {
-        Target::in_units(load_integral, self.per_unit)
+        Target::times_denominator(load_integral, self.denominator)
     }
 }
 
