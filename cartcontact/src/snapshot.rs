@@ -160,6 +160,10 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     /// assert!(first.peak_pressure() > last.peak_pressure());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// Eq. (28) at r = 0, doi 10.1016/j.mechrescom.2010.11.006.
     pub fn peak_pressure(&self) -> T {
         self.pressure(T::zero())
     }

@@ -254,6 +254,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// assert_eq!(values[5], contact.at(200.0)?.pressure(7.5));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # References
+    ///
+    /// Eq. (28), doi 10.1016/j.mechrescom.2010.11.006.
     pub fn pressure_field(&self, times: &[T], radii: &[T], values: &mut [T]) -> Result<(), ContactError> {
         field::check(times, radii, values)?;
         field::fill(self, times, radii, values)

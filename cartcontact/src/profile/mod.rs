@@ -166,7 +166,7 @@ pub trait GapProfile<T: Scalar> {
     /// ```
     fn log_kernel(&self, x: T) -> T;
 
-    /// The pressure kernel G, in mm³; zero for r ≥ a, where its double zero is kept as a factor.
+    /// The pressure kernel G of Eq. (28), in mm³; zero for r ≥ a, where its double zero is kept as a factor.
     ///
     /// # Formula
     ///
