@@ -107,10 +107,12 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         self.terms.as_ref()
     }
 
+    /// A function of the coefficient and the exponent of each term.
     fn map<U>(&self, term: impl Fn(T, T) -> U + Clone) -> impl Iterator<Item = U> + Clone {
         self.terms.as_ref().iter().map(move |&(c, n)| term(c, n))
     }
 
+    /// The radius of any load integral, also where terms have both signs or numbers carry derivatives.
     fn general_radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
         let positive = positive_terms(self.map(|c, n| (c, n)));
         let evaluate = |a| power_sum_and_log_slope(a, self.load_integral_terms());

@@ -190,6 +190,7 @@ pub(super) fn quarters<T: Scalar>(x: T, fraction: T) -> Option<u8> {
     (has_no_derivatives::<T>() && !x.is_zero()).then_some(whole)
 }
 
+/// x^φ for 0 ≤ φ < 1 by a library's power, with derivatives with respect to both; 0 to a power above 0 has none.
 pub(super) fn real_fractional_power<T: Scalar>(x: T, fraction: T) -> T {
     // Zero has no finite slope here; dual numbers would turn it into NaN.
     if x.is_zero() {

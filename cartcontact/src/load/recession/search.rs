@@ -37,7 +37,7 @@ const MOST_DOUBTS: u32 = 128;
 /// 2⁻²⁰, as they have to integrate what panels only have to notice.
 const SHORTEST_SHARE: f64 = 1.0 / 131_072.0;
 
-/// The first fault of a history up to `t`.
+/// Fails with the first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Result<(), Fault<T>> {
     let zero = T::zero();
     let (negligible, tolerance) = tolerances(load, chi, t);
