@@ -43,7 +43,7 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Attri
     let mut digits_before_comma = None;
     let entries = entries(tokens, diagnostics);
     let of_other_names = bodies::of_other_names(&entries);
-    let is_body = |option: &Assignment<'_>| bodies::is_one(option.name, &of_other_names);
+    let is_body = |option: &Assignment<'_>| bodies::names_body(option.name, &of_other_names);
     let has_bodies = entries.iter().filter_map(Entry::assignment).any(|option| is_body(&option));
     for entry in &entries {
         let before = core::mem::replace(&mut digits_before_comma, entry.last_digits());

@@ -44,7 +44,7 @@ pub(super) fn read(
 }
 
 /// Whether this is the name of a body, or is meant as one.
-pub(super) fn is_one(name: &Ident, of_other_names: &[OtherName<'_>]) -> bool {
+pub(super) fn names_body(name: &Ident, of_other_names: &[OtherName<'_>]) -> bool {
     name == "upper" || name == "lower" || other_name(name, of_other_names).is_some()
 }
 

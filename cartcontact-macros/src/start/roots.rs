@@ -67,15 +67,16 @@ const SIXTEENTHS: Parts = Parts { digits: 4, terms: 8 };
 /// As many octaves have room for sixteenths.
 const OCTAVES_OF_SIXTEENTHS: i32 = OCTAVES >> (SIXTEENTHS.digits - QUARTERS.digits);
 
-/// Four times the lowest power with a window; slopes of the gap in it then differ by a factor of 2⁷ or more.
-const LOWEST_POWER: i64 = 23;
+/// The lowest power with a window, times 4; slopes of the gap in it then differ by a factor of 2⁷ or more.
+const LOWEST_POWER_IN_QUARTERS: i64 = 23;
 
 /// The highest power with a window: it holds four octaves of radii.
 const HIGHEST_POWER: i32 = 16;
 
 /// Whether the table of a single term includes its coefficient.
 pub(crate) fn has_window(only: &Summand) -> bool {
-    let is_short = only.exponent >= fraction(LOWEST_POWER, 4) && only.exponent <= integer(HIGHEST_POWER);
+    let is_short =
+        only.exponent >= fraction(LOWEST_POWER_IN_QUARTERS, 4) && only.exponent <= integer(HIGHEST_POWER);
     only.constant().is_some() && is_short
 }
 

@@ -79,9 +79,9 @@ where
 {
     let (width, first) = (radii.len(), contact.at(times[0])?);
     // Once for all rows: searching the history of a user-defined load takes as long as many of them.
-    let since = recession_within(contact, times);
-    if since.is_some() {
-        times.iter().try_for_each(|&time| contact.radius_if_advancing(time, since).map(drop))?;
+    let recedes_from = recession_within(contact, times);
+    if recedes_from.is_some() {
+        times.iter().try_for_each(|&time| contact.radius_if_advancing(time, recedes_from).map(drop))?;
     }
     first.pressures(radii, &mut values[..width]);
     let runs = Runs::of(radii);
@@ -89,7 +89,7 @@ where
     let mut anchors = Anchors::at(0, block.last());
     let (mut squares, mut done) = ([T::zero(); TILE], 1);
     while done < times.len() {
-        if let Some(now) = anew(contact, block.last().time, times[done])? {
+        if let Some(now) = snapshot_if_apart(contact, block.last().time, times[done])? {
             now.pressures(radii, &mut values[done * width..][..width]);
             block = Block::after(Edge { time: now.time(), radius: now.radius() });
             anchors = Anchors::at(done, block.last());
@@ -107,7 +107,7 @@ where
 }
 
 /// The contact at a time, if its pressures do not follow from those at the time `before`.
-fn anew<'a, T, P, L>(
+fn snapshot_if_apart<'a, T, P, L>(
     contact: &'a Contact<T, P, L>,
     before: T,
     time: T,
