@@ -641,6 +641,10 @@ const _: () = {
             __cartcontact::with_parameters(
                 __cartcontact::check_product(
                         (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
+                        || __cartcontact::real_power(
+                            __field_c,
+                            <S as __cartcontact::Scalar>::constant(-0.5f64),
+                        ),
                         [],
                         [__field_c],
                     )

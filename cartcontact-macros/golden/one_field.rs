@@ -369,6 +369,10 @@ const _: () = {
             __cartcontact::with_parameters(
                 __cartcontact::check_product(
                         (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                        || {
+                            <T as __cartcontact::Scalar>::constant(0.5f64)
+                                / __field_radius
+                        },
                         [],
                         [__field_radius],
                     )

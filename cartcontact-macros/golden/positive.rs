@@ -499,6 +499,13 @@ const _: () = {
             __cartcontact::with_parameters(
                 __cartcontact::check_product(
                         (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                        || {
+                            <T as __cartcontact::Scalar>::constant(0.125f64)
+                                / ({
+                                    let __base = __field_radius;
+                                    __base * __base * __base
+                                })
+                        },
                         [],
                         [__field_radius],
                     )

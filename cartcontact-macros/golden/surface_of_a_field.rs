@@ -516,12 +516,23 @@ const _: () = {
             __cartcontact::with_parameters(
                 __cartcontact::check_product(
                         (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                        || {
+                            <T as __cartcontact::Scalar>::constant(0.5f64)
+                                / __field_radius
+                        },
                         [],
                         [__field_radius],
                     )
                     .and(
                         __cartcontact::check_product(
                             (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                            || {
+                                <T as __cartcontact::Scalar>::constant(0.125f64)
+                                    / ({
+                                        let __base = __field_radius;
+                                        __base * __base * __base
+                                    })
+                            },
                             [],
                             [__field_radius],
                         ),

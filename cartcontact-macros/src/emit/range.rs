@@ -7,6 +7,7 @@ use quote::quote;
 use super::Names;
 use super::coefficients::{Coefficients, field_variable};
 use crate::gap::Term;
+use crate::gap::coefficient::Coefficient;
 use crate::gap::range::Range;
 use crate::gap::surface::Surface;
 use crate::geometry::Geometry;
@@ -161,22 +162,28 @@ impl Checked<'_> {
     /// terms.
     fn checks_of_terms(&self) -> impl Iterator<Item = TokenStream> {
         let terms = self.0.geometry.gap.terms.iter().zip(self.0.terms());
-        terms.filter_map(|(term, pair)| {
+        terms.flat_map(|(term, pair)| {
             if term.coefficient.as_constant().is_some() {
                 let check = self.names().generated("check_coefficients");
-                return (!fits_every_format(term)).then(|| quote!(#check([#pair])));
+                return if fits_every_format(term) { Vec::new() } else { vec![quote!(#check([#pair]))] };
             }
-            // A field itself is zero only if it is given so.
-            if term.coefficient.as_multiple_of_field().is_some_and(|c| c.abs() >= integer(1)) {
-                return None;
-            }
-            let [factors, divisors] = term.coefficient.factors_and_divisors()?.map(|parts| {
-                let values = parts.iter().map(|part| self.0.expression(part));
-                quote!([#(#values),*])
-            });
-            let check = self.names().generated("check_product");
-            Some(quote!(#check(#pair, #factors, #divisors)))
+            let products = term.coefficient.products_of_fields();
+            products.iter().filter_map(|product| self.check_of_product(&pair, product)).collect()
         })
+    }
+
+    /// The check of one of the products that the coefficient of a term consists of.
+    fn check_of_product(&self, pair: &TokenStream, product: &Coefficient) -> Option<TokenStream> {
+        // A field itself is zero only if it is given so.
+        if product.as_multiple_of_field().is_some_and(|c| c.abs() >= integer(1)) {
+            return None;
+        }
+        let [factors, divisors] = product.factors_and_divisors()?.map(|parts| {
+            let values = parts.iter().map(|part| self.0.expression(part));
+            quote!([#(#values),*])
+        });
+        let (check, value) = (self.names().generated("check_product"), self.0.expression(product));
+        Some(quote!(#check(#pair, || #value, #factors, #divisors)))
     }
 
     /// Refuses values of fields in f64 that the format of the contact does not hold.

@@ -304,6 +304,27 @@ fn products_of_fields_need_a_format_that_holds_them() {
     refused(check(1.0, 1e150), is_quotient, "r^4 is 0");
 }
 
+/// Nor does a sum of them, unless they cancel.
+#[test]
+fn sums_of_fields_need_a_format_that_holds_them() {
+    let balls =
+        |radius| GapProfile::<f32>::check(&Balls { upper_radius: radius, lower_radius: 2.0 * radius });
+    assert_eq!(balls(5e4), Ok(()));
+    let is_last = |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { exponent: 8.0, .. });
+    for radius in [1e6, 2e6, 3e6, 5e6] {
+        refused(balls(radius), is_last, "r^8");
+    }
+    for value in [0.0, 0.1, 1e-18] {
+        assert_eq!(GapProfile::<f32>::check(&Cancelling { k: value, j: value }), Ok(()), "{value}");
+    }
+    let is_difference =
+        |e: &ProfileError| matches!(e, ProfileError::InvalidCoefficient { exponent: 4.0, .. });
+    refused(GapProfile::<f32>::check(&Cancelling { k: 1e-25, j: 1e-30 }), is_difference, "r^4 is 0");
+    let multiple = |size, factor| GapProfile::<f32>::check(&Multiple { k: size, j: size, factor });
+    assert_eq!([multiple(1e-15, 1e20), multiple(0.1, 0.0), multiple(0.0, 0.1)], [Ok(()); 3]);
+    refused(multiple(1e-25, 1e20), is_difference, "r^4 is 0");
+}
+
 #[gap_profile(k * r^2 + j * r^3)]
 struct TwoFields {
     k: f64,
@@ -326,6 +347,31 @@ struct Lens {
 struct Powers {
     k: f64,
     j: f64,
+}
+
+#[gap_profile(
+    upper = sphere(upper_radius),
+    lower = -sphere(lower_radius),
+    order = 8,
+    max_radius = 0.6 * upper_radius,
+    positive
+)]
+struct Balls {
+    upper_radius: f64,
+    lower_radius: f64,
+}
+
+#[gap_profile(r^2 + (k^2 - j^2) * r^4, max_radius = 1)]
+struct Cancelling {
+    k: f64,
+    j: f64,
+}
+
+#[gap_profile(r^2 + (k^2 + j^2) * factor * r^4, max_radius = 1)]
+struct Multiple {
+    k: f64,
+    j: f64,
+    factor: f64,
 }
 
 /// A term that is zero in single precision, although at r = 9 it is larger than the other one.

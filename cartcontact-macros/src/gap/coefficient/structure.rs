@@ -51,6 +51,13 @@ impl Coefficient {
         Some([false, true].map(with_sign))
     }
 
+    /// The products that it is the sum of, and those of the sums in them, without constants.
+    pub(crate) fn products_of_fields(&self) -> Vec<Self> {
+        let of_fields = self.products.iter().filter(|product| !product.powers.is_empty());
+        let own = of_fields.map(|product| Coefficient { products: vec![product.clone()] });
+        own.chain(self.sums().flat_map(Coefficient::products_of_fields)).collect()
+    }
+
     /// Whether it has a power whose exponent is not an integer.
     pub(crate) fn has_root(&self) -> bool {
         self.powers().any(|(_, exponent)| !exponent.is_integer()) || self.sums().any(Coefficient::has_root)
@@ -103,6 +110,16 @@ mod tests {
         assert_eq!(names, ["a", "a", "b"]);
         assert!(!quotient.has_root() && power(&quotient, 1, 2).has_root());
         assert!(power(&a, -1, 2).divisors().is_empty());
+    }
+
+    #[test]
+    fn products_within_sums_are_found() {
+        let [a, b, c] = ["a", "b", "c"].map(field);
+        let (square, product) = (power(&a, 2, 1), b.multiply(&c));
+        let sum = square.add(&product).add(&number(1, 2));
+        assert_eq!(sum.products_of_fields(), [square.clone(), product.clone()]);
+        let multiple = sum.multiply(&c);
+        assert_eq!(multiple.products_of_fields(), [multiple, square, product]);
     }
 
     #[test]
