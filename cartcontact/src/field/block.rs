@@ -1,10 +1,8 @@
 //! Rows that are taken from the same earlier row.
 
-use core::ops::Range;
-
 use super::panel::Panel;
 use super::runs::{Run, Runs};
-use super::sweep::{Change, Changes, TILE, take_rows_from};
+use super::sweep::{Change, Changes, TILE, set_beyond_to_zero, take_rows_from};
 use super::{BLOCK, may_be_apart};
 use crate::Scalar;
 use crate::contact::{Contact, ContactError};
@@ -156,21 +154,32 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         let widest = self.radii[..self.count]
             .iter()
             .fold(self.base.radius, |widest, &a| if a > widest { a } else { widest });
+        if !runs.are_in_order() {
+            set_beyond_to_zero(runs.radii, self.base.radius, span, rows);
+            if !runs.reach_between(self.base.radius, widest) {
+                return;
+            }
+            if self.count == 1 {
+                self.fill_beyond_in_only_row(contact, runs.radii, rows);
+                return;
+            }
+        }
         let changes_between_anchors = self.changes_between_anchors();
         for run in runs.iter() {
-            let covered = run.count_inside(runs.radii, self.base.radius);
-            if covered == run.len() {
-                continue;
-            }
-            let beyond = run.split(covered).1;
-            let Range { start, end } = beyond.columns();
-            let in_span = start.max(span.start)..end.min(span.end);
-            if !in_span.is_empty() {
-                let rows = values[width..].chunks_mut(width).take(self.count);
-                rows.for_each(|row| row[in_span.clone()].fill(T::zero()));
-            }
-            if runs.radii[beyond.column(0)] < widest {
+            let beyond = run.split(run.count_inside(runs.radii, self.base.radius)).1;
+            if beyond.len() > 0 && runs.radii[beyond.column(0)] < widest {
                 self.fill_beyond(contact, (runs.radii, &beyond), changes_between_anchors.as_ref(), values);
+            }
+        }
+    }
+
+    /// Fills the columns of the only row that lie beyond the base. None of them goes from row to row, so that no order is
+    /// needed: runs of a few columns take longer to find than to fill.
+    fn fill_beyond_in_only_row(&self, contact: &Contact<T, P, L>, radii: &[T], row: &mut [T]) {
+        let (base, edge) = (self.base.radius, self.radii[0]);
+        for (value, &r) in row.iter_mut().zip(radii) {
+            if base <= r && r < edge {
+                *value = self.first_pressure(contact, 0, r);
             }
         }
     }

@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use crate::Scalar;
+use crate::dispatch::wide;
 
 /// The longest runs of radii, one after the other. They are found anew in every pass, as there is no place to keep
 /// them.
@@ -33,6 +34,19 @@ impl<'a, T: Scalar> Runs<'a, T> {
         Self { radii, first }
     }
 
+    /// Whether there is only one run.
+    pub(super) fn are_in_order(&self) -> bool {
+        self.first.len() == self.radii.len()
+    }
+
+    /// Whether a radius is not inside an edge but inside a wider one.
+    pub(super) fn reach_between(&self, edge: T, wider: T) -> bool {
+        wide(
+            #[inline(always)]
+            || self.radii.iter().fold(false, |any, &r| any | (edge <= r) & (r < wider)),
+        )
+    }
+
     pub(super) fn iter(&self) -> impl Iterator<Item = Run> {
         let mut next = self.first.clone();
         core::iter::from_fn(move || {
@@ -44,7 +58,7 @@ impl<'a, T: Scalar> Runs<'a, T> {
 
     /// The narrowest range that has all columns inside an edge.
     pub(super) fn span_inside(&self, edge: T) -> Range<usize> {
-        if self.first.len() == self.radii.len() {
+        if self.are_in_order() {
             return self.first.split(self.first.count_inside(self.radii, edge)).0.columns;
         }
         let is_inside = |&r: &T| r < edge;

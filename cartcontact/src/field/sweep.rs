@@ -175,6 +175,30 @@ pub(super) fn take_rows_from<T: Scalar>(
     );
 }
 
+/// Columns of a part that is passed over if all of them are inside an edge.
+const PART: usize = 64;
+
+/// Sets those of some columns to zero, in all `rows`, whose radii are not inside an edge.
+pub(super) fn set_beyond_to_zero<T: Scalar>(radii: &[T], edge: T, columns: Range<usize>, rows: &mut [T]) {
+    wide(
+        #[inline(always)]
+        || {
+            for start in columns.clone().step_by(PART) {
+                let part = start..columns.end.min(start + PART);
+                let in_part = &radii[part.clone()];
+                if in_part.iter().fold(true, |all, &r| all & (r < edge)) {
+                    continue;
+                }
+                for row in rows.chunks_mut(radii.len()) {
+                    for (value, &r) in row[part.clone()].iter_mut().zip(in_part) {
+                        *value = if r < edge { *value } else { T::zero() };
+                    }
+                }
+            }
+        },
+    );
+}
+
 /// Takes some columns of one or two rows of a `width` from their pressures in the base and their squares.
 #[inline(always)]
 fn take_pair<T: Scalar>(
