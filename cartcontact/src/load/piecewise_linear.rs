@@ -10,7 +10,8 @@ use crate::Scalar;
 use crate::numbers::compensated_sum::CompensatedSum;
 use crate::pairs::Pairs;
 
-/// How many impulses a load stores, 512 bytes; any other is the sum of one and of up to a 64th of the pieces.
+/// How many impulses and rates of fall a load stores, 512 bytes of each. Any other impulse is the sum of one and of up to
+/// a 64th of the pieces, and a search for the first fall that is too fast passes no more.
 const CHECKPOINTS: usize = 64;
 
 /// A load through knots (time in s, force in N), linear between them and constant after the last.
@@ -56,10 +57,11 @@ const CHECKPOINTS: usize = 64;
 #[derive(Clone, Copy, PartialEq)]
 pub struct PiecewiseLinear<T, K> {
     knots: K,
-    /// The largest −F′/F that counts: if χ is no smaller, the edge never recedes.
-    fastest_fall: T,
     /// The impulses up to every `stride`-th knot.
     impulses: [T; CHECKPOINTS],
+    /// The largest −F′/F that counts among the pieces that begin before the next of these knots: if χ is no smaller, the
+    /// edge does not recede during them.
+    fastest_falls: [T; CHECKPOINTS],
     stride: usize,
 }
 
@@ -83,7 +85,9 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
     pub fn new(knots: K) -> Result<Self, LoadError> {
         check(knots.as_ref())?;
         let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
-        let mut load = Self { knots, fastest_fall: T::zero(), impulses: [T::zero(); CHECKPOINTS], stride };
+        let (impulses, fastest_falls) = ([T::zero(); CHECKPOINTS], [T::zero(); CHECKPOINTS]);
+        let mut load = Self { knots, impulses, fastest_falls, stride };
+        let mut fastest_fall = T::zero();
         let counts_rounding = may_add_up::<T>(load.knots().len());
         let mut sum = CompensatedSum::from(T::zero());
         for (index, piece) in pieces(load.knots.as_ref()).enumerate() {
@@ -93,19 +97,22 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             }
             // With few pieces, the part of a fall that may be rounding does not count; with many, a fall to the bound as
             // it is rounded does not.
-            load.fastest_fall = if counts_rounding {
-                piece.least_rate(load.fastest_fall)
+            fastest_fall = if counts_rounding {
+                piece.least_rate(fastest_fall)
             } else {
-                load.fastest_fall.max(piece.fall_beyond_rounding())
+                fastest_fall.max(piece.fall_beyond_rounding())
             };
             sum.add(piece.impulse());
             let knot = index + 1;
-            if knot % stride == 0
-                && let Some(impulse) = load.impulses.get_mut(knot / stride)
-            {
-                *impulse = sum.total();
+            if knot % stride == 0 {
+                load.fastest_falls[index / stride] = fastest_fall;
+                if let Some(impulse) = load.impulses.get_mut(knot / stride) {
+                    *impulse = sum.total();
+                }
             }
         }
+        let passed = load.knots().len().saturating_sub(1) / stride;
+        load.fastest_falls[passed..].fill(fastest_fall);
         Ok(load)
     }
 
@@ -212,11 +219,14 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
     }
 
     fn recession(&self, chi: T, t: T) -> Option<T> {
-        if self.fastest_fall <= chi {
+        let [.., fastest] = self.fastest_falls;
+        if fastest <= chi {
             return None;
         }
+        // Along the pieces before these nothing falls, or in all by no more than rounding.
+        let first = self.fastest_falls.partition_point(|&fall| fall <= chi) * self.stride;
         let mut descent = Descent::new(chi);
-        let mut begun = pieces(self.knots()).take_while(|piece| piece.start.0 <= t);
+        let mut begun = pieces(self.knots().get(first..)?).take_while(|piece| piece.start.0 <= t);
         begun.find_map(|piece| descent.pass(&piece, t))
     }
 
@@ -258,9 +268,10 @@ mod tests {
             }
             assert!(may_add_up::<f32>(knots.len()));
             let load = PiecewiseLinear::new(knots)?;
-            assert!(load.fastest_fall <= chi, "{} > {chi}", load.fastest_fall);
+            let [.., fastest_fall] = load.fastest_falls;
+            assert!(fastest_fall <= chi, "{fastest_fall} > {chi}");
             // It is the least of such rates, so that a smaller one is too small for a piece.
-            let slower = load.fastest_fall * (1.0 - f32::EPSILON);
+            let slower = fastest_fall * (1.0 - f32::EPSILON);
             assert!(pieces(load.knots()).any(|piece| !piece.keeps_bound(slower)));
         }
         Ok(())
