@@ -173,8 +173,13 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
 
     fn fill_impulses(&self, times: &[T], impulses: &mut [T]) -> bool {
         let mut before = None;
-        for (impulse, &t) in impulses.iter_mut().zip(times) {
-            *impulse = self.impulse_after(t, &mut before);
+        let mut fill = |(impulse, &t): (&mut T, &T)| *impulse = self.impulse_after(t, &mut before);
+        let places = impulses.iter_mut().zip(times);
+        // Sums go on to later times only.
+        if times.first() > times.last() {
+            places.rev().for_each(&mut fill);
+        } else {
+            places.for_each(&mut fill);
         }
         true
     }
