@@ -55,7 +55,10 @@ where
         // each of many radii.
         let again = *self;
         match found(self.solve(load_integral, 0)) {
-            None => out_of_line(move || found(again.solve(load_integral, MORE_STEPS))),
+            // More steps do not lead to the centre, either.
+            None => out_of_line(move || {
+                if load_integral.is_zero() { None } else { found(again.solve(load_integral, MORE_STEPS)) }
+            }),
             first => first,
         }
     }
