@@ -6,8 +6,9 @@ use super::sweep::{Change, Changes, TILE, set_beyond_to_zero, take_rows_from};
 use super::{BLOCK, may_be_apart};
 use crate::Scalar;
 use crate::contact::{Contact, ContactError};
+use crate::dispatch::out_of_line;
 use crate::load::Load;
-use crate::memory::march;
+use crate::memory::{Late, march};
 use crate::profile::GapProfile;
 
 /// After how many rows one is taken from the row before all of them, at radii that were not covered at the base of their
@@ -156,13 +157,14 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             .fold(self.base.radius, |widest, &a| if a > widest { a } else { widest });
         if !runs.are_in_order() {
             set_beyond_to_zero(runs.radii, self.base.radius, span, rows);
-            if !runs.reach_between(self.base.radius, widest) {
-                return;
-            }
-            if self.count == 1 {
-                self.fill_beyond_in_only_row(contact, runs.radii, rows);
-                return;
-            }
+        }
+        let (columns, count) = runs.between(self.base.radius, widest);
+        if count == 0 {
+            return;
+        }
+        if self.count == 1 {
+            self.fill_beyond_in_only_row(contact, (&runs.radii[columns.clone()], count), &mut rows[columns]);
+            return;
         }
         let changes_between_anchors = self.changes_between_anchors();
         for run in runs.iter() {
@@ -173,14 +175,26 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
         }
     }
 
-    /// Fills the columns of the only row that lie beyond the base. None of them goes from row to row, so that no order is
-    /// needed: runs of a few columns take longer to find than to fill.
-    fn fill_beyond_in_only_row(&self, contact: &Contact<T, P, L>, radii: &[T], row: &mut [T]) {
-        let (base, edge) = (self.base.radius, self.radii[0]);
-        for (value, &r) in row.iter_mut().zip(radii) {
-            if base <= r && r < edge {
-                *value = self.first_pressure(contact, 0, r);
-            }
+    /// Fills columns of the only row, of which so many lie beyond the base. None of these goes from row to row, so that
+    /// no order is needed: runs of a few columns take longer to find than to fill. Where there is no panel, many knots
+    /// may lie between the two rows.
+    fn fill_beyond_in_only_row(
+        &self,
+        contact: &Contact<T, P, L>,
+        (radii, count): (&[T], usize),
+        row: &mut [T],
+    ) {
+        let (base, now) = (self.base, self.last());
+        let late = row.iter_mut().zip(radii).filter(|&(_, &r)| (base.radius <= r) & (r < now.radius));
+        if let Some(panel) = &self.panel {
+            late.for_each(|(value, &r)| *value = panel.first_pressure(base, now, r));
+        } else {
+            // Sections take several KiB of the stack.
+            out_of_line(move || {
+                let start = contact.stage(base.time, base.radius);
+                let mut sections = Late::between(contact, start, (now.time, now.radius), count);
+                late.for_each(|(value, &r)| *value = sections.pressure(r));
+            });
         }
     }
 

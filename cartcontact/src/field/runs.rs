@@ -39,12 +39,18 @@ impl<'a, T: Scalar> Runs<'a, T> {
         self.first.len() == self.radii.len()
     }
 
-    /// Whether a radius is not inside an edge but inside a wider one.
-    pub(super) fn reach_between(&self, edge: T, wider: T) -> bool {
-        wide(
+    /// Columns that have all whose radii are not inside an edge but inside a wider one, and how many these are.
+    pub(super) fn between(&self, edge: T, wider: T) -> (Range<usize>, usize) {
+        if self.are_in_order() {
+            let [inside, within] = [edge, wider].map(|edge| self.first.count_inside(self.radii, edge));
+            let columns = self.first.split(inside.max(within)).0.split(inside).1.columns();
+            return (columns.clone(), columns.len());
+        }
+        let count = wide(
             #[inline(always)]
-            || self.radii.iter().fold(false, |any, &r| any | (edge <= r) & (r < wider)),
-        )
+            || self.radii.iter().fold(0, |count, &r| count + usize::from((edge <= r) & (r < wider))),
+        );
+        (0..self.radii.len(), count)
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = Run> {

@@ -1,11 +1,11 @@
 //! Rows of a field in which many radii are reached one after the other, against pressures one by one.
 
-use cartcontact::GapProfile;
 use cartcontact::load::Load;
+use cartcontact::{ContactError, GapProfile};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::{Knots, Rise, through};
+use tests::loads::{CountingForces, Knots, Rise, through};
 use tests::measure::Errors;
 use tests::profiles::{Decimals, Oblate, Paraboloid, Patellofemoral};
 use tests::random::Stream;
@@ -35,7 +35,7 @@ fn record(stream: &mut Stream, count: usize, end: f64) -> Knots {
     through(&knots)
 }
 
-/// Compares a row at a time with the pressures one by one.
+/// Compares a row at a time, the first of its field and after an early row, with the pressures one by one.
 fn compare(
     profile: &dyn GapProfile<f64>,
     (load, chi): (&dyn Load<f64>, f64),
@@ -45,14 +45,17 @@ fn compare(
     let contact = joint(profile, chi, load);
     let now = contact.at(time)?;
     let radii: Vec<f64> = (0..count).map(|k| 1.05 * now.radius() * k as f64 / count as f64).collect();
-    let mut row = vec![f64::NAN; count];
+    let (mut row, mut rows) = (vec![f64::NAN; count], vec![f64::NAN; 2 * count]);
     contact.pressure_field(&[time], &radii, &mut row)?;
-    for (&r, &found) in radii.iter().zip(&row) {
+    contact.pressure_field(&[0.01 * time, time], &radii, &mut rows)?;
+    for (k, &r) in radii.iter().enumerate() {
         let expected = now.pressure(r);
-        if expected > 0.0 {
-            errors.add(found, expected, edge(now.radius(), r), &(time, count, r));
-        } else {
-            assert_eq!(found, 0.0, "{time}, {r}");
+        for found in [row[k], rows[count + k]] {
+            if expected > 0.0 {
+                errors.add(found, expected, edge(now.radius(), r), &(time, count, r));
+            } else {
+                assert_eq!(found, 0.0, "{time}, {r}");
+            }
         }
     }
     Ok(())
@@ -93,5 +96,20 @@ fn rows_under_a_load_that_is_not_straight_are_too() -> Result<(), Failure> {
         }
     }
     errors.check();
+    Ok(())
+}
+
+/// The knots between two rows are passed by sections of time, not by each radius that is reached between them.
+#[test]
+fn a_row_long_after_another_takes_as_long_as_alone() -> Result<(), ContactError> {
+    let radii: Vec<f64> = (0..500).map(|k| 0.015 * f64::from(k)).collect();
+    let load = CountingForces::new(record(&mut Stream::of_case(2, 0), 400, 300.0));
+    let contact = joint(Patellofemoral, CHI, &load);
+    let forces_for = |times: &[f64]| {
+        contact.pressure_field(times, &radii, &mut vec![0.0; times.len() * radii.len()])?;
+        Ok::<_, ContactError>(load.forces())
+    };
+    let (alone, after_another) = (forces_for(&[250.0])?, forces_for(&[2.5, 250.0])?);
+    assert!(after_another < 2 * alone, "{after_another}, {alone}");
     Ok(())
 }
