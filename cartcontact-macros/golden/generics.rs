@@ -636,6 +636,11 @@ const _: () = {
             )
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            __cartcontact::GapProfile::<S>::checked_max_radius(self).map(|_| ())
+        }
+        fn checked_max_radius(
+            &self,
+        ) -> ::core::result::Result<S, __cartcontact::ProfileError> {
             let [__c0, __c1]: [S; 2usize] = __coefficients(self);
             let __field_c = self.c;
             __cartcontact::with_parameters(

@@ -481,6 +481,11 @@ const _: () = {
             })
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            __cartcontact::GapProfile::<T>::checked_max_radius(self).map(|_| ())
+        }
+        fn checked_max_radius(
+            &self,
+        ) -> ::core::result::Result<T, __cartcontact::ProfileError> {
             __cartcontact::check_range_of_fields::<
                 T,
                 _,
@@ -497,34 +502,35 @@ const _: () = {
             let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);
             let __field_c = <T as __cartcontact::Scalar>::constant(self.c);
             __cartcontact::with_parameters(
-                __cartcontact::check_product(
-                        (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                        || {
-                            <T as __cartcontact::Scalar>::constant(0.125f64)
-                                / ({
-                                    let __base = __field_radius;
-                                    __base * __base * __base
-                                })
-                        },
-                        [],
-                        [__field_radius],
-                    )
-                    .and_then(|()| __cartcontact::checked_range(
-                        [
-                            (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                    __cartcontact::check_product(
                             (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                        ],
-                        ::core::option::Option::Some({
-                            let __field_radius = <T as __cartcontact::Scalar>::constant(
-                                self.radius,
-                            );
-                            <T as __cartcontact::Scalar>::constant(0.5f64)
-                                * __field_radius
-                        }),
-                    )),
-                &["radius", "c"],
-                [__field_radius, __field_c],
-            )
+                            || {
+                                <T as __cartcontact::Scalar>::constant(0.125f64)
+                                    / ({
+                                        let __base = __field_radius;
+                                        __base * __base * __base
+                                    })
+                            },
+                            [],
+                            [__field_radius],
+                        )
+                        .and_then(|()| __cartcontact::checked_range(
+                            [
+                                (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
+                                (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
+                            ],
+                            ::core::option::Option::Some({
+                                let __field_radius = <T as __cartcontact::Scalar>::constant(
+                                    self.radius,
+                                );
+                                <T as __cartcontact::Scalar>::constant(0.5f64)
+                                    * __field_radius
+                            }),
+                        )),
+                    &["radius", "c"],
+                    [__field_radius, __field_c],
+                )
+                .map(|_| __cartcontact::GapProfile::<T>::max_radius(self))
         }
         #[inline]
         fn highest_exponent(&self) -> T {

@@ -578,6 +578,11 @@ const _: () = {
             )
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            __cartcontact::GapProfile::<T>::checked_max_radius(self).map(|_| ())
+        }
+        fn checked_max_radius(
+            &self,
+        ) -> ::core::result::Result<T, __cartcontact::ProfileError> {
             __cartcontact::check_range_of_fields::<
                 T,
                 _,

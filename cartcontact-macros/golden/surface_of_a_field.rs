@@ -510,6 +510,11 @@ const _: () = {
             )
         }
         fn check(&self) -> ::core::result::Result<(), __cartcontact::ProfileError> {
+            __cartcontact::GapProfile::<T>::checked_max_radius(self).map(|_| ())
+        }
+        fn checked_max_radius(
+            &self,
+        ) -> ::core::result::Result<T, __cartcontact::ProfileError> {
             __cartcontact::check_range_of_fields::<T, _>(&["radius"], [self.radius])?;
             let [__c0, __c1]: [T; 2usize] = __coefficients(self);
             let __field_radius = <T as __cartcontact::Scalar>::constant(self.radius);

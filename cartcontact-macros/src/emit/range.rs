@@ -21,7 +21,8 @@ pub(super) fn methods(coefficients: &Coefficients<'_>) -> TokenStream {
     let is_constant = geometry.gap.is_constant() && !matches!(geometry.range, Range::Symbolic(_));
     let checked = (!is_constant).then_some(Checked(coefficients));
     let scalar = &names.scalar;
-    let max_radius = match (known(coefficients), &checked) {
+    let end = known(coefficients);
+    let max_radius = match (&end, &checked) {
         (Some(end), _) => quote! {
             #[inline]
             fn max_radius(&self) -> #scalar { #end }
@@ -29,7 +30,7 @@ pub(super) fn methods(coefficients: &Coefficients<'_>) -> TokenStream {
         (None, checked) => checked.as_ref().map(Checked::max_radius).unwrap_or_default(),
     };
     let check = match &checked {
-        Some(checked) => Some(checked.check()),
+        Some(checked) => Some(checked.check(end.is_some())),
         None if geometry.gap.terms.iter().all(fits_every_format) => None,
         None => Some(check_of_constants(names)),
     };
@@ -107,24 +108,29 @@ impl Checked<'_> {
         }
     }
 
-    fn check(&self) -> TokenStream {
+    /// `checked_max_radius`, and `check`, which is the same without the end of the range.
+    fn check(&self, has_known_end: bool) -> TokenStream {
         let (preamble, range) = (self.0.preamble(), self.range());
         let (in_format, declared) = (self.in_format(), self.declared());
-        let krate = &self.names().krate;
+        let Names { krate, scalar, .. } = self.names();
         let mut checks = self.checks_of_terms();
         let range = match checks.next() {
             Some(first) => quote!(#first #(.and(#checks))*.and_then(|()| #range)),
             None => range,
         };
+        let end = has_known_end.then(|| quote!(.map(|_| #krate::GapProfile::<#scalar>::max_radius(self))));
         let (fields, names, values) = self.named(|field| field.used);
         let with_parameters = self.names().generated("with_parameters");
         quote! {
             fn check(&self) -> ::core::result::Result<(), #krate::ProfileError> {
+                #krate::GapProfile::<#scalar>::checked_max_radius(self).map(|_| ())
+            }
+            fn checked_max_radius(&self) -> ::core::result::Result<#scalar, #krate::ProfileError> {
                 #in_format
                 #declared
                 #preamble
                 #fields
-                #with_parameters(#range, &[#(#names),*], [#(#values),*])
+                #with_parameters(#range, &[#(#names),*], [#(#values),*])#end
             }
         }
     }

@@ -79,9 +79,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(profile: P, medium: Medium<T>, load: L) -> Result<Self, ContactError> {
-        profile.check()?;
+        let max_radius = profile.checked_max_radius()?;
         load.check()?;
-        let max_radius = profile.max_radius();
         let scales = Scales::of(&medium);
         Ok(Self { profile, medium, load, max_radius, scales })
     }

@@ -259,8 +259,8 @@ pub fn with_parameters<T: Scalar, const N: usize>(
     checked: Result<T, ProfileError>,
     names: &'static [&'static str; N],
     values: [T; N],
-) -> Result<(), ProfileError> {
-    let Err(mut error) = checked else { return Ok(()) };
+) -> Result<T, ProfileError> {
+    let Err(mut error) = checked else { return checked };
     match &mut error {
         ProfileError::Vanishing { parameters }
         | ProfileError::InvalidCoefficient { parameters, .. }

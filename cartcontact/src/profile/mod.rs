@@ -404,4 +404,11 @@ pub trait GapProfile<T: Scalar> {
     fn check(&self) -> Result<(), ProfileError> {
         Ok(())
     }
+
+    /// [`max_radius`](Self::max_radius) of a geometry that passes its [`check`](Self::check): with fields both search the
+    /// same range.
+    #[doc(hidden)]
+    fn checked_max_radius(&self) -> Result<T, ProfileError> {
+        self.check().map(|()| self.max_radius())
+    }
 }

@@ -32,5 +32,6 @@ implement_for_pointers! {
         fn has_only_positive_terms(&self) -> bool;
         fn has_quick_radii(&self) -> bool;
         fn check(&self) -> Result<(), ProfileError>;
+        fn checked_max_radius(&self) -> Result<T, ProfileError>;
     }
 }
