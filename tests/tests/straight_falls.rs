@@ -184,7 +184,7 @@ fn falls_in_small_jumps_add_up() {
     let recession = |load: &PiecewiseLinear<f32, _>, t| {
         [load.recession(chi, t), Announced::curved(load).recession(chi, t)]
     };
-    // Up to √ε of the force a jump may be rounding.
+    // Falls that add up to less than √ε of the force may be rounding.
     assert_eq!(recession(&staircase(5.0, 400), 0.4), [None; 2]);
     let found = recession(&staircase(5.0, 2000), 2.0);
     assert!(found.into_iter().all(|since| since.is_some_and(|since| since < 0.01)), "{found:?}");

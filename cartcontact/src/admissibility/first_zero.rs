@@ -217,8 +217,8 @@ impl<T: Scalar> Expansion<T> {
 mod tests {
     use super::*;
 
-    /// r², r⁵¹² and r¹⁰²⁴ with 2 C n/(n+2) = a + b, −a and −b, so that the zero is at 1. In so steep a sum, roundings move
-    /// it by less than the rounding of e^x moves a radius.
+    /// r², r⁵¹² and r¹⁰²⁴ with 2 C n/(n+2) = a + b, −a and −b, so that the zero is at 1. In so steep a sum, roundings
+    /// move it by less than the rounding of e^x moves a radius.
     #[test]
     fn radii_before_a_steep_zero_are_rounded_down() {
         for a in (1..40).map(f64::from) {

@@ -228,8 +228,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// `values` is row-major, times × radii: `values[i * radii.len() + j]` belongs to `times[i]` and
     /// `radii[j]`. Times are in ascending order, equal ones allowed; radii may come in any order, which changes no bit
     /// of the values. Descending ones, or those along a diameter, take as long as ascending ones, a square of pixels
-    /// up to 1.6 times as long, and shuffled ones up to three times. The number of quadratures grows like the number of times
-    /// plus that of radii, not like that of values.
+    /// up to 1.6 times as long, and shuffled ones up to three times. The number of quadratures grows like the number of
+    /// times plus that of radii, not like that of values.
     ///
     /// # Accuracy
     ///
