@@ -39,11 +39,11 @@ impl<'a, T: Scalar> Runs<'a, T> {
         self.first.len() == self.radii.len()
     }
 
-    /// Columns that have all whose radii are not inside an edge but inside a wider one, and how many these are.
+    /// Columns that have all whose radii are not inside an edge but inside one as wide or wider, and how many these are.
     pub(super) fn between(&self, edge: T, wider: T) -> (Range<usize>, usize) {
         if self.are_in_order() {
             let [inside, within] = [edge, wider].map(|edge| self.first.count_inside(self.radii, edge));
-            let columns = self.first.split(inside.max(within)).0.split(inside).1.columns();
+            let columns = self.first.split(within).0.split(inside).1.columns();
             return (columns.clone(), columns.len());
         }
         let count = wide(
