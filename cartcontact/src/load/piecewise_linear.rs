@@ -224,14 +224,11 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
     }
 
     fn recession(&self, chi: T, t: T) -> Option<T> {
-        let [.., fastest] = self.fastest_falls;
-        if fastest <= chi {
-            return None;
-        }
-        // Along the pieces before these nothing falls, or in all by no more than rounding.
+        // Along the pieces before these nothing falls, or in all by no more than rounding; mostly there are no others.
         let first = self.fastest_falls.partition_point(|&fall| fall <= chi) * self.stride;
+        let rest = self.knots().get(first..)?;
         let mut descent = Descent::new(chi);
-        let mut begun = pieces(self.knots().get(first..)?).take_while(|piece| piece.start.0 <= t);
+        let mut begun = pieces(rest).take_while(|piece| piece.start.0 <= t);
         begun.find_map(|piece| descent.pass(&piece, t))
     }
 
