@@ -56,9 +56,8 @@ where
         let again = *self;
         match found(self.solve(load_integral, 0)) {
             // More steps do not lead to the centre, either.
-            None => out_of_line(move || {
-                if load_integral.is_zero() { None } else { found(again.solve(load_integral, MORE_STEPS)) }
-            }),
+            None if load_integral.is_zero() => None,
+            None => out_of_line(move || found(again.solve(load_integral, MORE_STEPS))),
             first => first,
         }
     }
