@@ -77,3 +77,29 @@ fn pressures_are_as_exact_as_documented() -> Result<(), ContactError> {
     }
     Ok(())
 }
+
+/// A load that jumps at random times, and in between falls by a share of what it may: F/(1 + χ Δt) from knot to knot.
+fn falls(stream: &mut Stream, count: usize, share: f64) -> Vec<(f64, f64)> {
+    let (mut before, mut force) = (0.0, 50.0);
+    let mut knots = vec![(0.0, force)];
+    for t in times(stream, count) {
+        force /= 1.0 + share * CHI * (t - before);
+        knots.push((t, force));
+        force *= stream.between(1.0, 1.3);
+        knots.push((t, force));
+        before = t;
+    }
+    knots
+}
+
+/// A panel across a jump only knows about when what drains begins to grow.
+#[test]
+fn falls_as_fast_as_the_pressure_follows_are_not_refused_behind_a_jump() {
+    for case in 0..200 {
+        for (share, is_covered) in [(0.999_999, true), (1.001, false)] {
+            let load = through(&falls(&mut Stream::of_case(2, case), 20, share));
+            let untold = joint(Patellofemoral, CHI, Unannounced(&load));
+            assert_eq!(untold.at(END).is_ok(), is_covered, "case {case}, {share} of the bound");
+        }
+    }
+}

@@ -86,12 +86,14 @@ struct Search<'a, T, L: ?Sized> {
 struct Crest<T> {
     time: T,
     fallen: T,
+    /// By how much the fall may be off because of what the series of these panels leave out.
+    uncertainty: T,
     panels: u32,
 }
 
 impl<T: Scalar> Crest<T> {
     fn at(time: T) -> Self {
-        Self { time, fallen: T::zero(), panels: 0 }
+        Self { time, fallen: T::zero(), uncertainty: T::zero(), panels: 0 }
     }
 }
 
@@ -214,7 +216,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
         }
         let of_all = of_one * T::constant(f64::from(self.crest.panels));
         let most = tolerance_of_falls(self.load.force(self.crest.time));
-        of_all.min(most).max(of_one)
+        of_all.min(most).max(of_one) + self.crest.uncertainty
     }
 
     /// Fails if a force of a panel is invalid, or the impulse at its end is not finite.
@@ -305,7 +307,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             }
         }
         let crest = highest.map_or(self.crest, |node| Crest::at(force.time(node)));
-        let crest = Crest { fallen, ..crest };
+        let crest = Crest { fallen, uncertainty: crest.uncertainty + force.uncertainty_of_gains(), ..crest };
         if dip > rounding + force.rounding_of_dip() { Finding::Unclear(crest) } else { Finding::Rises(crest) }
     }
 }
