@@ -83,11 +83,13 @@ fn joined(products: impl Iterator<Item = (Coefficient, String)>) -> String {
 }
 
 fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
-    let written =
-        coefficient.as_constant().map_or_else(|| coefficient.to_string(), |number| decimal(&number));
-    let size = written.strip_prefix('-').filter(|rest| !is_sum(rest));
+    let written = coefficient.to_string();
+    let size = written.strip_prefix('-').filter(|_| !coefficient.is_sum());
     let negative = size.is_some();
-    let size = factor(size.unwrap_or(&written), power);
+    let size = size.unwrap_or(&written);
+    // A fraction could seem to include the power.
+    let is_in_parentheses = coefficient.is_sum() || (size.contains('/') && !power.is_empty());
+    let size = if is_in_parentheses { format!("({size})") } else { size.to_owned() };
     *text += match (text.is_empty(), negative) {
         (true, false) => "",
         (true, true) => "−",
@@ -98,20 +100,6 @@ fn join(text: &mut String, coefficient: &Coefficient, power: &str) {
     *text += if implied { "" } else { &size };
     *text += if implied || power.is_empty() { "" } else { " " };
     *text += power;
-}
-
-/// A coefficient as it is written before a power, if there is one: in parentheses if it is a sum, or a fraction that
-/// could seem to include the power.
-fn factor(coefficient: &str, power: &str) -> String {
-    if is_sum(coefficient) || (coefficient.contains('/') && !power.is_empty()) {
-        format!("({coefficient})")
-    } else {
-        coefficient.to_owned()
-    }
-}
-
-fn is_sum(coefficient: &str) -> bool {
-    coefficient.contains(" + ") || coefficient.contains(" - ")
 }
 
 /// The pressure kernel of the contact radius `a`: with its double zero as a factor for even exponents, otherwise

@@ -121,9 +121,8 @@ fn signed(value: &Coefficient) -> (char, String) {
         Some(number) => (if number.is_negative() { '-' } else { '+' }, exactly(&number.abs())),
         None => {
             let text = value.to_string().replace('·', " * ");
-            let is_sum = text.contains(" + ") || text.contains(" - ");
             match text.strip_prefix('-') {
-                _ if is_sum => ('+', format!("({text})")),
+                _ if value.is_sum() => ('+', format!("({text})")),
                 Some(size) => ('-', size.to_owned()),
                 None => ('+', text),
             }

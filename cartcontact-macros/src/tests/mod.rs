@@ -100,6 +100,7 @@ fn fields_are_symbols() {
         ("(r - radius)^3", "write `+ radius^3` behind"),
         ("(r + radius)^2", "write `- radius^2` behind"),
         ("(r + 1)^2/(2*radius)", "write `- 1/(2 * radius)` behind"),
+        ("(r + radius*(1 + radius))^2", "write `- radius^2 * (1 + radius)^2` behind"),
         ("2*(r^2 + radius - 1)", "behind"),
     ] {
         let messages = on_ball(text).err().unwrap();

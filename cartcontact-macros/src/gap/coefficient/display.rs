@@ -7,6 +7,13 @@ use num_traits::One;
 use super::{Atom, Coefficient, Product};
 use crate::number::{self, Rational};
 
+impl Coefficient {
+    /// Whether it is written as a sum, which stands in parentheses beside other operators.
+    pub(crate) fn is_sum(&self) -> bool {
+        self.products.len() > 1
+    }
+}
+
 impl Display for Coefficient {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
         if self.is_zero() {
