@@ -65,7 +65,11 @@ impl WrittenTerm<'_> {
     fn evaluated(&self, evaluator: &mut Evaluator<'_>) -> Option<OnlyTerm> {
         let value = evaluator.known_coefficient(self.expression).filter(|value| !value.is_zero())?;
         let value = if self.subtracted { value.negated() } else { value };
-        let is_plain = matches!(self.expression.kind, Kind::Number(_) | Kind::Name(_));
+        let is_plain = match &self.expression.kind {
+            Kind::Number(number) => is_written(number),
+            Kind::Name(_) => true,
+            _ => false,
+        };
         Some(OnlyTerm { value, place: self.place, is_plain })
     }
 }
