@@ -68,6 +68,10 @@ impl<'a> Compared<'a> {
         let is_sign = |token: &TokenTree| is_punct(token, '<') || is_punct(token, '>');
         let signs: Vec<&TokenTree> = tokens.iter().filter(|token| is_sign(token)).collect();
         let sides: Vec<&[TokenTree]> = tokens.split(is_sign).map(without_equals).collect();
+        // Nothing is compared by `<<`.
+        if sides.iter().any(|side| side.is_empty()) {
+            return None;
+        }
         let names = sides.iter().enumerate().filter_map(|(place, side)| match side {
             [TokenTree::Ident(name)] => Some((place, name)),
             _ => None,

@@ -87,6 +87,7 @@ fn likely_slips_are_understood() {
         ("2d*r^2", "write `2 * d`"),
         ("sphere(10), order = 4, max_radius = 3, tolerance = 0.1%", "without `%`; write `0.001`"),
         ("r^2 + 3 % 2", "`%` has no meaning"),
+        ("r << 2", "`<` has no meaning"),
         ("0.025 x r^2", "a product is written with `*`, not `x`"),
         ("r as f64 ^ 2", "remove `as`"),
         ("f64::powi(r, 2)", "write `r^2`"),
