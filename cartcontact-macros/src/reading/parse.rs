@@ -132,15 +132,15 @@ impl<'a> Parser<'a> {
     }
 
     fn literal(&mut self, literal: &Literal) -> Expression {
+        if let Some(message) = self.exponent_apart(literal) {
+            return self.fault(Extent::between(literal.span().into(), self.previous), message);
+        }
         match literal::number(&literal.to_string()) {
             Ok(_) if self.is_number_next() => self.spaced_number(literal),
             Ok(value) if self.is_percent_next() => self.percent(&value),
             Ok(_) if self.is_times_ten_next() => self.times_ten(literal),
             Ok(value) => self.unless_method(Expression { kind: Kind::Number(value), extent: self.previous }),
-            Err(message) => match self.exponent_behind_d(literal) {
-                Some(message) => self.fault(Extent::between(literal.span().into(), self.previous), message),
-                None => self.fault(literal.span(), message),
-            },
+            Err(message) => self.fault(literal.span(), message),
         }
     }
 

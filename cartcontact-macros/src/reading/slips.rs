@@ -66,17 +66,25 @@ impl Parser<'_> {
         self.fault(Extent::between(start, self.previous), message)
     }
 
-    /// Skips the exponent of `1.5d-4`, as in Fortran, after `1.5d` has been read.
-    pub(super) fn exponent_behind_d(&mut self, mantissa: &Literal) -> Option<String> {
+    /// Skips the exponent of `1.5d-4`, as in Fortran, or of `1.5 e-4`, after `1.5d` or `1.5` has been read.
+    pub(super) fn exponent_apart(&mut self, mantissa: &Literal) -> Option<String> {
         let text = mantissa.to_string();
-        let (number, name) = with_name(&text).filter(|(_, name)| name.eq_ignore_ascii_case("d"))?;
-        let [TokenTree::Punct(sign), TokenTree::Literal(size), ..] = self.rest else { return None };
+        let (number, name, exponent) = match (with_name(&text), self.rest) {
+            (Some((number, name)), rest) if name.eq_ignore_ascii_case("d") => (number, name.to_owned(), rest),
+            (None, [TokenTree::Ident(name), rest @ ..])
+                if (name == "e" || name == "E") && number(&text).is_ok() =>
+            {
+                (text.as_str(), name.to_string(), rest)
+            }
+            _ => return None,
+        };
+        let [TokenTree::Punct(sign), TokenTree::Literal(size), rest @ ..] = exponent else { return None };
         if !matches!(sign.as_char(), '+' | '-') || !is_whole(&size.to_string()) {
             return None;
         }
-        (0..2).for_each(|_| self.take_token());
+        (self.previous, self.rest) = (size.span().into(), rest);
         Some(format!(
-            "an exponent stands behind `e`; write `{number}e{sign}{size}`, or `{number} * {name} {sign} {size}` if \
+            "an exponent stands right behind `e`; write `{number}e{sign}{size}`, or `{number} * {name} {sign} {size}` if \
              `{name}` is a field"
         ))
     }

@@ -85,6 +85,7 @@ fn likely_slips_are_understood() {
         ("1.09375d-4 * r^4", "write `1.09375e-4`, or `1.09375 * d - 4` if `d` is a field"),
         ("1.09375D+04 * r^4", "write `1.09375e+04`, or"),
         ("2d*r^2", "write `2 * d`"),
+        ("1.5 e-3 * r^2", "write `1.5e-3`, or `1.5 * e - 3` if `e` is a field"),
         ("sphere(10), order = 4, max_radius = 3, tolerance = 0.1%", "without `%`; write `0.001`"),
         ("r^2 + 3 % 2", "`%` has no meaning"),
         ("r << 2", "`<` has no meaning"),
