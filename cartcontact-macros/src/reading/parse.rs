@@ -45,20 +45,14 @@ impl<'a> Parser<'a> {
     }
 
     fn sum(&mut self) -> Expression {
-        let first = self.product();
-        let mut summands = vec![Summand { subtracted: false, expression: first }];
+        let mut summands = vec![Summand { subtracted: false, expression: self.product() }];
         while let Some(sign) = self.next_sign() {
             let expression = self.product();
             summands.push(Summand { subtracted: sign == '-', expression });
         }
-        match summands.pop() {
-            Some(only) if summands.is_empty() => only.expression,
-            last => {
-                summands.extend(last);
-                let extent = spanning(summands.iter().map(|summand| &summand.expression), self.previous);
-                Expression { kind: Kind::Sum(summands), extent }
-            }
-        }
+        let [first, .., last] = summands.as_slice() else { return summands.swap_remove(0).expression };
+        let extent = Extent::between(first.expression.extent, last.expression.extent);
+        Expression { kind: Kind::Sum(summands), extent }
     }
 
     fn product(&mut self) -> Expression {
@@ -68,14 +62,9 @@ impl<'a> Parser<'a> {
             let expression = unclear.unwrap_or_else(|| self.factor());
             factors.push(Factor { divides, expression });
         }
-        match factors.pop() {
-            Some(only) if factors.is_empty() => only.expression,
-            last => {
-                factors.extend(last);
-                let extent = spanning(factors.iter().map(|factor| &factor.expression), self.previous);
-                Expression { kind: Kind::Product(factors), extent }
-            }
-        }
+        let [first, .., last] = factors.as_slice() else { return factors.swap_remove(0).expression };
+        let extent = Extent::between(first.expression.extent, last.expression.extent);
+        Expression { kind: Kind::Product(factors), extent }
     }
 
     pub(super) fn factor(&mut self) -> Expression {
@@ -342,9 +331,4 @@ fn without_parentheses(token: &TokenTree, behind: &[TokenTree]) -> Vec<TokenTree
         _ if behind.first().is_some_and(goes_on) => Vec::new(),
         single => vec![single.clone()],
     }
-}
-
-fn spanning<'a>(mut parts: impl Iterator<Item = &'a Expression>, otherwise: Extent) -> Extent {
-    let first = parts.next().map_or(otherwise, |part| part.extent);
-    Extent::between(first, parts.last().map_or(first, |part| part.extent))
 }
