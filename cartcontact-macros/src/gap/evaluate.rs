@@ -136,6 +136,9 @@ impl<'a> Evaluator<'a> {
                 Some(value) => sum.add(value),
                 None => complete = false,
             }
+            if self.checked(sum.check_length(), expression.extent).is_none() {
+                return (sum, false);
+            }
         }
         (sum, complete)
     }

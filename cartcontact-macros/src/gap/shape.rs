@@ -11,6 +11,10 @@ use crate::gap::polynomial::Polynomial;
 use crate::gap::surface::Surface;
 use crate::number::Rational;
 
+/// The most products that a coefficient is a sum of: far more than a gap needs, and each further one takes as long to
+/// add as all before it.
+const MAXIMUM_PRODUCTS: usize = 256;
+
 #[derive(Clone, Default)]
 pub(crate) struct Shape {
     pub(crate) powers: Polynomial,
@@ -34,6 +38,17 @@ impl Shape {
     /// The coefficient, if there is neither a power of r nor a surface.
     pub(crate) fn as_coefficient(&self) -> Option<Coefficient> {
         self.powers.as_coefficient().filter(|_| self.surfaces.is_empty())
+    }
+
+    /// The rule that is broken if a coefficient is too long a sum.
+    pub(crate) fn check_length(&self) -> Result<(), &'static str> {
+        let coefficients = self.powers.terms().iter().map(|(_, monomial)| &monomial.coefficient);
+        let mut all = coefficients.chain(self.surfaces.iter().map(|surface| &surface.weight));
+        if all.all(|coefficient| coefficient.products.len() <= MAXIMUM_PRODUCTS) {
+            Ok(())
+        } else {
+            Err(TOO_LONG)
+        }
     }
 
     /// Gives a single term the place of the whole expression that makes it.
@@ -92,6 +107,8 @@ impl Shape {
     }
 }
 
+const TOO_LONG: &str = "a coefficient may be a sum of at most 256 terms; declare a field for it, and compute its value \
+                        in the program";
 const NOT_LINEAR: &str = "a surface may be multiplied only by what does not depend on r; a gap is a sum of surfaces \
                           and powers of r";
 

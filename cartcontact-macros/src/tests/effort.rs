@@ -18,6 +18,11 @@ fn sum(exponents: impl Iterator<Item = u32>, sign: char) -> String {
     terms.collect::<Vec<String>>().join(" ")
 }
 
+/// Many multiples of an expression by powers of a field.
+fn powers_of_a_field(multiplied: &str) -> String {
+    (1..1000).map(|n| format!("a^{n} * {multiplied}")).collect::<Vec<String>>().join(" + ")
+}
+
 #[test]
 fn effort_is_bounded() {
     for (name, attribute) in [
@@ -56,6 +61,12 @@ fn what_would_take_long_is_refused() {
     for (name, attribute, rule) in [
         ("a power of 3 fields", "(a*r + b*r^2 + c*r^3)^64".to_owned(), "too long an expression"),
         ("3 fields, 12 times", ["(a*r + b*r^2 + c*r^3)"; 12].join("*"), "too long an expression"),
+        ("a sum of powers of a field", powers_of_a_field("r^2"), "at most 256 terms"),
+        (
+            "a sum of multiples of a sphere",
+            powers_of_a_field("sphere(10)") + ", order = 4",
+            "at most 256 terms",
+        ),
         ("a power of 3 numbers", "(r + r^2 + r^3)^4000".to_owned(), "too many terms"),
         ("a power of long numbers", format!("(1.{}*r + r^2)^127", "1".repeat(40)), "too large"),
         ("a high power of four decimals", "r^2 - 1e-9 * r^64.3333".to_owned(), "a common fraction"),
