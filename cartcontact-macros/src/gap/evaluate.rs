@@ -81,9 +81,10 @@ impl<'a> Evaluator<'a> {
             Kind::Number(value) => Some(constant(Coefficient::constant(value.clone()), extent)),
             Kind::Name(name) => self.name(name),
             Kind::Negative(inner) => self.shape(inner).map(Shape::negated),
-            Kind::Sum(summands) => {
-                Some(self.summed(summands)).filter(|(_, complete)| *complete).map(|(sum, _)| sum)
-            }
+            Kind::Sum(summands) => match self.summed(summands) {
+                (sum, true) => Some(sum),
+                (_, false) => None,
+            },
             Kind::Product(factors) => self.product(factors, extent),
             Kind::Power(base, exponent) => self.power(base, exponent).map(|power| power.spread(extent)),
             Kind::Surface(surface) => self.surface(surface, extent),
@@ -147,11 +148,10 @@ impl<'a> Evaluator<'a> {
         let mut product: Option<Shape> = None;
         let (mut faulty, mut sums) = (false, 0);
         for Factor { divides, expression } in factors {
-            let value = self.shape(expression);
-            let value =
-                value.and_then(
-                    |value| if *divides { self.inverse(&value, expression.extent) } else { Some(value) },
-                );
+            let value = match self.shape(expression) {
+                Some(divisor) if *divides => self.inverse(&divisor, expression.extent),
+                value => value,
+            };
             let Some(value) = value else {
                 faulty = true;
                 continue;
