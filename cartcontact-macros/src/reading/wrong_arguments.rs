@@ -169,6 +169,6 @@ fn written(surface: &str, arguments: &[Vec<String>]) -> Vec<String> {
 fn one_of(meant: &[String], are_readable: bool, example: &str) -> String {
     match meant {
         [_, ..] if are_readable => format!("write {}", meant.join(" or ")),
-        _ => format!("as in `{example}`"),
+        _ => format!("write it as in `{example}`"),
     }
 }

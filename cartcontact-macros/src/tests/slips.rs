@@ -203,7 +203,8 @@ fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
         ["diameter = 20", "D == 20", "curvature = 0.05", "k = 0.05", "R = 20, e = 0.5", "d = 1, 5"]
     {
         let messages = on_unit(&format!("sphere({arguments}), order = 4")).err().unwrap();
-        assert_eq!(messages, ["`sphere` takes the radius of the sphere; as in `sphere(20)`"], "{arguments}");
+        let message = "`sphere` takes the radius of the sphere; write it as in `sphere(20)`";
+        assert_eq!(messages, [message], "{arguments}");
     }
     for arguments in [
         "e = 0.5, R = 10",
@@ -215,8 +216,9 @@ fn arguments_of_other_names_are_not_taken_for_those_of_a_surface() {
         "R = 1, R = 2",
     ] {
         let messages = on_unit(&format!("conic({arguments}), order = 4")).err().unwrap();
-        let rule = "`conic` takes the radius at the vertex and the conic constant; as in `conic(20, -0.5)`";
-        assert_eq!(messages, [rule], "{arguments}");
+        let message =
+            "`conic` takes the radius at the vertex and the conic constant; write it as in `conic(20, -0.5)`";
+        assert_eq!(messages, [message], "{arguments}");
     }
 }
 
