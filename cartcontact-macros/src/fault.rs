@@ -25,6 +25,9 @@ pub(crate) enum Rank {
     Opening,
 }
 
+/// How to write a radius.
+pub(crate) type Remedy = fn(&str) -> String;
+
 /// The ways out are in order of preference; if none works, the message ends with `otherwise`.
 pub(crate) struct Fault {
     pub(crate) extent: Extent,
@@ -34,9 +37,8 @@ pub(crate) struct Fault {
     otherwise: String,
 }
 
-/// An option and its value, with the words in front of it.
 enum Way {
-    MaxRadius { words: &'static str, largest: Rational },
+    MaxRadius { remedy: Remedy, largest: Rational },
     Order(u32),
 }
 
@@ -58,8 +60,8 @@ impl Fault {
     }
 
     /// Way out: a `max_radius` that is no larger than this.
-    pub(crate) fn or_max_radius(mut self, words: &'static str, largest: Rational) -> Self {
-        self.ways.push(Way::MaxRadius { words, largest });
+    pub(crate) fn or_max_radius(mut self, remedy: Remedy, largest: Rational) -> Self {
+        self.ways.push(Way::MaxRadius { remedy, largest });
         self
     }
 
@@ -76,11 +78,9 @@ impl Fault {
     /// The message with the first way out that works. Without surfaces any `max_radius` works.
     pub(crate) fn message(&self, surfaces: &[Surface], works: impl Fn(&Change<'_>) -> bool) -> String {
         let offered = self.ways.iter().find_map(|way| match way {
-            Way::MaxRadius { words, largest } if surfaces.is_empty() => {
-                Some(format!("{words}{}`", decimal(largest)))
-            }
-            Way::MaxRadius { words, largest } => {
-                within_series(words, largest, surfaces, |radius| works(&Change::MaxRadius(radius)))
+            Way::MaxRadius { remedy, largest } if surfaces.is_empty() => Some(remedy(&decimal(largest))),
+            Way::MaxRadius { remedy, largest } => {
+                within_series(*remedy, largest, surfaces, |radius| works(&Change::MaxRadius(radius)))
             }
             Way::Order(order) => works(&Change::Order(*order)).then(|| format!("write `order = {order}`")),
         });
@@ -93,7 +93,7 @@ impl Fault {
 
 /// How to write the largest `max_radius` that works, or a short number not far below it.
 fn within_series(
-    words: &str,
+    remedy: Remedy,
     largest: &Rational,
     surfaces: &[Surface],
     works: impl Fn(&Rational) -> bool,
@@ -101,7 +101,7 @@ fn within_series(
     let radius = rim::inside(largest, surfaces);
     if works(&radius) {
         let reason = if radius == *largest { "" } else { ", as the series of a surface ends there" };
-        return Some(format!("{words}{}`{reason}", decimal(&radius)));
+        return Some(remedy(&decimal(&radius)) + reason);
     }
     let parts = [fraction(3, 4), fraction(1, 2), fraction(1, 4)];
     parts.iter().find_map(|part| {

@@ -16,7 +16,7 @@
 use core::cmp::Ordering;
 
 use crate::diagnostics::Extent;
-use crate::fault::{Fault, Rank};
+use crate::fault::{Fault, Rank, Remedy};
 use crate::first_zero::{End, first_zero};
 use crate::gap::coefficient::Sign;
 use crate::gap::{Gap, Term};
@@ -83,7 +83,8 @@ fn too_large(extent: Extent, end: &mut End) -> Fault {
     let rule = format!(
         "max_radius must lie below r = {shown}, where the gap no longer exceeds its mean over the contact disc"
     );
-    with_remedy(Fault::new(Rank::Range, extent, rule), largest, "write at most `", "write a smaller one")
+    let fault = Fault::new(Rank::Range, extent, rule);
+    with_remedy(fault, largest, |largest| format!("write at most `{largest}`"), "write a smaller one")
 }
 
 fn unlimited(extent: Extent, end: &mut End) -> Fault {
@@ -92,19 +93,20 @@ fn unlimited(extent: Extent, end: &mut End) -> Fault {
         "the gap no longer exceeds its mean over the contact disc from r = {shown} on: beyond it the contact radius is \
          not determined"
     );
+    let fault = Fault::new(Rank::Range, extent, rule);
     with_remedy(
-        Fault::new(Rank::Range, extent, rule),
+        fault,
         largest,
-        "add `max_radius = ",
+        |largest| format!("add `max_radius = {largest}`"),
         "add a `max_radius` well below that",
     )
 }
 
 /// Adds the remedy for a range that goes too far. `largest` is the largest decimal below its end, if there is an `f64`
 /// there.
-fn with_remedy(fault: Fault, largest: Option<Rational>, words: &'static str, otherwise: &str) -> Fault {
+fn with_remedy(fault: Fault, largest: Option<Rational>, remedy: Remedy, otherwise: &str) -> Fault {
     match largest {
-        Some(largest) => fault.or_max_radius(words, largest).otherwise(otherwise),
+        Some(largest) => fault.or_max_radius(remedy, largest).otherwise(otherwise),
         None => fault.otherwise("use a smaller unit of length"),
     }
 }

@@ -268,7 +268,7 @@ fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
     let rule = format!("max_radius must lie below {end}, where the series of a surface ends");
     let fault = Fault::new(Rank::Rim, extent, rule).otherwise("write a smaller one");
     match largest {
-        Some(largest) => fault.or_max_radius("write at most `", largest),
+        Some(largest) => fault.or_max_radius(|largest| format!("write at most `{largest}`"), largest),
         None => fault,
     }
 }
