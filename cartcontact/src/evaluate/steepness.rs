@@ -202,7 +202,7 @@ pub fn plain_power_sum_steepness<T: Scalar>(
 ) -> Steepness<T> {
     let mut sum = Steepness::of_nothing();
     for (c, p) in terms {
-        let value = plain_term(c, x, p) * scale;
+        let value = plain_high_term(c, x, p) * scale;
         sum.value += value;
         sum.add_derivatives(value, p.value());
     }
@@ -230,7 +230,7 @@ fn halved_term<T: Scalar>(c: Halved<T>, x: Halved<T>, square: Halved<T>, p: Expo
 /// [`halved_term`] with every product rounded. Powers are above 4: it has no branches for negative exponents, as the
 /// [`plain_term`](super::power::plain_term) of any power has.
 #[inline(always)]
-fn plain_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
+fn plain_high_term<T: Scalar>(c: T, x: T, p: Exponent<T>) -> T {
     if c.is_zero() {
         return c;
     }
