@@ -30,46 +30,48 @@ impl Item {
         };
         let mut known = if matches!(context, Context::Number) { Vec::new() } else { self.field_names() };
         known.extend(knows_r.then(|| "r".to_owned()));
-        let product = product(&written, &known);
-        let closest = closest(&written, known).map(|known| format!("did you mean `{known}`?"));
+        let with_stars = || written.contains('·').then(|| literal::with_stars(&written));
+        if let Some(product) = product(&written, &known).or_else(with_stars) {
+            return format!(
+                "a product is written with `*`; write `{product}`, and parentheses around the product behind `/`"
+            );
+        }
+        if let Some(similar) = closest(&written, known) {
+            return format!("did you mean `{similar}`?");
+        }
+        known_number(name).map_or_else(|| self.remedy_for_others(name, context, knows_r), str::to_owned)
+    }
+
+    /// What to write in place of a name that is like no known one.
+    fn remedy_for_others(&self, name: &Ident, context: Context, knows_r: bool) -> String {
+        let written = unraw(name);
         let (only, known) = match power_of_r(&written) {
             Some(power) if knows_r => (format!("for the power write `{power}`; "), format!("`{power}`")),
             _ if knows_r => ("only `r` is known here; ".to_owned(), "`r`".to_owned()),
             _ => (String::new(), "a number".to_owned()),
         };
-        let with_stars = || written.contains('·').then(|| literal::with_stars(&written));
-        if let Some(product) = product.or_else(with_stars) {
-            return format!(
-                "a product is written with `*`; write `{product}`, and parentheses around the product behind `/`"
-            );
-        }
-        match closest.or_else(|| known_number(name).map(str::to_owned)) {
-            Some(remedy) => remedy,
-            None if matches!(context, Context::Number) => "write a number".to_owned(),
-            None if matches!(context, Context::Gap { names_r: false }) && is_distance(&written) => {
+        match context {
+            Context::Number => "write a number".to_owned(),
+            Context::Gap { names_r: false } if is_distance(&written) => {
                 "the distance from the axis is called `r`".to_owned()
             }
-            None if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
-            None if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
-            None if unit::is_unit(&written) => {
-                unit::no_units(&written, "remove it and the operator before it")
-            }
+            _ if name == "sphere" => "a surface has a radius, as in `sphere(20)`".to_owned(),
+            _ if name == "conic" => "a surface has a radius, as in `conic(20, -0.5)`".to_owned(),
+            _ if unit::is_unit(&written) => unit::no_units(&written, "remove it and the operator before it"),
             // Words of Rust cannot name a field.
-            None if is_keyword(name) => {
-                format!("write {known} or a field")
-            }
-            None if self.fields.is_empty() && is_like_constant(&written) => {
+            _ if is_keyword(name) => format!("write {known} or a field"),
+            _ if self.fields.is_empty() && is_like_constant(&written) => {
                 let field = format!("`struct {} {{ {name}: f64 }}`", self.ident);
                 format!("{NO_CONSTANTS}: write the number, or declare a field, as in {field}")
             }
             // A single letter is more likely one of a formula.
-            None if is_like_constant(&written) && written.chars().count() > 1 => {
+            _ if is_like_constant(&written) && written.chars().count() > 1 => {
                 format!("{NO_CONSTANTS}: write the number, or a field of `{}`", self.ident)
             }
-            None if self.fields.is_empty() && self.others.is_empty() => {
+            _ if self.fields.is_empty() && self.others.is_empty() => {
                 format!("{only}a field declares a symbol, as in `struct {} {{ {name}: f64 }}`", self.ident)
             }
-            None => format!("write {known} or a field of `{}`", self.ident),
+            _ => format!("write {known} or a field of `{}`", self.ident),
         }
     }
 }
