@@ -53,6 +53,12 @@ const PAIRS: [[Tabled; 2]; 2] = {
     [tabled([inner, of_inner]), tabled([outer, of_outer])]
 };
 
+/// By how much q may have faded at the end of a panel from what it is in the middle.
+///
+/// What interpolation rounds is a share of q in the middle, but a radius that the edge passes last has a pressure in
+/// proportion to q at the end, which vanishes where a load stops falling as fast as it may.
+const LARGEST_FADING: f64 = 8.0;
+
 /// A period from `start` on during which pressures change like polynomials of time.
 pub(super) struct Panel<'a, T, P, L> {
     contact: &'a Contact<T, P, L>,
@@ -125,7 +131,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Panel<'a, T, P, L> {
         let (slope, offset) = (Interpolant::through(slopes), Interpolant::through(offsets));
         let size = slope.size();
         let resolved = slope.is_resolved(size) && offset.is_resolved(size * start.radius * start.radius);
-        resolved.then(|| Self { contact, start, scale: half.recip(), slope, offset, force_rate })
+        let lasts = slope.at(T::one()) * T::constant(LARGEST_FADING) >= size;
+        (resolved && lasts).then(|| Self { contact, start, scale: half.recip(), slope, offset, force_rate })
     }
 
     /// The changes at `times`: from the time before (the first from the start), and from the start.

@@ -113,3 +113,24 @@ fn a_row_long_after_another_takes_as_long_as_alone() -> Result<(), ContactError>
     assert!(after_another < 2 * alone, "{after_another}, {alone}");
     Ok(())
 }
+
+/// Where a load has fallen as fast as it may the edge comes to rest, and hardly anything presses on what it reached last.
+#[test]
+fn radii_are_reached_before_the_edge_comes_to_rest() -> Result<(), Failure> {
+    let mut errors = Errors::of(budget::FIELD);
+    for folds in [1e-3, 0.0157, 0.1] {
+        let duration: f64 = folds / CHI;
+        let load = through(&[(0.0, 100.0), (duration, 100.0 / (1.0 + folds))]);
+        let contact = joint(Patellofemoral, CHI, &load);
+        let times = [0.0, 0.5 * duration, duration.next_down()];
+        let now = contact.at(times[2])?;
+        let radii: [f64; 9] = core::array::from_fn(|k| now.radius() * (1.0 - 0.1_f64.powi(k as i32 + 5)));
+        let mut values = [f64::NAN; 27];
+        contact.pressure_field(&times, &radii, &mut values)?;
+        for (&r, &found) in radii.iter().zip(&values[18..]) {
+            errors.add(found, now.pressure(r), edge(now.radius(), r), &(folds, r));
+        }
+    }
+    errors.check();
+    Ok(())
+}
