@@ -148,6 +148,31 @@ fn derivatives_under_small_loads_are_those_of_similarity() -> Result<(), Failure
     Ok(())
 }
 
+/// The peak pressure and its derivative with respect to m, of the gap 0.025 r² in mm under 100 N, with the unit of length
+/// 2^−`octaves` mm.
+fn peak_by_stiffness<T: Scalar>(octaves: i32, variable: impl Fn(f64) -> T) -> Result<(T, f64), Failure> {
+    let [unit, m] = [2_f64.powi(octaves), 0.375 * 2_f64.powi(-5 * octaves)];
+    let profile = Polynomial::new([(T::constant(0.025 / unit), T::constant(2.0))])?;
+    let medium = Medium::from_constants(variable(m), T::constant(0.0015))?;
+    let contact = Contact::new(profile, medium, Constant(T::constant(100.0)))?;
+    Ok((contact.at(T::constant(200.0))?.peak_pressure(), m))
+}
+
+/// The derivative of a quotient is a difference of products, and those of load integrals in µm⁵ leave the format.
+#[test]
+fn derivatives_are_there_where_products_of_load_integrals_are_not() -> Result<(), Failure> {
+    // P(0, t) ∝ m^(1/3)
+    for octaves in [0, 8, 10] {
+        let (peak, m) = peak_by_stiffness(octaves, |m| Dual32::from(m as f32).derivative())?;
+        assert_close(peak.eps, f64::from(peak.re) / (3.0 * m), &octaves);
+    }
+    for octaves in [0, 70, 95] {
+        let (peak, m) = peak_by_stiffness(octaves, |m| Dual64::from(m).derivative())?;
+        assert_close(peak.eps, peak.re / (3.0 * m), &octaves);
+    }
+    Ok(())
+}
+
 /// Where the range ends far beyond the radius, what is computed at its end leaves the format, and more so what
 /// derivatives are quotients by.
 #[test]

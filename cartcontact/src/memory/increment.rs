@@ -1,6 +1,7 @@
 //! What a stretch of history adds to the pressures, before it is multiplied by m/4.
 
 use crate::Scalar;
+use crate::numbers::binary::ratio;
 
 /// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to that at the end of a stretch.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +87,7 @@ impl<T: Scalar> Increment<T> {
     pub(super) fn scaled_to_load(self, load: T, low: T) -> Option<Self> {
         let carried = self.doubled_load(low);
         if load > T::zero() && carried > T::zero() {
-            return Some(self.times((load + load) / carried));
+            return Some(self.times(ratio(load + load, carried)));
         }
         let is_lost = load > T::zero() && carried.is_zero();
         (!is_lost).then_some(self)
@@ -96,7 +97,7 @@ impl<T: Scalar> Increment<T> {
     pub(super) fn scaled_if_resolved(self, load: T, low: T) -> Option<Self> {
         let (carried, doubled) = (self.doubled_load(low), load + load);
         let is_resolved = load > T::zero() && carried <= doubled + doubled && load <= carried;
-        is_resolved.then(|| self.times(doubled / carried))
+        is_resolved.then(|| self.times(ratio(doubled, carried)))
     }
 
     /// Twice the load that the increment carries.

@@ -43,6 +43,17 @@ fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
     }
 }
 
+/// A quotient of numbers of similar size. The derivative of one is a difference of products over a square, which leave
+/// the format long before the numbers do.
+#[inline(always)]
+pub(crate) fn ratio<T: Scalar>(x: T, y: T) -> T {
+    if has_no_derivatives::<T>() || !is_finite_and_positive(y) {
+        return x / y;
+    }
+    let (y, exponent) = split(y);
+    scale(x, -exponent) / y
+}
+
 /// The product of some numbers over that of others, which is out of range only if the result is.
 ///
 /// Zeros, infinities and NaN are not split into a fraction and a power of two; they never leave the range.
