@@ -4,7 +4,7 @@
 
 use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile};
-use num_dual::{Dual2_64, Dual32, Dual64};
+use num_dual::{Dual2_32, Dual2_64, Dual32, Dual64};
 use tests::budget;
 use tests::measure::relative_error;
 use tests::profiles::Paraboloid;
@@ -206,5 +206,33 @@ fn a_distant_end_of_the_range_leaves_derivatives_alone() -> Result<(), Failure> 
         }
     }
     assert!(count > 5000, "{count} of 6000 load integrals are within half of the range");
+    Ok(())
+}
+
+/// The derivatives of 1/d have factors 1/d² and 1/d³, which leave single precision long before a coefficient d does.
+#[test]
+fn small_coefficients_leave_second_derivatives_alone() -> Result<(), Failure> {
+    for d in [1e-10_f32, 1e-15, 1e-20, 1e-25, 1e-30] {
+        let constant = Dual2_32::from;
+        let terms = [(0.3_f32, 0.25_f32), (d, 64.0)];
+        let profile = Polynomial::new(terms.map(|(c, n)| (constant(c), constant(n))))?;
+        for k in 0..200 {
+            let load_integral = 10_f32.powf(-2.0 + 0.02 * k as f32);
+            let a = profile.radius(constant(load_integral).derivative())?;
+            // d²a/dy² = −J″/J′³
+            let derivative = |order: i32| -> f64 {
+                let of_term = |(c, n): (f32, f32)| {
+                    let (c, n, a) = (f64::from(c), f64::from(n), f64::from(a.re));
+                    let falling: f64 = (0..order).map(|k| n + 4.0 - f64::from(k)).product();
+                    c * n / ((n + 2.0) * (n + 4.0)) * falling * a.powf(n + 4.0 - f64::from(order))
+                };
+                terms.into_iter().map(of_term).sum()
+            };
+            let expected = -derivative(2) / derivative(1).powi(3);
+            let error = (f64::from(a.v2) / expected - 1.0).abs() / f64::from(f32::EPSILON);
+            // Twice the power of the steepest term.
+            assert!(error < 136.0, "{d:e}, {load_integral:e}: {a}, not {expected}: {error} ε");
+        }
+    }
     Ok(())
 }

@@ -27,25 +27,33 @@
 
 use super::{beyond, needs_search};
 use crate::Scalar;
-use crate::numbers::binary::{estimated_root_of_product, scale, split};
+use crate::numbers::binary::{estimated_root_of_quotient, scale, split};
 use crate::profile::RadiusError;
 use crate::scalar::{has_no_derivatives, is_same, lesser};
 
-/// A positive term of J: 1/j and the power p.
+/// A positive term of the gap.
 #[derive(Clone, Copy, Debug)]
 pub struct PositiveTerm<T> {
-    /// 1/j = (n+2)(n+4)/(C n).
-    pub inverse: T,
-    /// p = n + 4.
-    pub power: T,
+    c: T,
+    n: T,
 }
 
 impl<T: Scalar> PositiveTerm<T> {
-    /// The term C r^n of the gap.
+    /// The term C r^n.
     #[inline]
     pub fn of(c: T, n: T) -> Self {
-        let (two, four) = (T::constant(2.0), T::constant(4.0));
-        Self { inverse: (n + two) * ((n + four) / n) / c, power: n + four }
+        Self { c, n }
+    }
+
+    /// The power p = n + 4 of the term j a^p of J.
+    fn power(self) -> T {
+        self.n + T::constant(4.0)
+    }
+
+    /// The radius at which the term alone is a load integral, (y/j)^(1/p) with 1/j = (n+2)(n+4)/(C n), within 1 %.
+    fn estimated_radius(self, load_integral: T) -> T {
+        let (n, two) = (self.n, T::constant(2.0));
+        estimated_root_of_quotient(load_integral, (n + two) * (self.power() / n), self.c, self.power())
     }
 }
 
@@ -140,8 +148,8 @@ impl<T: Scalar> Seed<T> {
         let (mut radius, mut count) = (T::infinity(), T::zero());
         let (mut least_power, mut highest_power) = (T::infinity(), T::zero());
         for term in positive {
-            radius = radius.min(estimated_root_of_product(target, term.inverse, term.power));
-            (least_power, highest_power) = (least_power.min(term.power), highest_power.max(term.power));
+            radius = radius.min(term.estimated_radius(target));
+            (least_power, highest_power) = (least_power.min(term.power()), highest_power.max(term.power()));
             count += T::one();
         }
         // N^(−1/p) ≥ 1 − (ln N)/p ≥ 1 − (N−1)/p, but never below N^(−1/4) ≥ 1/N.
@@ -297,7 +305,7 @@ mod tests {
 
     #[test]
     fn nearly_flat_load_integrals_are_met_to_their_rounding() {
-        let positive = [PositiveTerm { inverse: 6.0, power: 6.0 }, PositiveTerm { inverse: 8.0, power: 8.0 }];
+        let positive = [PositiveTerm::of(2.0, 2.0), PositiveTerm::of(1.5, 4.0)];
         for k in 0..1000 {
             let b = 1.0 - 10f64.powf(-6.0 - 7.0 * f64::from(k % 31) / 31.0);
             let planted = 1.0 + 2e-5 * (f64::from(k) / 500.0 - 1.0);
