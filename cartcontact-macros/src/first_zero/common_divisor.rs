@@ -292,6 +292,21 @@ mod tests {
         assert_eq!(square_free(&product(&[(2, 1), (5, 1)])), product(&[(2, 1), (5, 1)]));
     }
 
+    /// Modulo a prime that divides their difference, two roots are one.
+    #[test]
+    fn no_prime_misleads() {
+        let first = prime_after(FIRST_PRIME_ABOVE);
+        let second = prime_after(first);
+        for apart in [first, second, first * second].map(|apart| apart as i64) {
+            let [near, far] = [3, 3 + apart];
+            let simple = product(&[(near, 1), (far, 1)]);
+            assert_eq!(square_free(&simple), simple, "{apart}");
+            assert_eq!(square_free(&product(&[(near, 2), (far, 1)])).negated(), simple, "{apart}");
+            let [left, right] = [near, far].map(|root| product(&[(root, 1), (7, 1)]));
+            assert_eq!(common_divisor(&left, &right), product(&[(7, 1)]), "{apart}");
+        }
+    }
+
     #[test]
     fn primes_are_found_by_the_test() {
         let by_division = |n: u64| (2..).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d));

@@ -134,8 +134,13 @@ fn a_root_next_to_the_end_of_the_range_is_told_apart() {
 
 #[test]
 fn ends_of_all_magnitudes_are_found() {
-    for (end, remedy) in [("1e-250", "9.999999e-251"), ("123456789", "1.234567e8"), ("1e250", "9.999999e249")]
-    {
+    for (end, remedy) in [
+        ("1e-250", "9.999999e-251"),
+        ("123456789", "1.234567e8"),
+        ("1e250", "9.999999e249"),
+        // The `f64` next to 0.1 lies beyond this end.
+        ("0.100000000000000001", "0.0999999"),
+    ] {
         let gap = planted(&[root(end), pair("1", "1"), pair("1e-9", "1e-12")]);
         assert!(message(&gap).ends_with(&format!("`max_radius = {remedy}`")), "{}", message(&gap));
         assert!(up_to(&gap, remedy) && !up_to(&gap, end));
@@ -155,6 +160,48 @@ fn ends_of_all_magnitudes_are_found() {
     // a^0.001 = 4001/4.002.
     let slow = message(&written(&[("2", "1"), ("2.001", "-1e-3")]));
     assert!(slow.contains("r = 1e2999 on") && slow.ends_with("`max_radius = 1e307`"), "{slow}");
+}
+
+/// δ₀′ = 2 a (1 - (1 - 1e-20) (a/10)^49): the exponent of 10 comes from 49 log10(10) (1/49), which `f64` rounds below 1.
+#[test]
+fn an_end_above_a_power_of_ten_has_its_exponent() {
+    let mut q = vec![Rational::zero(); 50];
+    q[0] = integer(1);
+    q[49] = exact("-99999999999999999999e-69");
+    let message = message(&with_slope(&q, "1"));
+    assert!(message.contains("r = 10 on") && message.ends_with("`max_radius = 10`"), "{message}");
+}
+
+/// δ₀′ = 2 a (b - x) (x^5 - 2.8^5)/(x - 2.8) with x = a^0.2: of the roots of x^5 = 2.8^5 it has those that are not real.
+#[test]
+fn a_root_is_not_taken_for_another_of_the_same_power() {
+    let others = ["61.4656", "21.952", "7.84", "2.8", "1"].map(exact).to_vec();
+    for (b, holds) in [("2.800000000001", true), ("2.8", false), ("2.799999999999", false)] {
+        let gap = with_slope(&product(&[root(b), others.clone()]), "0.2");
+        assert_eq!(up_to(&gap, "172.10368"), holds, "{b}");
+    }
+}
+
+#[test]
+fn roots_next_to_their_bounds_are_found() {
+    let slope = |q: &[i64]| with_slope(&q.iter().map(|&c| integer(c)).collect::<Factor>(), "1");
+    for (q, below, above) in [
+        (&[1, -1, -3, -7, -15][..], "0.3", "0.33"),
+        (&[15, 7, 3, 1, -1], "3", "3.2"),
+        (&[127, 31, 7, -1], "10.9", "11"),
+    ] {
+        assert!(up_to(&slope(q), below) && !up_to(&slope(q), above), "{q:?}");
+    }
+}
+
+/// δ₀′/(2 a) = 20.0005 - 21 a + a^20 dips below zero from 1.0005 on; at 2 the last term outweighs the others.
+#[test]
+fn a_dip_before_a_term_that_outweighs_the_others_ends_the_range() {
+    let mut q = vec![Rational::zero(); 21];
+    q[..2].clone_from_slice(&[exact("20.0005"), exact("-21")]);
+    q[20] = integer(1);
+    let dip = with_slope(&q, "1");
+    assert!(up_to(&dip, "1.0005") && !up_to(&dip, "1.001"));
 }
 
 #[test]
