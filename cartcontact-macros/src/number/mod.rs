@@ -231,6 +231,18 @@ mod tests {
     }
 
     #[test]
+    fn powers_of_two_have_one_binary_digit() {
+        assert!(
+            [(1, 1), (8, 1), (-2, 1), (1, 4), (-1, 64)]
+                .iter()
+                .all(|&(n, d)| is_power_of_two(&fraction(n, d)))
+        );
+        assert!(
+            ![(0, 1), (1, 3), (3, 1), (3, 4), (-2, 5)].iter().any(|&(n, d)| is_power_of_two(&fraction(n, d)))
+        );
+    }
+
+    #[test]
     fn shifts_round_down() {
         let shifts =
             [(-5, -1), (5, -1), (-5, 2), (7, 0)].map(|(number, steps)| shifted(&number.into(), steps));
@@ -254,6 +266,7 @@ mod tests {
         assert_eq!(root(&fraction(8, 27), &3.into()), Some(fraction(2, 3)));
         assert_eq!(root(&integer(1), &BigInt::from(10).pow(20)), Some(integer(1)));
         assert_eq!(root(&integer(2), &2.into()), None);
+        assert_eq!([fraction(9, 5), fraction(5, 9)].map(|base| root(&base, &2.into())), [None, None]);
         assert_eq!(root(&integer(-8), &3.into()), None);
     }
 }

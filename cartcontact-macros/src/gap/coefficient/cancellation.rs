@@ -52,6 +52,8 @@ mod tests {
         assert!(curvatures.scaled(&fraction(1, 2)).multiply(&a).may_cancel());
         assert!(a.add(&b).add(&field("c").negated()).may_cancel());
         assert!(a.add(&number(-1, 10)).may_cancel());
+        // One digit more than single precision has.
+        assert!(a.add(&number(-(1 << 24) - 1, 1)).may_cancel());
         assert!(a.multiply(&b).add(&number(1, 1)).may_cancel());
         // A common factor is left as it is.
         let common = a.multiply(&b).add(&number(-1, 1));

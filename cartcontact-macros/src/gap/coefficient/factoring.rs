@@ -114,6 +114,8 @@ mod tests {
             inverse(&a).add(&inverse(&b).multiply(&number(-1, 2))),
             power(&a, -2, 1).add(&power(&b, -2, 1).negated()),
             power(&a, 2, 1).add(&power(&b, 2, 1)),
+            // Its sign is that of c.
+            field("c").multiply(&power(&a, 2, 1)).add(&field("c").multiply(&power(&b, 2, 1))),
             power(&a, 1, 2).add(&power(&b, 1, 2).negated()),
             power(&a, 13, 1).add(&power(&b, 13, 1).negated()),
             power(&a, 2, 1).add(&number(-1, 1)),
