@@ -3,6 +3,7 @@
 use super::{on_ball, on_unit};
 use crate::closed_forms::ClosedForms;
 use crate::geometry::Geometry;
+use crate::start::roots::Reach;
 use crate::start::{Start, seeds};
 
 fn has_leading_term(geometry: &Geometry) -> bool {
@@ -28,4 +29,14 @@ fn expansions_of_high_order_have_whole_tables() {
         let seeds = seeds::seeds(&geometry, &ClosedForms::of(&geometry.gap).stepped);
         assert_eq!(seeds.map(|seeds| seeds.table.rows.len()), Some(256), "{text}");
     }
+}
+
+/// A gap as wide as its radius is at 1e300, where J is infinite.
+#[test]
+fn there_is_no_window_beyond_the_format() {
+    let sum = on_unit("1e-300 * r^2 + 1e-300 * r^3");
+    assert!(sum.is_ok_and(|geometry| has_leading_term(&geometry)));
+    let single =
+        on_unit("1e-300 * r^2.5").map(|geometry| Start::of(&geometry, &ClosedForms::of(&geometry.gap)));
+    assert!(matches!(single, Ok(Some(Start::Roots(roots))) if !matches!(roots.reach, Reach::Window)));
 }
