@@ -233,7 +233,8 @@ impl Curve {
         let series = self.shortened(POWERS, ALLOWED_ERROR)?;
         let [first, second, third] = self.radius.map(f64::from);
         let size = (first + second) + third;
-        let lost = ((first + second) - size) + third + size * (series[0] - 1.0);
+        // What shortening takes from `series[0]`, less than ε/16, does not change that 1.
+        let lost = ((first + second) - size) + third;
         let scaled = |k: usize| size * series[k];
         let words = core::array::from_fn(|k| if k == 0 { size } else { scaled(k) });
         let rests = [lost, scaled(9), scaled(10), scaled(11), scaled(12), 0.0];
