@@ -51,3 +51,56 @@ fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
         max_radius: limit.value(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::newton::{PositiveTerm, invert};
+    use super::one_term::invert_one_term;
+    use super::*;
+
+    /// The radius by the two general solutions, for J = a⁶.
+    fn radii(load_integral: f64, limit: f64) -> [Result<f64, RadiusError>; 2] {
+        let (c, n) = (12.0, 2.0);
+        let power = |a: f64| a.powi(6);
+        let positive = [PositiveTerm::of(c, n)].into_iter();
+        let evaluate = |a| (power(a), 6.0 * power(a));
+        let by_steps = invert(load_integral, limit, positive, false, evaluate, power);
+        [by_steps, invert_one_term(load_integral, (c, n), limit)]
+    }
+
+    #[test]
+    fn what_is_not_a_load_integral_is_refused() {
+        for bad in [-1.0, f64::NAN, f64::INFINITY, -f64::INFINITY] {
+            for found in radii(bad, f64::INFINITY) {
+                assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
+            }
+        }
+        assert_eq!(radii(0.0, f64::INFINITY), [Ok(0.0), Ok(0.0)]);
+    }
+
+    #[test]
+    fn there_is_no_radius_in_a_range_that_is_none() {
+        for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
+            for found in radii(1.0, limit) {
+                assert!(matches!(found, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{found:?}");
+            }
+        }
+    }
+
+    /// The sixth powers of these ends are exact.
+    #[test]
+    fn the_end_of_the_range_is_inside() {
+        for k in 1..256 {
+            let end = f64::from(k) / 8.0;
+            let largest = end.powi(6);
+            for found in radii(largest, end) {
+                let is_end = |a: f64| a <= end && a > end * (1.0 - 2.0 * f64::EPSILON);
+                assert!(found.is_ok_and(is_end), "{end}: {found:?}");
+            }
+            for found in radii(largest * (1.0 + 1e-14), end) {
+                let beyond = matches!(found, Err(RadiusError::BeyondRange { .. }));
+                assert!(beyond, "{end}: {found:?}");
+            }
+        }
+    }
+}

@@ -329,20 +329,30 @@ mod tests {
         ));
     }
 
+    /// All terms are as large as each other at 1, so that each alone is a third of J.
     #[test]
-    fn what_is_not_a_load_integral_is_refused() {
-        for bad in [-1.0, f64::NAN, f64::INFINITY, -f64::INFINITY] {
-            let found = radius(bad, f64::INFINITY);
-            assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
+    fn the_bracket_has_the_radius_of_many_equal_terms() {
+        let powers = [6, 7, 8];
+        let positive = powers.map(|p| {
+            let n = f64::from(p - 4);
+            PositiveTerm::of((n + 2.0) * (n + 4.0) / n, n)
+        });
+        let sum =
+            |a: f64, weight: fn(i32) -> i32| powers.map(|p| f64::from(weight(p)) * a.powi(p)).iter().sum();
+        let evaluate = |a: f64| -> (f64, f64) { (sum(a, |_| 1), sum(a, |p| p)) };
+        for has_negative_terms in [false, true] {
+            let found = invert(3.0, f64::INFINITY, positive.into_iter(), has_negative_terms, evaluate, |a| {
+                evaluate(a).0
+            });
+            assert!(found.is_ok_and(|a| (a - 1.0).abs() < 2.0 * f64::EPSILON), "{found:?}");
         }
-        assert_eq!(radius(0.0, f64::INFINITY), Ok(0.0));
     }
 
     #[test]
-    fn there_is_no_radius_in_a_range_that_is_none() {
-        for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
-            let found = radius(1.0, limit);
-            assert!(matches!(found, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{found:?}");
+    fn the_middle_of_a_bracket_is_in_the_format() {
+        for unit in [2f64.powi(-600), 1.0, 2f64.powi(600)] {
+            let middle = Bracket { low: unit, high: 4.0 * unit }.middle();
+            assert!((middle / (2.0 * unit) - 1.0).abs() <= f64::EPSILON, "{unit:e}: {middle:e}");
         }
     }
 }

@@ -103,26 +103,33 @@ mod tests {
 
     #[test]
     fn roots_scale_exactly_with_powers_of_two() {
-        for n in [1.0, 2.0, 2.5, 4.0, 64.0] {
+        for n in [1.0, 2.0, 2.25, 2.5, 4.0, 5.75, 64.0] {
             let base: f64 = radius(0.7, 0.3, n);
-            assert_eq!(radius(scale(0.7, (2.0 * (n + 4.0)) as i32), 0.3, n), 4.0 * base);
+            assert_eq!(radius(scale(0.7, (4.0 * (n + 4.0)) as i32), 0.3, n), 16.0 * base);
         }
     }
 
+    /// Of these, 2^`rest` may leave the format.
     #[test]
-    fn what_is_not_a_load_integral_is_refused() {
-        for bad in [-1.0, f64::NAN, f64::INFINITY, -f64::INFINITY] {
-            let found = invert_one_term(bad, (0.025, 2.0), f64::INFINITY);
-            assert!(matches!(found, Err(RadiusError::InvalidLoadIntegral { .. })), "{bad}");
-        }
-        assert_eq!(invert_one_term(0.0, (0.025, 2.0), f64::INFINITY), Ok(0.0));
-    }
-
-    #[test]
-    fn there_is_no_radius_in_a_range_that_is_none() {
-        for limit in [0.0, -1.0, -f64::INFINITY, f64::NAN] {
-            let found = invert_one_term(1.0, (0.025, 2.0), limit);
-            assert!(matches!(found, Err(RadiusError::BeyondRange { largest: 0.0, .. })), "{found:?}");
+    fn roots_of_high_powers_are_found() {
+        for n in [71.5, 96.0, 124.0, 150.75, 1024.0] {
+            for octave in -120..120 {
+                let target = 1.25 * 2f64.powi(octave);
+                let exact = (target * ((n + 2.0) * (n + 4.0) / n)).powf(1.0 / (n + 4.0));
+                let single = f64::from(radius(target as f32, 1.0, n as f32));
+                // Two powers and their product.
+                assert!(
+                    (single / exact - 1.0).abs() < 2.0 * f64::from(f32::EPSILON),
+                    "{n}, {octave}: {single}"
+                );
+            }
+            for octave in -900..900 {
+                let logarithm =
+                    (f64::from(octave) + (n + 2.0).log2() + (n + 4.0).log2() - n.log2()) / (n + 4.0);
+                let found: f64 = radius(2f64.powi(octave), 1.0, n);
+                // What rounding the logarithm leaves.
+                assert!((found.log2() - logarithm).abs() < 1e-14, "{n}, {octave}: {found}");
+            }
         }
     }
 }
