@@ -131,6 +131,33 @@ fn coefficients_of_any_size_have_all_digits() {
     }
 }
 
+/// The same for planted radii and two coefficients of different sizes.
+#[test]
+fn two_coefficients_of_any_sizes_have_all_digits() {
+    fn check<T: Scalar>(decades: i32, most: f64)
+    where
+        Fields: GapProfile<T>,
+    {
+        let fits = |size: f64| (most.recip()..most).contains(&size);
+        for (b, c) in (-30..=30).flat_map(|i| (-30..=30).map(move |k| (i, k))) {
+            let [b, c] = [b, c].map(|place| 10f64.powi(decades * place));
+            for share in [0.01_f64, 0.3, 1.0, 20.0] {
+                let a = (b / c).sqrt() * share;
+                // All products lie between b and the last.
+                let load_integral = (0..6).fold(b / 12.0, |product, _| product * a) * (1.0 + share * share);
+                if fits(a) && fits(load_integral) {
+                    let found = Fields { b, c }.radius_within(T::constant(load_integral), T::infinity());
+                    let found = found.map_or(f64::NAN, |radius| radius.value());
+                    let error = relative_error(found, a, T::default_epsilon().value());
+                    assert!(error <= 2.0, "{b:e}, {c:e}, {load_integral:e}: {found:e}, {error} ε");
+                }
+            }
+        }
+    }
+    check::<f64>(10, 1e300);
+    check::<f32>(1, 1e36);
+}
+
 #[test]
 fn no_load_makes_no_contact() {
     for case in cases() {
