@@ -19,9 +19,9 @@ pub(super) struct Node<T> {
 /// A number for every node. It begins at a cache line, so that no vector needs two of them.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-pub(super) struct Row<T>(pub(super) [T; MOST_NODES]);
+pub(super) struct PerNode<T>(pub(super) [T; MOST_NODES]);
 
-impl<T: Scalar> Row<T> {
+impl<T: Scalar> PerNode<T> {
     #[inline(always)]
     pub(super) fn zero() -> Self {
         Self([T::zero(); MOST_NODES])
@@ -59,18 +59,18 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Stretch<'_, T, P, L> {
 /// All nodes, with the integrand at each.
 pub(super) struct Nodes<T> {
     count: usize,
-    radii: Row<T>,
+    radii: PerNode<T>,
     /// δ₀′
-    slopes: Row<T>,
+    slopes: PerNode<T>,
     /// δ₀′ e^(−χ age) ds
-    weights: Row<T>,
+    weights: PerNode<T>,
 }
 
 impl<T: Scalar> Nodes<T> {
     /// Room for nodes to be filled in place: nodes returned by value would be copied.
     #[inline(always)]
     pub(super) fn none() -> Self {
-        let zero = Row::zero();
+        let zero = PerNode::zero();
         Self { count: 0, radii: zero, slopes: zero, weights: zero }
     }
 
@@ -89,7 +89,7 @@ impl<T: Scalar> Nodes<T> {
     {
         self.count = rule.len();
         let nodes = ..rule.len();
-        let zero = Row::zero();
+        let zero = PerNode::zero();
         let (mut depths, mut drops) = (zero, zero);
         let (depths, drops) = (&mut depths.0[nodes], &mut drops.0[nodes]);
         let (radii, slopes) = (&mut self.radii.0[nodes], &mut self.slopes.0[nodes]);

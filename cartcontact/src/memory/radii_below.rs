@@ -41,15 +41,15 @@ pub(super) fn replace_drops_by_radii<T: Scalar, P: GapProfile<T>>(
 }
 
 /// A number for every radius of a block.
-type Buffer<T> = [T; BLOCK];
+type PerRadius<T> = [T; BLOCK];
 
 /// Radii on the way to where J is less than at the edge by given drops.
 struct Depths<T> {
     edge: T,
     /// J(edge).
     load_integral: T,
-    radii: Buffer<T>,
-    depths: Buffer<T>,
+    radii: PerRadius<T>,
+    depths: PerRadius<T>,
 }
 
 impl<T: Scalar> Depths<T> {

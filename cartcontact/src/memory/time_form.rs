@@ -22,7 +22,7 @@
 
 use super::Increment;
 use super::degree::condition_of_radius;
-use super::nodes::Row;
+use super::nodes::PerNode;
 use super::stretch::Stretch;
 use crate::contact::Contact;
 use crate::dispatch::half_wide;
@@ -147,7 +147,7 @@ where
     /// The increment by a rule over the panel of a substitution, and whether the rule resolves the radius.
     fn increment_of_panel(&self, rule: &Rule, substitution: Substitution<T>) -> (Increment<T>, bool) {
         let nodes = ..rule.len();
-        let [mut load_integrals, mut weights, mut radii] = [Row::zero(); 3];
+        let [mut load_integrals, mut weights, mut radii] = [PerNode::zero(); 3];
         let (load_integrals, weights) = (&mut load_integrals.0[nodes], &mut weights.0[nodes]);
         let radii = &mut radii.0[nodes];
         half_wide(

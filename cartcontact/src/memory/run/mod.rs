@@ -40,19 +40,19 @@ const fn most_nodes_of_step(has_quick_radii: bool) -> usize {
 }
 
 /// A number for every piece.
-type Pieces<T> = [T; MOST_PIECES];
+type PerPiece<T> = [T; MOST_PIECES];
 
 /// Consecutive short pieces.
 pub(super) struct Run<T> {
     count: usize,
     rule: &'static Rule,
     /// χ times the duration of each piece, and of all pieces after it.
-    folds: Pieces<T>,
-    since_end: Pieces<T>,
+    folds: PerPiece<T>,
+    since_end: PerPiece<T>,
     /// The hereditary loads at the ends, and R and B of the module documentation.
-    hereditary: Pieces<T>,
-    rates: Pieces<T>,
-    bends: Pieces<T>,
+    hereditary: PerPiece<T>,
+    rates: PerPiece<T>,
+    bends: PerPiece<T>,
     /// By how much the hereditary load grows in all.
     pub(super) gain: T,
     /// ∫F at the end.
@@ -250,7 +250,7 @@ impl<T: Scalar> Run<T> {
                 *highest += to_highest * odd;
             }
         }
-        let all = |coefficients: &Pieces<T>, is_resolved: fn(&Rule, T, T, T) -> bool| {
+        let all = |coefficients: &PerPiece<T>, is_resolved: fn(&Rule, T, T, T) -> bool| {
             let sums = first.iter().zip(coefficients).zip(&self.since_end);
             sums.zip(radii).fold(true, |all, (((&first, &coefficient), &since_end), &size)| {
                 all & is_resolved(self.rule, first / size, coefficient / size, remaining * decay(since_end))
