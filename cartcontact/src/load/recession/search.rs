@@ -138,10 +138,10 @@ impl Halving {
 impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     /// Continues to a time before which there is no knot, and through a jump there.
     fn follow(&mut self, end: T) -> Result<(), Fault<T>> {
-        let mut step = end - self.time;
+        let whole = end - self.time;
+        let mut step = whole;
         let (start, fallen) = ((self.time, self.load.force(self.time)), self.crest.fallen);
         let least = least_step(end);
-        let whole = step;
         while self.time < end {
             let short = (whole * self.shortest.length()).max(least);
             let stop = if self.time + step + least < end { self.time + step } else { end };
@@ -254,7 +254,7 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             return false;
         }
         self.suspect(force, gain);
-        halving == Halving::Free && self.doubts()
+        halving == Halving::Free && self.spend_doubt()
     }
 
     /// Notes a contradiction on a panel along which the impulse gains so much, unless one that ends no later is known.
@@ -269,16 +269,16 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
     fn may_halve(&mut self, halving: Halving) -> bool {
         match halving {
             Halving::Free => true,
-            Halving::Limited => self.doubts(),
+            Halving::Limited => self.spend_doubt(),
             Halving::Over => false,
         }
     }
 
     /// Whether one more panel may be halved because of its impulse, or although it is short.
-    fn doubts(&mut self) -> bool {
-        let may_doubt = self.doubts > 0;
+    fn spend_doubt(&mut self) -> bool {
+        let is_left = self.doubts > 0;
         self.doubts = self.doubts.saturating_sub(1);
-        may_doubt
+        is_left
     }
 
     /// Follows the hereditary load from node to node.
