@@ -16,7 +16,7 @@
 //! |---|---|
 //! | `stage`, `transition`, `increment` | a time with its radius; how pressures change from one to another; what a stretch adds to them |
 //! | `march` | goes from one time to another, knot by knot; `march::steps`: where the load is not straight |
-//! | `run`, `radii_below` | many short straight pieces of the load at once (`run::rule`: which are short enough); their radii, where a profile has no quick way to many |
+//! | `batch`, `radii_below` | many short straight pieces of the load at once (`batch::rule`: which are short enough); their radii, where a profile has no quick way to many |
 //! | `late` | radii that are reached late, one section of time after the other |
 //! | `stretch` | one stretch without a knot: by `radius_form` (steps, and straight loads that do not fall) or `time_form` (most others) |
 //! | `held` | the integral over the radius of a held load, in one panel |
@@ -30,6 +30,7 @@
 //! *strip* is the ring between the rounded radius and the exact one; the *reach* of a transition is the largest radius
 //! that it holds for.
 
+mod batch;
 mod degree;
 mod fading;
 mod held;
@@ -40,7 +41,6 @@ mod march;
 mod nodes;
 mod radii_below;
 mod radius_form;
-mod run;
 mod stage;
 mod stretch;
 mod time_form;

@@ -13,15 +13,15 @@
 //! carries another, that load is laid at one radius.
 //!
 //! **Straight loads.** The load hands out its pieces in order. Short ones are integrated many at once
-//! ([`run`](super::run)), the others one by one.
+//! ([`batch`](super::batch)), the others one by one.
 //!
 //! **Loads that are not straight** are followed in [`steps`].
 
 mod edge;
 mod steps;
 
+use super::batch::Batch;
 use super::fading::{Fading, faded_folds};
-use super::run::Run;
 use super::stretch::{Course, Stretch};
 use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
@@ -154,10 +154,10 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // A single piece costs less over the radius, and between two pieces there may be a step that only derivatives
         // show.
         if pieces.len() > 1 && has_no_derivatives::<T>() && self.is_covered() {
-            let run = Run::of(self.contact, pieces, self.now.impulse, |piece| self.faded_since(piece));
-            if run.len() > 1 {
-                count = run.len();
-                if self.advance_run(&run, &pieces[..count]) {
+            let batch = Batch::of(self.contact, pieces, self.now.impulse, |piece| self.faded_since(piece));
+            if batch.len() > 1 {
+                count = batch.len();
+                if self.advance_batch(&batch, &pieces[..count]) {
                     return count;
                 }
             }
@@ -172,14 +172,14 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         count
     }
 
-    /// Continues along a run of pieces; along none if one of them turns out not to be short.
-    fn advance_run(&mut self, run: &Run<T>, pieces: &[Piece<T>]) -> bool {
+    /// Continues along a batch of pieces; along none if one of them turns out not to be short.
+    fn advance_batch(&mut self, batch: &Batch<T>, pieces: &[Piece<T>]) -> bool {
         let [first, .., last] = pieces else { return false };
         let (contact, chi) = (self.contact, self.contact.medium().chi());
         let (end, force) = last.end;
         let share = (-self.faded_since(last)).exp();
-        let radius = self.radius_after(run.impulse, last.end);
-        let Some(mut increment) = run.increment(contact, (self.transition.reach, radius), share) else {
+        let radius = self.radius_after(batch.impulse, last.end);
+        let Some(mut increment) = batch.increment(contact, (self.transition.reach, radius), share) else {
             return false;
         };
         let fading = Fading::over(chi * (end - self.now.time));
@@ -191,8 +191,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         // Integrals over time do not use rounded radii: they include the strips.
         self.add_strip();
         self.transition.advance(fading, self.quarter_m(), increment, self.transition.reach);
-        self.now.impulse = run.impulse;
-        let surplus = surplus_that_counts(self.surplus_at(radius, run.gain), force);
+        self.now.impulse = batch.impulse;
+        let surplus = surplus_that_counts(self.surplus_at(radius, batch.gain), force);
         self.now = Stage { time: end, radius, surplus, ..self.now };
         true
     }

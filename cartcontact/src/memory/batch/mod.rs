@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Let v be the share of a piece that lies after a time in it. Then Y falls short of its final value by R v − B v²/2,
-//! where R − B v is Y′ times the duration. The radii at all nodes of a run of pieces are solved for together, in a
+//! where R − B v is Y′ times the duration. The radii at all nodes of a batch of pieces are solved for together, in a
 //! fraction of the time that one after the other takes, and summed; nothing else is done for each piece. A step is a
 //! piece that takes no time.
 //!
@@ -32,7 +32,7 @@ use rule::{Growth, RULES, ShortRule};
 
 /// The most nodes of all pieces, six for each of the most pieces. Records whose pieces need more are rare, and take up to
 /// a third more time with a third fewer.
-const MOST_NODES_OF_RUN: usize = 6 * MOST_PIECES;
+const MOST_NODES_OF_BATCH: usize = 6 * MOST_PIECES;
 
 /// The most nodes of a step: one that takes more costs less over the radius.
 const fn most_nodes_of_step(has_quick_radii: bool) -> usize {
@@ -43,7 +43,7 @@ const fn most_nodes_of_step(has_quick_radii: bool) -> usize {
 type PerPiece<T> = [T; MOST_PIECES];
 
 /// Consecutive short pieces.
-pub(super) struct Run<T> {
+pub(super) struct Batch<T> {
     count: usize,
     rule: &'static Rule,
     /// χ times the duration of each piece, and of all pieces after it.
@@ -59,7 +59,7 @@ pub(super) struct Run<T> {
     pub(super) impulse: CompensatedSum<T>,
 }
 
-impl<T: Scalar> Run<T> {
+impl<T: Scalar> Batch<T> {
     /// No pieces, after a history with an impulse.
     fn none(impulse: CompensatedSum<T>) -> Self {
         let none = [T::zero(); MOST_PIECES];
@@ -86,7 +86,7 @@ impl<T: Scalar> Run<T> {
         faded: impl Fn(&Piece<T>) -> T,
     ) -> Self {
         let (chi, has_quick_radii) = (contact.medium().chi(), contact.profile().has_quick_radii());
-        let mut run = Self::none(impulse);
+        let mut batch = Self::none(impulse);
         // The logarithm of how much larger the rounding of T is than that of f64.
         let coarse = (T::default_epsilon() * T::constant(1.0 / f64::EPSILON)).ln();
         let mut rules = RULES.iter();
@@ -98,24 +98,25 @@ impl<T: Scalar> Run<T> {
                 break;
             }
             let growth = Growth::along(piece, chi);
-            let gain = run.gain + growth.in_all();
+            let gain = batch.gain + growth.in_all();
             let faded = coarse + faded(piece);
             while rule.is_some_and(|rule| !rule.suffices(&growth, begin + gain, faded)) {
                 rule = rules.next();
             }
-            let most = if piece.is_step() { most_nodes_of_step(has_quick_radii) } else { MOST_NODES_OF_RUN };
+            let most =
+                if piece.is_step() { most_nodes_of_step(has_quick_radii) } else { MOST_NODES_OF_BATCH };
             let Some(ShortRule { rule, .. }) = rule else { break };
-            if rule.len() > most || rule.len() * (run.count + 1) > MOST_NODES_OF_RUN {
+            if rule.len() > most || rule.len() * (batch.count + 1) > MOST_NODES_OF_BATCH {
                 break;
             }
-            run.rule = rule;
-            run.push(&growth, begin + gain);
-            run.gain = gain;
-            run.impulse.add(piece.impulse());
+            batch.rule = rule;
+            batch.push(&growth, begin + gain);
+            batch.gain = gain;
+            batch.impulse.add(piece.impulse());
             force = piece.end.1;
         }
-        run.set_times_since_ends(&pieces[..run.count], chi);
-        run
+        batch.set_times_since_ends(&pieces[..batch.count], chi);
+        batch
     }
 
     /// Takes one more piece, with the hereditary load at its end.
@@ -142,10 +143,10 @@ impl<T: Scalar> Run<T> {
         self.count
     }
 
-    /// What the run adds to pressures at radii up to `low`, which are covered before it begins; none if the rule turns
-    /// out to be too short, or radii are not found. The contact radius at the end of the run is `edge`.
+    /// What the batch adds to pressures at radii up to `low`, which are covered before it begins; none if the rule turns
+    /// out to be too short, or radii are not found. The contact radius at the end of the batch is `edge`.
     ///
-    /// Of what the run has laid by its end, the share `remaining` is left at the time that counts.
+    /// Of what the batch has laid by its end, the share `remaining` is left at the time that counts.
     pub(super) fn increment<P, L>(
         &self,
         contact: &Contact<T, P, L>,
@@ -156,7 +157,7 @@ impl<T: Scalar> Run<T> {
         P: GapProfile<T>,
         L: Load<T>,
     {
-        let zero = [T::zero(); MOST_NODES_OF_RUN];
+        let zero = [T::zero(); MOST_NODES_OF_BATCH];
         let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
         let nodes = ..self.count * self.rule.len();
         let (load_integrals, weights) = (&mut load_integrals[nodes], &mut weights[nodes]);
@@ -184,7 +185,7 @@ impl<T: Scalar> Run<T> {
         )
     }
 
-    /// The radii of load integrals of the run; false if they are not found.
+    /// The radii of load integrals of the batch; false if they are not found.
     fn find_radii<P, L>(
         &self,
         contact: &Contact<T, P, L>,

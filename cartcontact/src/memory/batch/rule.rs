@@ -1,4 +1,4 @@
-//! Which quadrature rule is long enough for a piece of a run.
+//! Which quadrature rule is long enough for a piece of a batch.
 //!
 //! e^(−χ age) changes by the piece's e-foldings. w(Y) = a⁻⁴ is nearly a power of Y; its singularity is where Y,
 //! continued, is zero, further away than the root of |R| v + |B| v²/2 = Y. For every rule, [`RULES`] holds the most
@@ -38,7 +38,7 @@ pub(super) const RULES: [ShortRule; 5] = [
 pub(super) struct Growth<T> {
     /// χ times the duration.
     pub(super) folds: T,
-    /// R and B of the [run](super).
+    /// R and B of the [batch](super).
     pub(super) rate: T,
     pub(super) bend: T,
 }
