@@ -9,7 +9,7 @@ use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
 
 /// What kernels need from numbers made of words of type `T`.
-pub(crate) trait Arithmetic<T>: Copy {
+pub(super) trait Arithmetic<T>: Copy {
     fn of(word: T) -> Self;
     fn sum(x: T, y: T) -> Self;
     fn product(x: T, y: T) -> Self;
@@ -31,7 +31,7 @@ pub(crate) trait Arithmetic<T>: Copy {
 
 /// A word, rounded after every operation.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Word<T>(T);
+pub(super) struct Word<T>(T);
 
 impl<T: Scalar> Arithmetic<T> for Word<T> {
     #[inline(always)]

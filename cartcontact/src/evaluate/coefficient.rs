@@ -35,7 +35,7 @@ impl<T: Scalar, const FUSED: bool> Coefficient<T> for DoubleWord<T, FUSED> {
 
 /// The coefficient as a number of an arithmetic.
 #[inline(always)]
-pub(crate) fn number<T: Scalar, A: Arithmetic<T>>(coefficient: impl Coefficient<T>) -> A {
+pub(super) fn number<T: Scalar, A: Arithmetic<T>>(coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
         (word, None) => A::of(word),
         (high, Some(low)) => A::sum(high, low),
@@ -44,7 +44,7 @@ pub(crate) fn number<T: Scalar, A: Arithmetic<T>>(coefficient: impl Coefficient<
 
 /// The coefficient added to a number.
 #[inline(always)]
-pub(crate) fn added<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
+pub(super) fn added<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
         (word, None) => number.plus_word(word),
         (high, Some(low)) => number.plus(A::sum(high, low)),
@@ -53,7 +53,7 @@ pub(crate) fn added<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Co
 
 /// The product of a number and the coefficient.
 #[inline(always)]
-pub(crate) fn multiplied<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
+pub(super) fn multiplied<T: Scalar, A: Arithmetic<T>>(number: A, coefficient: impl Coefficient<T>) -> A {
     match coefficient.parts() {
         (word, None) => number.times_word(word),
         (high, Some(low)) => number.times(A::sum(high, low)),

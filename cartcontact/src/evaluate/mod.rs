@@ -12,7 +12,7 @@
 //! words is rounded once if there is a `quick_` function of the same name; otherwise its documentation says how exact
 //! it is.
 
-pub(crate) mod arithmetic;
+mod arithmetic;
 pub(crate) mod coefficient;
 pub(crate) mod dense_kernel;
 pub(crate) mod double_power;
@@ -22,6 +22,6 @@ mod kernel_of_term;
 pub(crate) mod long_sums;
 pub(crate) mod power;
 pub(crate) mod pressure_kernel;
-pub(crate) mod real_exponent_kernel;
+mod real_exponent_kernel;
 pub(crate) mod slopes_and_drops;
 pub(crate) mod steepness;

@@ -19,7 +19,7 @@ use crate::numbers::double_word::DoubleWord;
 use crate::scalar::{has_no_derivatives, smallest_normal};
 
 /// K(q) from 1 − q and q, with the error of about ten roundings.
-pub(crate) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
+pub(super) fn quick_kernel<T: Scalar>(inset: T, ratio: T, n: T) -> T {
     let two = T::constant(2.0);
     let square = ratio * ratio;
     // 1/q², which the second derivative of ln q is, must not leave the format.
@@ -67,7 +67,7 @@ fn psi_divided_difference<T: Scalar>(u: T, v: T) -> T {
 
 /// K(q) from 1 − q and q, to a few digits more than a word has. A function of its own, too long to be part of others: it
 /// chooses its instructions again.
-pub(crate) fn kernel<T: Scalar, const FUSED: bool>(
+pub(super) fn kernel<T: Scalar, const FUSED: bool>(
     inset: DoubleWord<T, FUSED>,
     ratio: DoubleWord<T, FUSED>,
     n: DoubleWord<T, FUSED>,

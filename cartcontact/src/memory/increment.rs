@@ -5,7 +5,7 @@ use crate::numbers::binary::ratio;
 
 /// ∫ δ₀′(s) e^(−χ age) {s² − low², 1, (s² − low²)²} ds over the radii from `low` to that at the end of a stretch.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Increment<T> {
+pub(super) struct Increment<T> {
     /// The pressure at `low`, in units of m/4.
     pub(super) offset: T,
     /// By how much the pressure falls with r².

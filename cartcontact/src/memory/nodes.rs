@@ -115,7 +115,7 @@ impl<T: Scalar> Nodes<T> {
 
     /// Whether s δ₀′ rises with the radius from node to node, if nodes are placed by their depth.
     #[inline(always)]
-    pub(super) fn are_steady(&self) -> bool {
+    fn are_steady(&self) -> bool {
         let rounding = T::one() + T::default_epsilon() * T::constant(16.0);
         let steepness = |k: usize| self.radii.0[k] * self.slopes.0[k];
         // At the outermost nodes so far, toward the edge and toward the centre.

@@ -11,7 +11,7 @@ pub(crate) fn four_terms<T: Scalar>(coefficients: &[f64; 4], x: T, square: T) ->
 }
 
 /// 1/(2k + 1) for k from `first` on.
-pub(crate) const fn odd_reciprocals<const WIDTH: usize, const ROWS: usize>(
+pub(super) const fn odd_reciprocals<const WIDTH: usize, const ROWS: usize>(
     first: usize,
 ) -> [[f64; WIDTH]; ROWS] {
     let mut terms = [[0.0; WIDTH]; ROWS];
@@ -24,7 +24,7 @@ pub(crate) const fn odd_reciprocals<const WIDTH: usize, const ROWS: usize>(
 }
 
 /// 1/k! for k from `first` > 0 on.
-pub(crate) const fn inverse_factorials<const WIDTH: usize, const ROWS: usize>(
+pub(super) const fn inverse_factorials<const WIDTH: usize, const ROWS: usize>(
     first: usize,
 ) -> [[f64; WIDTH]; ROWS] {
     let mut terms = [[0.0; WIDTH]; ROWS];

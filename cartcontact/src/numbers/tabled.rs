@@ -33,7 +33,7 @@ pub(crate) const fn tabled<const N: usize>(numbers: [f64; N]) -> [Tabled; N] {
 }
 
 /// The numbers of a table in rows.
-pub(crate) const fn tabled_rows<const WIDTH: usize, const ROWS: usize>(
+pub(super) const fn tabled_rows<const WIDTH: usize, const ROWS: usize>(
     rows: [[f64; WIDTH]; ROWS],
 ) -> [[Tabled; WIDTH]; ROWS] {
     let mut table = [[Tabled::of(0.0); WIDTH]; ROWS];
