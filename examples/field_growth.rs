@@ -17,8 +17,9 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use cartcontact::{Contact, Layer, Medium, gap_profile, load};
-use examples::figure::{Curve, Dash, Ink};
+use examples::figure::{Curve, Dash};
 use examples::log_log::{self, Mark, Panel};
+use examples::page::Ink;
 
 /// Patella on the patellar groove, in mm.
 #[gap_profile(0.025 * r^2 + 1.09375e-4 * r^4)]

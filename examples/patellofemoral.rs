@@ -18,7 +18,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, gap_profile, load};
-use examples::figure::{self, Axis, Curve, Dash, Ink, Panel};
+use examples::figure::{self, Axis, Curve, Dash, Panel};
+use examples::page::Ink;
 
 /// Gap (4): ball and socket to second order.
 #[gap_profile(0.025 * r^2)]

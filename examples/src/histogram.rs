@@ -6,7 +6,7 @@ use std::path::Path;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::figure::{Canvas, Ink, frame, plain, save, text, thickness};
+use crate::page::{Canvas, Ink, frame, plain, save, text, thickness};
 
 /// The height of the page, in mm.
 const HEIGHT: f64 = 80.0;

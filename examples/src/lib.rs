@@ -4,6 +4,7 @@ pub mod figure;
 pub mod histogram;
 pub mod load_record;
 pub mod log_log;
+pub mod page;
 
 use std::error::Error;
 use std::io;

@@ -8,9 +8,10 @@ use plotters::coord::CoordTranslate;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::prelude::*;
 
-use crate::figure::{
-    Canvas, Curve, Ink, LEGEND_COLUMNS, LEGEND_ROW, draw_legend_name, draw_line, frame, legend_sample,
-    pixels, plain, save, thickness,
+use crate::figure::{Curve, draw_line};
+use crate::page::{
+    Canvas, Ink, LEGEND_COLUMNS, LEGEND_ROW, draw_legend_name, frame, legend_sample, pixels, plain, save,
+    thickness,
 };
 
 /// Half the size of a mark, in mm.

@@ -26,8 +26,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile, load};
-use examples::figure::{Curve, Dash, Ink};
+use examples::figure::{Curve, Dash};
 use examples::log_log::{self, Mark, Panel, Series};
+use examples::page::Ink;
 use march::Scheme;
 use printed::FULL;
 use scenes::{Exact, FORCE, RATE, SCENES, STIFFNESS, Scene};
