@@ -288,7 +288,7 @@ impl Draft {
             Region::Fall => falls(force, time, self.chi, stream),
             Region::Record => record(force, time, self.chi, stream),
             Region::Memory | Region::Subnormal | Region::Powers => vec![(0.0, force)],
-            _ => stream_of_knots(force, time, self.chi, stream),
+            _ => usual(force, time, self.chi, stream),
         };
         let chi = if self.chi_t == 0.0 && time != 0.0 { 0.0 } else { self.chi };
         Scene {
@@ -305,7 +305,7 @@ impl Draft {
 }
 
 /// A load of one of the usual kinds.
-fn stream_of_knots(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)> {
+fn usual(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)> {
     match stream.below(5) {
         0 => vec![(0.0, 0.0), (time * stream.between(0.1, 2.0), force)],
         1 => vec![(0.0, force * stream.between(0.0, 1.0)), (time * stream.between(0.1, 2.0), force)],
@@ -337,9 +337,8 @@ fn falls(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)
     let (mut now, mut last) = (0.0, force);
     for _ in 0..=stream.below(3) {
         let duration = time * stream.magnitude(-3.0, 0.3);
-        // F′ + χ F = 0 at the end of the fall for a margin of zero.
         let margin = if stream.once_in(3) { 0.0 } else { stream.magnitude(-14.0, 0.0) };
-        last = last / (1.0 + chi * duration) * (1.0 + margin * chi * duration);
+        last = fallen(last, chi * duration, margin);
         now += duration;
         knots.push((now, last));
         if stream.once_in(3) {
@@ -348,6 +347,11 @@ fn falls(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64)
         }
     }
     knots
+}
+
+/// What is left of a force after a straight fall over some e-foldings: for a margin of zero F′ + χ F is 0 at its end.
+fn fallen(force: f64, folds: f64, margin: f64) -> f64 {
+    force / (1.0 + folds) * (1.0 + margin * folds)
 }
 
 /// A load like a measured one: pieces of similar or very different lengths that rise, hold, jump or fall, some as fast
@@ -361,14 +365,12 @@ fn record(force: f64, time: f64, chi: f64, stream: &mut Stream) -> Vec<(f64, f64
     let (mut now, mut last) = knots[0];
     for _ in 1..count {
         let duration = mean * stream.magnitude(-spread, spread / 4.0);
-        // F′ + χ F = 0 at the end of the fall for a margin of zero.
         let margin = if stream.once_in(4) { 0.0 } else { stream.magnitude(-3.0, 0.0) };
-        let lowest = last / (1.0 + chi * duration) * (1.0 + margin * chi * duration);
         last = match stream.below(8) {
             0 => last,
             1 => last + force * stream.magnitude(-15.0, 0.0),
             2..=4 => last + force * stream.magnitude(-3.0, -1.0),
-            _ => lowest,
+            _ => fallen(last, chi * duration, margin),
         };
         now += if stream.once_in(10) && last > knots[knots.len() - 1].1 { 0.0 } else { duration };
         let is_third = knots.len() > 1 && knots[knots.len() - 2].0 == now;
