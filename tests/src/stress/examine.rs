@@ -343,25 +343,19 @@ impl<T: Precision> Examination<'_, T> {
     /// Notes an error as a share of the allowed one: in units of ε, relative to the smallest normal number at least.
     fn measure(&mut self, quantity: Quantity, found: f64, expected: Wide, condition: f64) {
         let value = expected.value();
-        if value.abs() > T::MOST * (1.0 - T::EPSILON) {
-            // The exact result is out of range: infinity and numbers next to it are right.
-            if found.is_nan() || found.abs() < T::MOST * (1.0 - 64.0 * T::EPSILON * condition) {
-                self.findings.fault(
-                    Fault::NotANumber,
-                    &format_args!("{} {found:e} instead of {value:e}", quantity.symbol()),
-                );
-            }
-            return;
-        }
-        if !found.is_finite() {
-            self.findings.fault(
-                Fault::NotANumber,
-                &format_args!("{} {found:e} instead of {value:e}", quantity.symbol()),
-            );
-            return;
+        let is_out_of_range = value.abs() > T::MOST * (1.0 - T::EPSILON);
+        let is_wrong = if is_out_of_range {
+            // Infinity and numbers next to it are right.
+            found.is_nan() || found.abs() < T::MOST * (1.0 - 64.0 * T::EPSILON * condition)
+        } else {
+            !found.is_finite()
+        };
+        if is_wrong {
+            let about = format_args!("{} {found:e} instead of {value:e}", quantity.symbol());
+            self.findings.fault(Fault::NotANumber, &about);
         }
         // What may be off by anything must not count as measured.
-        if condition.is_infinite() {
+        if is_wrong || is_out_of_range || condition.is_infinite() {
             return;
         }
         let scale = expected.abs().max(Wide::of(T::LEAST));
