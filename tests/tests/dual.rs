@@ -6,10 +6,11 @@ use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{
     Contact, ContactError, GapProfile, Layer, Medium, Polynomial, Scalar, Snapshot, gap_profile,
 };
-use num_dual::{Dual32, Dual64, DualNum};
+use num_dual::{Dual32, Dual64};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
+use tests::loads::Fall;
 use tests::measure::relative_error;
 
 type Failure = Box<dyn core::error::Error>;
@@ -320,19 +321,6 @@ fn slopes_under_loads_from_nothing_are_those_of_differences() -> Result<(), Fail
     Ok(())
 }
 
-/// F = 18 900 e^(−t/10).
-struct Fading;
-
-impl Load<Dual32> for Fading {
-    fn force(&self, t: Dual32) -> Dual32 {
-        Dual32::from(18_900.0) * (t * Dual32::from(-0.1)).exp()
-    }
-
-    fn impulse(&self, t: Dual32) -> Dual32 {
-        Dual32::from(-189_000.0) * (t * Dual32::from(-0.1)).exp_m1()
-    }
-}
-
 /// Distances from the axis as shares of the contact radius.
 const SHARES: [f32; 3] = [0.0, 0.5, 0.9];
 
@@ -343,8 +331,9 @@ fn a_zero_before_a_power_beyond_the_format_changes_nothing() -> Result<(), Failu
     let number = Dual32::from;
     let terms = [(number(7e-5), number(2.1)), (number(0.0), number(64.0))];
     let medium = Medium::from_constants(number(0.13), number(0.2))?;
+    let load = Fall { force: number(18_900.0), rate: number(0.1) };
     let pressures = |count: usize| -> Result<Vec<Dual32>, Failure> {
-        let contact = Contact::new(Polynomial::new(&terms[..count])?, medium, Fading)?;
+        let contact = Contact::new(Polynomial::new(&terms[..count])?, medium, load)?;
         let now = contact.at(number(5.0).derivative())?;
         assert!(now.radius().re > 20.0, "{}", now.radius());
         Ok(SHARES.map(|share| now.pressure(now.radius() * number(share))).to_vec())
