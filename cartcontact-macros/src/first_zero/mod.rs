@@ -38,8 +38,6 @@ use search::first_root;
 const MAXIMUM_DEGREE: usize = 1024;
 /// The largest denominator of g: enough for exponents of three decimals.
 const MAXIMUM_DENOMINATOR: u32 = 1000;
-/// The largest numerator of g: enough for two exponents of three decimals that are both below 64.
-const MAXIMUM_NUMERATOR: u32 = 64_000;
 
 /// A proof takes more digits than are allowed.
 #[derive(PartialEq, Eq)]
@@ -81,7 +79,8 @@ impl Equation {
             (degree <= MAXIMUM_DEGREE).then_some((degree, coefficient))
         });
         let powers: Option<Vec<(usize, &Rational)>> = powers.collect();
-        let numerator = step.numer().to_u32().filter(|&numerator| numerator <= MAXIMUM_NUMERATOR);
+        // Bounded by the denominator, as exponents are below 1024 apart.
+        let numerator = step.numer().to_u32();
         let denominator = step.denom().to_u32().filter(|&denominator| denominator <= MAXIMUM_DENOMINATOR);
         match (powers, numerator, denominator) {
             (Some(powers), Some(numerator), Some(denominator)) => {

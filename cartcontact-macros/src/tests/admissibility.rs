@@ -304,6 +304,14 @@ fn exponents_may_differ_by_1024_steps() {
 }
 
 #[test]
+fn two_exponents_may_have_three_decimals() {
+    for (first, last) in [("0.001", "1024"), ("2.001", "66.002"), ("2", "1023.999")] {
+        let gap = written(&[(first, "1"), (last, "-1e-9")]);
+        assert!(up_to(&gap, "1") && !up_to(&gap, "2"), "{first}, {last}");
+    }
+}
+
+#[test]
 fn degree_64_is_decided_at_once() {
     let repeat = |count: usize, factor: Factor| vec![factor; count];
     let integers = |from: u32| (from..from + 64).map(|at| root(&at.to_string())).collect::<Vec<_>>();
