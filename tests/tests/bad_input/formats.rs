@@ -28,6 +28,14 @@ fn numbers_without_digits_are_refused() -> Result<(), Box<dyn core::error::Error
     Ok(())
 }
 
+/// From where the documentation of the language says that they are.
+#[test]
+fn small_coefficients_of_high_powers_are_usable() {
+    assert!(Polynomial::new([(2e-304, 64.0)]).is_ok() && Polynomial::new([(1e-304, 64.0)]).is_err());
+    assert!(Polynomial::new([(1.1e-34_f32, 64.0)]).is_ok() && Polynomial::new([(1e-34_f32, 64.0)]).is_err());
+    assert!(Polynomial::new([(7.237e35_f32, 64.0)]).is_ok());
+}
+
 /// Y is in range, but neither F′ nor χ F is: ages would not be numbers.
 #[test]
 fn rates_out_of_range_are_refused() -> Result<(), Box<dyn core::error::Error>> {
