@@ -54,7 +54,7 @@ fn largest_error(
     knots: fn(&mut Stream, usize, f64) -> Vec<(f64, f64)>,
 ) -> Result<f64, ContactError> {
     let mut largest = 0.0_f64;
-    for case in 0..5 {
+    for case in 0..3 {
         let load = through(&knots(&mut Stream::of_case(1, case), count, end));
         let told = joint(Patellofemoral, CHI, &load);
         let untold = joint(Patellofemoral, CHI, Unannounced(&load));
@@ -66,31 +66,20 @@ fn largest_error(
     Ok(largest)
 }
 
-/// The documented errors; forty jumps cost no digits.
+/// The documented errors, while a load doubles within an e-folding and after all that a pressure remembers; forty jumps
+/// cost no digits.
 #[test]
 fn pressures_are_as_exact_as_documented() -> Result<(), ContactError> {
     let no_digits = 2.0 * budget::PRESSURE.double * edge(1.0, 0.9) * f64::EPSILON;
-    for (count, at_end, at_late_end) in [
-        (40, no_digits, no_digits),
-        (50, 1e-14, 1e-12),
-        (100, 1e-12, 1e-9),
-        (200, 1e-8, 1e-6),
-        (500, 2e-5, 2e-2),
-    ] {
-        for (end, documented) in [(END, at_end), (LATE_END, at_late_end)] {
+    for end in [END, LATE_END] {
+        for (count, documented) in [(40, no_digits), (500, 1e-12), (3000, 1e-12)] {
             let error = largest_error((count, end), jumps)?;
             assert!(error <= documented, "{count} jumps up to {end}: {error:e}");
         }
-    }
-    for (count, end, documented) in [
-        (500, END, 1e-12),
-        (3000, END, 1e-12),
-        (10_000, END, 1e-12),
-        (500, LATE_END, 1e-12),
-        (10_000, LATE_END, 7e-2),
-    ] {
-        let error = largest_error((count, end), kinks)?;
-        assert!(error <= documented, "{count} kinks up to {end}: {error:e}");
+        for (count, documented) in [(500, 1e-12), (10_000, 1e-10)] {
+            let error = largest_error((count, end), kinks)?;
+            assert!(error <= documented, "{count} kinks up to {end}: {error:e}");
+        }
     }
     Ok(())
 }

@@ -39,12 +39,11 @@ pub(crate) use shortest::{Shortest, least_step};
 /// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip
 /// or must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the
 /// contact recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not
-/// report are found too, at the cost of thousands of calls of [`force`](Self::force) each. Ten thousand kinks within
-/// three e-foldings are found to 1e-12, or five hundred within forty, where ten thousand cost up to 7e-2 of a pressure.
-/// Forty jumps cost no digits; fifty cost up to 1e-14 while a load doubles within an e-folding, a hundred 1e-12, two
-/// hundred 1e-8 and five hundred 2e-5, and within forty e-foldings 1e-12, 1e-9, 1e-6 and 2e-2. Sampled data and steps
-/// need `next_knot`, or a [`PiecewiseLinear`]. A pressure takes 20 to 200 forces for each wave of the last forty
-/// e-foldings that is more than rounding, up to a million; more may be stepped over, which costs as much as 1e-3.
+/// report are found too, at the cost of thousands of calls of [`force`](Self::force) each: forty jumps cost no digits,
+/// three thousand 1e-12 of a pressure, and ten thousand kinks 1e-10. Tens of thousands, at intervals below 2⁻¹⁶ of the
+/// time between knots, may be taken for noise, and cost some per cent. Sampled data and steps need `next_knot`, or a
+/// [`PiecewiseLinear`]. A pressure takes 20 to 200 forces for each wave of the last forty e-foldings that is more than
+/// rounding, up to a million; more may be stepped over, which costs as much as 1e-3.
 ///
 /// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
 /// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through

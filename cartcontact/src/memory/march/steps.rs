@@ -76,6 +76,7 @@ impl<T: Scalar> Pace<T> {
 
     /// Goes on after a step that is resolved.
     fn double(&mut self) {
+        self.shortest.resolve(self.step);
         self.step += self.step;
         self.follows_given_up = false;
     }
