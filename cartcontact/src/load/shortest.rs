@@ -44,7 +44,8 @@ impl<T: Scalar> Shortest<T> {
         }
     }
 
-    /// Notes a part of some length that leaves nothing out.
+    /// Notes a part of some length that leaves nothing out. Who only looks for falls need not: jumps may then be stepped
+    /// over.
     pub(crate) fn resolve(&mut self, length: T) {
         if length >= self.length * T::constant(LONG) {
             self.given_up = 0;
