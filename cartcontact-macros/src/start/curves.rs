@@ -59,12 +59,12 @@ impl Curves {
         [Table::<DoubleRow>::size_in_bytes(), Table::<SingleRow>::size_in_bytes()];
 }
 
-/// A, the coefficients of the powers of y − u up to the eighth and, with the digits of f32, what A lacks and the other
-/// four.
+/// Coefficients of the powers of y − u, those from the second to the ninth, A and the first; with the digits of f32 the
+/// other three and what A lacks. The solver takes them in pairs, c₂ with c₄ and c₃ with c₅.
 #[derive(Clone, Copy)]
 pub(crate) struct DoubleRow {
-    pub(crate) words: [f64; 9],
-    pub(crate) rests: [f32; 6],
+    pub(crate) words: [f64; 10],
+    pub(crate) rests: [f32; 4],
 }
 
 /// A, what it lacks, and the coefficients of the powers of y − u.
@@ -235,10 +235,11 @@ impl Curve {
         let size = (first + second) + third;
         // What shortening takes from `series[0]`, less than ε/16, does not change that 1.
         let lost = ((first + second) - size) + third;
-        let scaled = |k: usize| size * series[k];
-        let words = core::array::from_fn(|k| if k == 0 { size } else { scaled(k) });
-        let rests = [lost, scaled(9), scaled(10), scaled(11), scaled(12), 0.0];
-        Some(DoubleRow { words, rests: rests.map(|rest| rest as f32) })
+        let c = |k: usize| size * series[k];
+        Some(DoubleRow {
+            words: [c(2), c(4), c(3), c(5), c(6), c(8), c(7), c(9), size, c(1)],
+            rests: [c(10), c(12), c(11), lost].map(|rest| rest as f32),
+        })
     }
 
     fn single_row(&self) -> Option<SingleRow> {

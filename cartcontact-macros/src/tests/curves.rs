@@ -53,10 +53,12 @@ fn from_middle(y: f64) -> f64 {
     fraction - (1.125 + 0.25 * ((fraction - 1.0) * 4.0).floor())
 }
 
-fn value(DoubleRow { words, rests }: &DoubleRow, y: f64) -> f64 {
+fn value(&DoubleRow { words, rests }: &DoubleRow, y: f64) -> f64 {
     let w = from_middle(y);
-    let coefficients = words[1..].iter().copied().chain(rests[1..5].iter().copied().map(f64::from));
-    words[0] + (f64::from(rests[0]) + w * coefficients.rev().fold(0.0, |sum, c| sum * w + c))
+    let [c2, c4, c3, c5, c6, c8, c7, c9, radius, c1] = words;
+    let [c10, c12, c11, rest] = rests.map(f64::from);
+    let coefficients = [c12, c11, c10, c9, c8, c7, c6, c5, c4, c3, c2, c1];
+    radius + (rest + w * coefficients.iter().fold(0.0, |sum, c| sum * w + c))
 }
 
 fn value_of_single(row: &SingleRow, y: f32) -> f32 {

@@ -100,8 +100,8 @@ pub(super) fn leading_blocks<T, const N: usize>(
     found
 }
 
-/// Longer rows are quicker read where they are: vectors gather what they need of them.
-const LONGEST_COPIED_ROW: usize = 16;
+/// Longer rows are quicker used where they are, one by one: each has enough numbers to fill vectors by itself.
+const LONGEST_COPIED_ROW: usize = 32;
 
 /// How the load integrals of a block are solved.
 struct Blocks<'a, T, S, const N: usize, const BYTES: usize> {
@@ -134,8 +134,8 @@ impl<T: Scalar, S: Step<T, LENGTH>, const LENGTH: usize, const BYTES: usize> Blo
 
     /// The radii of a block; false if one of them is not in the table or exceeds the limit.
     ///
-    /// Only the rows are copied one by one; the loops before and after handle several values at once. At increasing times
-    /// most blocks have one row, and no copies.
+    /// Only the rows are copied, or if long used, one by one; the loops before and after handle several values at once. At
+    /// increasing times most blocks have one row, and no copies.
     #[inline(always)]
     fn block<const N: usize>(
         &self,
@@ -161,15 +161,14 @@ impl<T: Scalar, S: Step<T, LENGTH>, const LENGTH: usize, const BYTES: usize> Blo
         if let Some(row) = table.row_of_all(&all_digits) {
             take_steps(step, iter::repeat(&row), places, starts, (load_integrals, radii));
         } else if const { LENGTH > LONGEST_COPIED_ROW } {
-            // As far as compilers know, the table may be where `radii` are.
-            let mut here = [T::zero(); N];
-            for ((radius, &load_integral), (digits, periods)) in
-                here.iter_mut().zip(load_integrals).zip(places)
-            {
-                let row = table.row(digits);
-                *radius = step.radius(&row, step.start(&row, digits, periods), load_integral);
+            // An exit keeps compilers from gathering the numbers of several rows, which takes up to twice as long.
+            for (radius, &load_integral) in radii.iter_mut().zip(load_integrals) {
+                match table.find(load_integral, *limit, step) {
+                    Some(found) => *radius = found,
+                    None => return false,
+                }
             }
-            *radii = here;
+            return true;
         } else {
             for (row, &digits) in rows.iter_mut().zip(&all_digits) {
                 *row = table.row(digits);

@@ -11,13 +11,17 @@
 //! **Accuracy.** A has two parts, and w is exact. What is rounded besides the last sum is less than 1/33 of it, and less
 //! than 1/50 where p ≥ 6, as a changes by a factor of (9/8)^(1/p) at the most: 1/2 ulp and little more is left.
 
+use core::array::from_fn;
+
 use super::{Row, Step, Table};
 use crate::Scalar;
 use crate::numbers::bits::{fraction, middle_of_part};
 use crate::profile::RadiusError;
 use crate::scalar::{from_single, is_same};
 
-/// Rows of nine f64, A and c₁ to c₈, and five f32, what A lacks and c₉ to c₁₂; four bytes are spare.
+/// Rows of five pairs of f64, c₂ c₄, c₃ c₅, c₆ c₈, c₇ c₉, A c₁, and two of f32, c₁₀ c₁₂ and c₁₁ with what A lacks. What
+/// is done with the numbers of a pair is the same, so that vectors of 128 bits, which all processors with vectors have,
+/// do it at once.
 pub type DoubleCurves = Table<96, 24576>;
 
 /// Rows of eight f32: A, what it lacks, and c₁ to c₆.
@@ -81,13 +85,23 @@ impl<T: Scalar> Step<T, 96> for DoubleCurve {
     fn radius(self, row: &Row<96>, _start: (), load_integral: T) -> T {
         let w = from_middle(load_integral);
         let word = |place: usize| T::constant(row.word(place));
-        let rest = |place: usize| from_single::<T>(row.at(18 + place));
+        let rest = |place: usize| from_single::<T>(row.at(20 + place));
         let square = w * w;
         let fourth = square * square;
-        let low = (word(2) + word(3) * w) + (word(4) + word(5) * w) * square;
-        let middle = (word(6) + word(7) * w) + (word(8) + rest(1) * w) * square;
-        let high = (rest(2) + rest(3) * w) + rest(4) * square;
-        word(0) + ((rest(0) + word(1) * w) + square * (low + fourth * (middle + fourth * high)))
+        // Sums of every fourth power. The thirteenth is multiplied by what A lacks, which is nothing there.
+        let even: [T; 2] = from_fn(
+            #[inline(always)]
+            |k| word(k) + fourth * (word(4 + k) + fourth * rest(k)),
+        );
+        let odd: [T; 2] = from_fn(
+            #[inline(always)]
+            |k| word(2 + k) + fourth * (word(6 + k) + fourth * rest(2 + k)),
+        );
+        let [low, high] = from_fn(
+            #[inline(always)]
+            |k| even[k] + odd[k] * w,
+        );
+        word(8) + ((rest(3) + word(9) * w) + square * (low + high * square))
     }
 }
 
