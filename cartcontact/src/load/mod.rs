@@ -210,7 +210,7 @@ pub trait Load<T: Scalar> {
     }
 
     /// Whether the force is linear in time between knots; memory integrals are then explicit, and the solver looks for
-    /// nothing else between them. With ten thousand knots one pressure takes less than 10 ms if so, and more than 60 ms
+    /// nothing else between them. With ten thousand knots one pressure takes two forces for each of them if so, and sixty
     /// otherwise.
     fn is_linear_between_knots(&self) -> bool {
         false
