@@ -10,7 +10,7 @@ pub(crate) struct Interval {
     lower: BigInt,
     upper: BigInt,
     exponent: i64,
-    /// The bits that are kept of every number: a power to 1000 loses 20 of them, one to a million 30.
+    /// The bits that are kept of every number: a power to 1000 loses 12 of them, one to a million 22.
     bits: u64,
 }
 

@@ -17,8 +17,8 @@
 //! ε/16 by either are left out, and with them all next to a double zero of J′, where the series does not converge.
 //!
 //! **Digits.** Only A needs more than f64 has. It is found near a = b^q, where b is an f64 and q the common denominator
-//! of the powers, so that all a^p are whole powers of b. All else is less than 1/50 of A and is computed with the
-//! digits of f64.
+//! of the powers, so that all a^p are whole powers of b. All else is less than 1/33 of A, as p > 4, and is computed with
+//! the digits of f64.
 
 use core::ops::Range;
 

@@ -9,8 +9,8 @@ use crate::numbers::bits::is_normal;
 use crate::numbers::double_word::DoubleWord;
 use crate::scalar::is_single;
 
-/// π/4 minus its word in each format, from the next digits of π; half a unit of the last digit counts for 2⁻¹⁰⁶ and
-/// 2⁻⁴⁸.
+/// π/4 minus its word in each format, from the next digits of π; half a unit of the last digit counts for less than
+/// 2⁻¹⁰⁶ and 2⁻⁵⁰.
 const REST_OF_QUARTER_PI: f64 = 3.061616997868383e-17;
 const REST_OF_QUARTER_PI_IN_SINGLE: f64 = -2.1855695e-8;
 
