@@ -10,12 +10,12 @@
 //!
 //! they grow at nearly one rate: nodes are 1 + β times as dense at the edge, and as thin at the other end.
 //!
-//! **How many nodes.** The limits below leave less than ε/8 of ∫ J′(s) s⁻⁴ e^(−age) {s² − low², 1} ds, or ε/7 in single
-//! precision: computed in 25 digits for 27 000 random sums of one to four powers p from 4.25 to 68 within the limits,
-//! and 7000 in single precision, of loads held from the beginning and after other history. Because Y ≥ F when a load
-//! begins to be held, J cannot have grown by more than the factor 1 + X since, so that s = 0, where s^(p−5) may be
-//! singular, is never near. What counts beside X is the highest power p over the length, p L/a. (The `spread` of an
-//! [`Increment`], which no pressure contains, was not examined.)
+//! **How many nodes.** The limits below leave less than ε/5 of ∫ J′(s) s⁻⁴ e^(−age) {s² − low², 1} ds, most of it with
+//! 16 nodes where both limits are reached, or ε/7 in single precision: computed in 25 digits for 27 000 random sums of
+//! one to four powers p from 4.25 to 68 within the limits, and 7000 in single precision, of loads held from the
+//! beginning and after other history. Because Y ≥ F when a load begins to be held, J cannot have grown by more than the
+//! factor 1 + X since, so that s = 0, where s^(p−5) may be singular, is never near. What counts beside X is the highest
+//! power p over the length, p L/a. (The `spread` of an [`Increment`], which no pressure contains, was not examined.)
 //!
 //! With terms of both signs zeros of δ₀′ may be near. If s δ₀′ rises from node to node, the finest rule still leaves
 //! less than 0.001 ε, in 2700 random cases, some of them with zeros at a distance of a thousandth of the radius.
