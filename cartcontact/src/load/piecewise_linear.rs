@@ -1,6 +1,7 @@
 //! A load given by its values at some times, linear between them.
 
 use core::fmt;
+use core::num::NonZero;
 
 use super::knots::{check, pieces};
 use super::recession::Descent;
@@ -62,7 +63,7 @@ pub struct PiecewiseLinear<T, K> {
     /// The largest −F′/F that counts among the pieces that begin before the next of these knots: if χ is no smaller, the
     /// edge does not recede during them.
     fastest_falls: [T; CHECKPOINTS],
-    stride: usize,
+    stride: NonZero<usize>,
 }
 
 /// A knot, and the impulse up to it as a sum that began at the checkpoint before it.
@@ -84,7 +85,8 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
     /// three of them are equal, a force is negative or not finite, or a slope is out of range.
     pub fn new(knots: K) -> Result<Self, LoadError> {
         check(knots.as_ref())?;
-        let stride = knots.as_ref().len().div_ceil(CHECKPOINTS);
+        let stride =
+            NonZero::new(knots.as_ref().len().div_ceil(CHECKPOINTS)).unwrap_or(NonZero::<usize>::MIN);
         let (impulses, fastest_falls) = ([T::zero(); CHECKPOINTS], [T::zero(); CHECKPOINTS]);
         let mut load = Self { knots, impulses, fastest_falls, stride };
         let mut fastest_fall = T::zero();
@@ -105,14 +107,16 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             sum.add(piece.impulse());
             let knot = index + 1;
             if knot % stride == 0 {
-                load.fastest_falls[index / stride] = fastest_fall;
+                if let Some(fall) = load.fastest_falls.get_mut(index / stride) {
+                    *fall = fastest_fall;
+                }
                 if let Some(impulse) = load.impulses.get_mut(knot / stride) {
                     *impulse = sum.total();
                 }
             }
         }
         let passed = load.knots().len().saturating_sub(1) / stride;
-        load.fastest_falls[passed..].fill(fastest_fall);
+        load.fastest_falls.iter_mut().skip(passed).for_each(|fall| *fall = fastest_fall);
         Ok(load)
     }
 
@@ -131,10 +135,10 @@ impl<T: Scalar, K: Pairs<T>> PiecewiseLinear<T, K> {
             return before_the_start(t);
         };
         let checkpoint = (last / self.stride).min(CHECKPOINTS - 1);
-        let (first, stored) = (checkpoint * self.stride, self.impulses[checkpoint]);
+        let (first, stored) = (checkpoint * self.stride.get(), self.impulses[checkpoint]);
         let (from, mut sum) =
             before.filter(|(knot, _)| first <= *knot && *knot <= last).unwrap_or((first, stored.into()));
-        for piece in pieces(&knots[from..=last]) {
+        for piece in pieces(knots.get(from..=last).unwrap_or_default()) {
             sum.add(piece.impulse());
         }
         *before = Some((last, sum));
@@ -225,7 +229,7 @@ impl<T: Scalar, K: Pairs<T>> Load<T> for PiecewiseLinear<T, K> {
 
     fn recession(&self, chi: T, t: T) -> Option<T> {
         // Along the pieces before these nothing falls, or in all by no more than rounding; mostly there are no others.
-        let first = self.fastest_falls.partition_point(|&fall| fall <= chi) * self.stride;
+        let first = self.fastest_falls.partition_point(|&fall| fall <= chi) * self.stride.get();
         let rest = self.knots().get(first..)?;
         let mut descent = Descent::new(chi);
         let mut begun = pieces(rest).take_while(|piece| piece.start.0 <= t);

@@ -109,20 +109,21 @@ impl<T: Scalar> Nodes<T> {
     /// The integrals of an [`Increment`] by the rule.
     #[inline(always)]
     pub(super) fn increment(&self, low: T) -> Increment<T> {
-        let (radii, weights) = (&self.radii.0[..self.count], &self.weights.0[..self.count]);
-        Increment::of(radii, weights, low)
+        // A minimum leaves no panic in the program, which a bound that only `take` knows would.
+        let nodes = ..self.count.min(MOST_NODES);
+        Increment::of(&self.radii.0[nodes], &self.weights.0[nodes], low)
     }
 
     /// Whether s δ₀′ rises with the radius from node to node, if nodes are placed by their depth.
     #[inline(always)]
     fn are_steady(&self) -> bool {
         let rounding = T::one() + T::default_epsilon() * T::constant(16.0);
-        let steepness = |k: usize| self.radii.0[k] * self.slopes.0[k];
+        let (radii, slopes) = (self.radii.0.as_chunks().0, self.slopes.0.as_chunks().0);
         // At the outermost nodes so far, toward the edge and toward the centre.
         let (mut outer, mut inner) = (T::zero(), T::infinity());
-        (0..self.count).step_by(2).all(|k| {
-            let (before, after) = ((outer, inner), (steepness(k), steepness(k + 1)));
-            (outer, inner) = after;
+        radii.iter().zip(slopes).take(self.count.div_ceil(2)).all(|(radii, slopes): (&[T; 2], &[T; 2])| {
+            let before = (outer, inner);
+            (outer, inner) = (radii[0] * slopes[0], radii[1] * slopes[1]);
             outer * rounding >= before.0 && inner <= before.1 * rounding && inner <= outer * rounding
         })
     }

@@ -118,6 +118,8 @@ impl<T: Scalar, S: Step<T, LENGTH>, const LENGTH: usize, const BYTES: usize> Blo
         if radii.len() - found >= BLOCK {
             return found;
         }
+        // Never less; said so that no panic is left in the program.
+        let found = found.min(load_integrals.len()).min(radii.len());
         found + self.solve_blocks::<SMALL_BLOCK>(&load_integrals[found..], &mut radii[found..])
     }
 

@@ -115,7 +115,7 @@ impl<T: Scalar> Batch<T> {
             batch.impulse.add(piece.impulse());
             force = piece.end.1;
         }
-        batch.set_times_since_ends(&pieces[..batch.count], chi);
+        batch.set_times_since_ends(pieces.get(..batch.count).unwrap_or_default(), chi);
         batch
     }
 
@@ -159,7 +159,7 @@ impl<T: Scalar> Batch<T> {
     {
         let zero = [T::zero(); MOST_NODES_OF_BATCH];
         let (mut load_integrals, mut weights, mut radii) = (zero, zero, zero);
-        let nodes = ..self.count * self.rule.len();
+        let nodes = ..(self.count * self.rule.len()).min(MOST_NODES_OF_BATCH);
         let (load_integrals, weights) = (&mut load_integrals[nodes], &mut weights[nodes]);
         let radii = &mut radii[nodes];
         wide(
@@ -242,7 +242,8 @@ impl<T: Scalar> Batch<T> {
     fn is_resolved(&self, radii: &[T], remaining: T, are_positive: bool) -> bool {
         let none = [T::zero(); MOST_PIECES];
         let (mut first, mut highest, mut next) = (none, none, none);
-        let pairs = || radii.chunks_exact(2 * self.count.max(1)).map(|pair| pair.split_at(self.count));
+        let count = self.count.clamp(1, MOST_PIECES);
+        let pairs = || radii.chunks_exact(2 * count).map(|pair| pair.split_at(count));
         for ((later, earlier), (to_first, to_highest)) in pairs().zip(self.rule.coefficients::<T>()) {
             let sums = first.iter_mut().zip(&mut highest);
             for ((first, highest), (&later, &earlier)) in sums.zip(later.iter().zip(earlier)) {

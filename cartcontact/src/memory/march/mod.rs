@@ -118,7 +118,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let times = (self.now.time, self.time);
             let mut ahead = pieces_between(self.contact.load(), times, &mut pieces);
             while !ahead.is_empty() {
-                let (done, rest) = ahead.split_at(self.advance_along_first(ahead));
+                let count = self.advance_along_first(ahead).min(ahead.len());
+                let (done, rest) = ahead.split_at(count);
                 let last = done.last().map_or(self.force, |piece| piece.end.1);
                 let next = rest.first().map_or_else(|| self.force_now(), |piece| piece.start.1);
                 self.jump(last, next);
@@ -157,12 +158,12 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
             let batch = Batch::of(self.contact, pieces, self.now.impulse, |piece| self.faded_since(piece));
             if batch.len() > 1 {
                 count = batch.len();
-                if self.advance_batch(&batch, &pieces[..count]) {
+                if self.advance_batch(&batch, pieces.get(..count).unwrap_or(pieces)) {
                     return count;
                 }
             }
         }
-        for piece in &pieces[..count] {
+        for piece in pieces.iter().take(count) {
             if piece.is_step() {
                 self.jump(piece.start.1, piece.end.1);
             } else {
