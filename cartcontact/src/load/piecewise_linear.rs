@@ -37,7 +37,7 @@ const CHECKPOINTS: usize = 64;
 /// puts it too high, with χ = 0.0015/s by 1 σ at 1 Hz and by 3.4 σ at 1 kHz, and less where χ or the load is larger.
 /// Smooth such a record first, over as many samples as its ramps allow. If the joint is really unloaded, as in gait, the
 /// solution ends there, and a clamped record has the results of the higher load: see how far it lies above the measured
-/// one.
+/// one. A fit of permeabilities changes χ, and with it what is too fast: clamp with the lowest χ that it may try.
 ///
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};

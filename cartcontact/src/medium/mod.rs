@@ -10,6 +10,10 @@ use crate::scalar::is_normal_and_positive;
 
 /// What the layers contribute to the solution: the stiffness m and the rate of drainage χ.
 ///
+/// Nothing else of the layers enters a result, so that a creep test of any length has two constants to find. Thickness,
+/// shear modulus and permeability of a layer cannot be fitted together: (h, μ, k) and (2 h, 8 μ, k/2) are one medium.
+/// Measure the thickness; the matrix of normal equations is singular otherwise, though rounding may hide that.
+///
 /// # Examples
 ///
 /// ```
