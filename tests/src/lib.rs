@@ -12,11 +12,9 @@ pub mod oracle;
 pub mod planted;
 pub mod profiles;
 pub mod quadrature;
-pub mod radii;
 pub mod random;
 pub mod reference;
 pub mod stress;
-pub mod two_fields;
 
 /// Runs the examples of the README as tests; they are here because the package of the library holds the file elsewhere.
 #[cfg(doctest)]

@@ -4,10 +4,11 @@ use cartcontact::{GapProfile, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
-use tests::radii::{
+use tests::random::Stream;
+
+use super::checks::{
     assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
 };
-use tests::random::Stream;
 
 macro_rules! powers {
     ($($name:ident $constant:ident: $decimal:literal, $gap:expr, $constant_gap:expr;)*) => {

@@ -5,10 +5,12 @@ use cartcontact::{GapProfile, Polynomial, ProfileError, RadiusError, gap_profile
 use tests::budget;
 use tests::condition::{of_radius, of_sizes};
 use tests::measure::{Errors, relative_error};
-use tests::of_two_fields;
-use tests::radii::{assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
-use tests::two_fields::OfTwoFields;
+
+use super::checks::{
+    assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one, exact_radius,
+};
+use super::two_fields::{OfTwoFields, of_two_fields};
 
 #[gap_profile(c * r^2 - d * r^4)]
 struct Oblate<T> {

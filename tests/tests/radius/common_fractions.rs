@@ -6,8 +6,9 @@ use tests::condition::{of_radius, of_sizes};
 use tests::fractions::{Hundredths, Quarters, Tenths, Thirds, Twentieths};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
-use tests::radii::{Kind, assert_exact, assert_slices_are_the_same};
 use tests::random::Stream;
+
+use super::checks::{Kind, assert_exact, assert_slices_are_the_same};
 
 #[gap_profile(0.02 * r^1.8 - 1e-5 * r^4.6, max_radius = 6)]
 struct Fifths;

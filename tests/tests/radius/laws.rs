@@ -7,8 +7,9 @@ use tests::budget;
 use tests::condition::degree;
 use tests::measure::{relative_error, ulps};
 use tests::profiles::{case, cases};
-use tests::radii::{assert_same_one_by_one, in_single};
 use tests::random::{self, magnitude, positive_sums};
+
+use super::checks::{assert_same_one_by_one, in_single};
 
 /// In units of ε; J is rounded twice, and its degree divides its error.
 const ALLOWED: f64 = budget::RADIUS.double + 2.0 * budget::LOAD_INTEGRAL.double / 4.0;

@@ -3,6 +3,7 @@
 
 mod any_power;
 mod both_signs;
+mod checks;
 mod common_fractions;
 mod laws;
 mod one_term;
@@ -11,3 +12,4 @@ mod own_units;
 mod single_precision;
 mod sums;
 mod three_fields;
+mod two_fields;

@@ -3,11 +3,12 @@
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
 use tests::measure::{Errors, Exact, ulps};
-use tests::radii::{
+use tests::random::Stream;
+
+use super::checks::{
     assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
     exact_radius,
 };
-use tests::random::Stream;
 
 macro_rules! terms {
     ($($name:ident: $exponent:literal, $gap:expr;)*) => {

@@ -1,7 +1,8 @@
 //! Contact radii of geometries that have no table, and radii outside its rows.
 
 use cartcontact::gap_profile;
-use tests::radii::{Kind, assert_exact, assert_slices_are_the_same};
+
+use super::checks::{Kind, assert_exact, assert_slices_are_the_same};
 
 /// The table has rows only below r = 1.2.
 #[gap_profile(0.02 * r^2 + 1e-6 * r^64)]

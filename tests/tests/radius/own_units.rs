@@ -4,10 +4,12 @@
 use cartcontact::gap_profile;
 use tests::budget;
 use tests::measure::Errors;
-use tests::of_two_fields;
-use tests::radii::{assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one, exact_radius};
 use tests::random::Stream;
-use tests::two_fields::OfTwoFields;
+
+use super::checks::{
+    assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one, exact_radius,
+};
+use super::two_fields::{OfTwoFields, of_two_fields};
 
 #[gap_profile(sphere(radius), order = 6)]
 struct Ball<T> {

@@ -3,8 +3,9 @@
 use cartcontact::{GapProfile, Polynomial, Scalar};
 use tests::budget;
 use tests::measure::Errors;
-use tests::radii::exact_radius;
 use tests::random::Stream;
+
+use super::checks::exact_radius;
 
 /// Exponents with all the digits of the format, so that powers round once more.
 const DECIMALS: [f64; 8] = [0.1, 0.3, 0.7, 1.3, 2.1, 3.7, 6.1, 9.3];

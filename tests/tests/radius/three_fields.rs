@@ -7,11 +7,12 @@ use tests::condition::{degree, of_sizes};
 use tests::measure::{Errors, Exact, ulps};
 use tests::oracle::number::{Real, whole};
 use tests::oracle::{Profile, double};
-use tests::radii::{
+use tests::random::Stream;
+
+use super::checks::{
     assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
     exact_radius,
 };
-use tests::random::Stream;
 
 #[gap_profile(b * r^2 + c * r^3 + d * r^4)]
 struct Dense<T> {

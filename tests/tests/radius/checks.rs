@@ -4,25 +4,19 @@
 use core::fmt::Debug;
 
 use cartcontact::{GapProfile, RadiusError, Scalar};
-
-use crate::budget;
-use crate::measure::{Errors, Exact};
-use crate::oracle::{Profile, double};
-use crate::random::Stream;
+use tests::budget;
+use tests::measure::{Errors, Exact};
+use tests::oracle::{Profile, double};
+use tests::random::Stream;
 
 /// The radius at which J of the terms (C, n) is `load_integral`.
-#[must_use]
-pub fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
+pub(super) fn exact_radius(terms: &[(f64, f64)], load_integral: f64) -> Exact {
     Exact::from(&Profile::of(terms).radius(&double(load_integral)))
 }
 
 /// Asserts that the radii of a slice are those of its load integrals one by one, to the last bit: in the given order, in
 /// ascending order, and of six hundred close to the first.
-///
-/// # Panics
-///
-/// If a radius differs, or a slice is refused.
-pub fn assert_same_one_by_one<T: Scalar>(
+pub(super) fn assert_same_one_by_one<T: Scalar>(
     profile: &dyn GapProfile<T>,
     load_integrals: &[T],
     place: &dyn Debug,
@@ -41,27 +35,26 @@ pub fn assert_same_one_by_one<T: Scalar>(
 }
 
 /// [`assert_same_one_by_one`] in single precision, of the load integrals that have a radius there.
-///
-/// # Panics
-///
-/// If a radius differs, or a slice is refused.
-pub fn assert_same_in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64], place: &dyn Debug) {
+pub(super) fn assert_same_in_single(
+    profile: &dyn GapProfile<f32>,
+    load_integrals: &[f64],
+    place: &dyn Debug,
+) {
     assert_same_one_by_one(profile, &in_single(profile, load_integrals), place);
 }
 
 /// The load integrals in single precision that have a radius there.
-#[must_use]
-pub fn in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64]) -> Vec<f32> {
+pub(super) fn in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64]) -> Vec<f32> {
     let single = load_integrals.iter().map(|&load_integral| load_integral as f32);
     single.filter(|&load_integral| profile.radius(load_integral).is_ok()).collect()
 }
 
 /// Asserts that a slice is refused for the one load integral in it that is negative or infinite, and with its value.
-///
-/// # Panics
-///
-/// If it is not.
-pub fn assert_one_fault_is_named(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
+pub(super) fn assert_one_fault_is_named(
+    profile: &dyn GapProfile<f64>,
+    load_integrals: &[f64],
+    place: &dyn Debug,
+) {
     for bad in [-1.0, f64::INFINITY] {
         let mut load_integrals = load_integrals.to_vec();
         let middle = load_integrals.len() / 2;
@@ -73,11 +66,7 @@ pub fn assert_one_fault_is_named(profile: &dyn GapProfile<f64>, load_integrals: 
 
 /// Asserts that a geometry in other units has the same radius, to the last bit: `other` has a unit of length `length`
 /// times as small, so that a coefficient C is C/lengthⁿ, and coefficients that are also `size` times as large.
-///
-/// # Panics
-///
-/// If a radius differs, or there is none.
-pub fn assert_same_in_other_units(
+pub(super) fn assert_same_in_other_units(
     [profile, other]: [&dyn GapProfile<f64>; 2],
     load_integral: f64,
     [length, size]: [f64; 2],
@@ -89,16 +78,15 @@ pub fn assert_same_in_other_units(
 }
 
 /// A geometry in both formats, with its terms (C, n) as written.
-#[allow(missing_debug_implementations, reason = "profiles are mostly unit structs without `Debug`")]
-pub struct Kind {
+pub(super) struct Kind {
     /// In `f64`.
-    pub double: &'static dyn GapProfile<f64>,
+    pub(super) double: &'static dyn GapProfile<f64>,
     /// In `f32`.
-    pub single: &'static dyn GapProfile<f32>,
+    pub(super) single: &'static dyn GapProfile<f32>,
     /// The terms.
-    pub terms: &'static [(&'static str, &'static str)],
+    pub(super) terms: &'static [(&'static str, &'static str)],
     /// The decades in which radii are drawn.
-    pub decades: [f64; 2],
+    pub(super) decades: [f64; 2],
 }
 
 impl Kind {
@@ -110,11 +98,7 @@ impl Kind {
 }
 
 /// Asserts that random radii are within [`budget::RADIUS_OF_SUMS`] times the condition number at the radius.
-///
-/// # Panics
-///
-/// If a radius is not.
-pub fn assert_exact(kinds: &[Kind], condition: impl Fn(&Kind, f64) -> f64) {
+pub(super) fn assert_exact(kinds: &[Kind], condition: impl Fn(&Kind, f64) -> f64) {
     let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
     let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
     for (index, kind) in (0..).zip(kinds) {
@@ -140,11 +124,7 @@ pub fn assert_exact(kinds: &[Kind], condition: impl Fn(&Kind, f64) -> f64) {
 }
 
 /// Asserts that slices of random load integrals have the radii that these have one by one.
-///
-/// # Panics
-///
-/// If a radius differs.
-pub fn assert_slices_are_the_same(kinds: &[Kind]) {
+pub(super) fn assert_slices_are_the_same(kinds: &[Kind]) {
     for (index, kind) in (0..).zip(kinds) {
         let mut stream = Stream::of_case(2, index);
         let load_integrals: Vec<f64> = (0..500).map(|_| kind.load_integral(&mut stream)).collect();

@@ -3,19 +3,17 @@
 use cartcontact::GapProfile;
 
 /// The terms (C, n) of a geometry, computed in the arithmetic of its scalar, and the geometry.
-pub type Found<T> = (Vec<(f64, f64)>, Box<dyn GapProfile<T>>);
+pub(super) type Found<T> = (Vec<(f64, f64)>, Box<dyn GapProfile<T>>);
 
 /// A geometry of two fields.
-#[derive(Debug)]
-pub struct OfTwoFields {
+pub(super) struct OfTwoFields {
     /// In double precision.
-    pub double: fn(f64, f64) -> Found<f64>,
+    pub(super) double: fn(f64, f64) -> Found<f64>,
     /// In single precision.
-    pub single: fn(f32, f32) -> Found<f32>,
+    pub(super) single: fn(f32, f32) -> Found<f32>,
 }
 
 /// The geometry of two fields that an expression builds, for either scalar.
-#[macro_export]
 macro_rules! of_two_fields {
     (|$first:ident, $second:ident| $profile:expr) => {
         $crate::two_fields::OfTwoFields {
@@ -26,3 +24,4 @@ macro_rules! of_two_fields {
         }
     };
 }
+pub(super) use of_two_fields;
