@@ -8,7 +8,7 @@ use cartcontact::Scalar;
 use cartcontact::load::{Load, PiecewiseLinear};
 
 /// A load given by its knots.
-pub type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
+pub type Knots<T = f64> = PiecewiseLinear<T, Vec<(T, T)>>;
 
 /// The load through `knots`.
 ///
@@ -16,7 +16,7 @@ pub type Knots = PiecewiseLinear<f64, Vec<(f64, f64)>>;
 ///
 /// If no load has these knots.
 #[must_use]
-pub fn through(knots: &[(f64, f64)]) -> Knots {
+pub fn through<T: Scalar>(knots: &[(T, T)]) -> Knots<T> {
     PiecewiseLinear::new(knots.to_vec()).unwrap_or_else(|error| unreachable!("{knots:?}: {error}"))
 }
 

@@ -1,11 +1,11 @@
 //! Derivatives of pressures with respect to forces of a load, where the value of a slope or of a step is zero.
 
-use cartcontact::load::{Constant, Load, PiecewiseLinear};
+use cartcontact::load::{Constant, Load};
 use cartcontact::{ContactError, GapProfile, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::differences::{curvature, slope};
 use tests::joint::{joint, pressures_each_way};
-use tests::loads::{Announced, Knots};
+use tests::loads::{Announced, Knots, through};
 use tests::measure::relative_error;
 use tests::profiles::Patellofemoral;
 
@@ -41,12 +41,12 @@ impl History {
     }
 
     /// The load with the force `more` added at the knots that vary.
-    fn load<T: Scalar>(&self, more: T) -> PiecewiseLinear<T, Vec<(T, T)>> {
+    fn load<T: Scalar>(&self, more: T) -> Knots<T> {
         let knots = self.knots.iter().enumerate().map(|(index, &(time, force))| {
             let force = T::constant(force);
             (T::constant(time), if self.varied.contains(&index) { force + more } else { force })
         });
-        PiecewiseLinear::new(knots.collect()).unwrap_or_else(|error| unreachable!("{error}"))
+        through(&knots.collect::<Vec<_>>())
     }
 }
 
@@ -158,9 +158,8 @@ fn slopes_under_loads_of_a_users_own_are_those_under_knots() -> Result<(), Failu
 #[test]
 fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure> {
     let gap = Polynomial::new([(Dual64::from(0.025), Dual64::from(2.0))])?;
-    let load = PiecewiseLinear::new([(0.0, 100.0), (200.0, 100.0)].map(|(time, force)| {
-        (Dual64::from(time), if time > 0.0 { Dual64::from(force).derivative() } else { Dual64::from(force) })
-    }))?;
+    let history = History::new(&[(0.0, 100.0), (200.0, 100.0)], &[1], &[]);
+    let load = history.load(Dual64::from(0.0).derivative());
     let contact = joint(gap, 0.0, &load);
     let a = contact.at(Dual64::from(200.0))?.radius().re;
     for found in pressures(gap, 0.0, load, 200.0)?.chunks(RADII.len()) {

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::load::Load;
 use cartcontact::{ContactError, Scalar};
 use tests::joint::joint;
 use tests::loads::{Rise, Swing, Unannounced, through};
@@ -334,8 +334,7 @@ fn the_search_ends_for_loads_that_are_none() {
 
 #[test]
 fn single_precision_notices_as_well() {
-    let fall =
-        PiecewiseLinear::new([(0.0_f32, 100.0), (50.0, 0.0)]).unwrap_or_else(|error| unreachable!("{error}"));
+    let fall = through(&[(0.0_f32, 100.0), (50.0, 0.0)]);
     assert_eq!(Unannounced(&fall).recession(0.1, 39.9), None);
     // From 40 s on Y = 260 falls by 0.1 (t − 40)², which is within its rounding for so long.
     let hidden = (8.0 * f32::EPSILON * 260.0 / 0.1).sqrt();

@@ -2,10 +2,10 @@
 //! many pieces, and no others are.
 
 use cartcontact::ContactError;
-use cartcontact::load::{Load, PiecewiseLinear};
+use cartcontact::load::Load;
 use tests::budget;
 use tests::joint::joint;
-use tests::loads::{Announced, CountingForces, through};
+use tests::loads::{Announced, CountingForces, Knots, through};
 use tests::profiles::Paraboloid;
 use tests::random::Stream;
 
@@ -117,13 +117,13 @@ fn long_falls_as_fast_as_the_memory_are_none_too_fast() {
 }
 
 /// A load in single precision at 1 kHz; `next` makes each force from the one before and their distance in e-foldings.
-fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> PiecewiseLinear<f32, Vec<(f32, f32)>> {
+fn sampled(chi: f32, count: usize, next: impl Fn(f32, f32) -> f32) -> Knots<f32> {
     let mut knots = vec![(0.0_f32, 80.0_f32)];
     for k in 1..count {
         let ((before, force), t) = (knots[k - 1], k as f32 * 1e-3);
         knots.push((t, next(force, chi * (t - before))));
     }
-    PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"))
+    through(&knots)
 }
 
 /// Each step falls too fast only by rounding, but all of them together do not.
@@ -134,7 +134,7 @@ fn falls_in_small_steps_add_up() {
             // Rounded to `f32` at the end, not recursively, which would change steps this short.
             let force = |k: usize| (80.0 * (-f64::from(ratio * chi) * 1e-3 * k as f64).exp()) as f32;
             let knots: Vec<(f32, f32)> = (0..100_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
-            let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+            let load = through(&knots);
             let contact = joint(Paraboloid, chi.into(), &load);
             // The excess of the fall is found when it is √ε of the force.
             let found_at = f32::EPSILON.sqrt() / ((ratio - 1.0) * chi);
@@ -165,7 +165,7 @@ fn falls_in_small_steps_begin_behind_a_rise() {
     let force = |k: u32| (80.0 * (-f64::from(3.0 * chi) * 1e-3 * f64::from(k)).exp()) as f32;
     let falls = (0..10_000).map(|k| (10.0 + k as f32 * 1e-3, force(k)));
     let knots: Vec<(f32, f32)> = core::iter::once((0.0, 20.0)).chain(falls).collect();
-    let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+    let load = through(&knots);
     for since in [load.recession(chi, 15.0), Announced::curved(&load).recession(chi, 15.0)] {
         assert!(since.is_some_and(|since| (10.0..10.01).contains(&since)), "{since:?}");
     }
@@ -179,11 +179,10 @@ fn falls_in_small_jumps_add_up() {
         let fall = roundings * f32::EPSILON;
         let step = |k: u16| [k, k + 1].map(|end| (f32::from(end) * 1e-3, 80.0 * (1.0 - fall * f32::from(k))));
         let knots: Vec<(f32, f32)> = (0..count).flat_map(step).collect();
-        PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"))
+        through(&knots)
     };
-    let recession = |load: &PiecewiseLinear<f32, _>, t| {
-        [load.recession(chi, t), Announced::curved(load).recession(chi, t)]
-    };
+    let recession =
+        |load: &Knots<f32>, t| [load.recession(chi, t), Announced::curved(load).recession(chi, t)];
     // Falls that add up to less than √ε of the force may be rounding.
     assert_eq!(recession(&staircase(5.0, 400), 0.4), [None; 2]);
     let found = recession(&staircase(5.0, 2000), 2.0);
@@ -215,7 +214,7 @@ fn a_load_at_the_bound_may_have_any_number_of_knots() {
             let ((before, force), t) = (knots[k - 1], k as f32 * 1e-3);
             knots.push((t, noisy(k).max(force / (1.0 + chi * (t - before)))));
         }
-        let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+        let load = through(&knots);
         assert_eq!(load.recession(chi, 1e3), None, "{chi}");
     }
 }
@@ -265,7 +264,7 @@ fn pressures_fade_with_a_load_at_the_bound() {
     for chi in [1.5e-3, 1.5e-2_f32] {
         let force = |k: i32| (80.0 * (1.0 + f64::from(chi) * 1e-3).powi(-k)) as f32;
         let knots: Vec<(f32, f32)> = (0..20_000).map(|k| (k as f32 * 1e-3, force(k))).collect();
-        let load = PiecewiseLinear::new(knots).unwrap_or_else(|error| unreachable!("{error}"));
+        let load = through(&knots);
         let contact = joint(Paraboloid, chi.into(), load);
         let peak = |t: f32| contact.at(t).map_or(f32::NAN, |now| now.peak_pressure());
         let error = peak(19.999) / peak(0.0) / (force(19_999) / 80.0) - 1.0;
