@@ -3,8 +3,9 @@
 use core::f64::consts::{FRAC_PI_4, TAU};
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial};
+use cartcontact::{ContactError, GapProfile, Polynomial};
 use tests::budget;
+use tests::joint::joint;
 use tests::loads::{Fall, Rise, Swing, histories, through};
 use tests::measure::Errors;
 use tests::planted;
@@ -95,12 +96,11 @@ fn pressure_carries_loads_that_have_fallen_for_long() {
 fn pressure_carries_a_step_after_a_long_history() -> Result<(), Box<dyn core::error::Error>> {
     let mut errors = Errors::of(budget::BALANCE);
     let rule = Graded::new(16, 30);
-    let medium = Medium::from_constants(0.375, 1.0)?;
     for held in [1e6, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15] {
         for duration in [0.0, 4e-16, 1e-12, 1e-9] {
             let end = held * (1.0 + duration);
             let load = PiecewiseLinear::new([(0.0, 30.0), (held, 30.0), (end, 100.0)])?;
-            let contact = Contact::new(Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?, medium, load)?;
+            let contact = joint(Polynomial::new([(0.025, 2.0), (1e-4, 4.0)])?, 1.0, load);
             let now = contact.at(end)?;
             let start = contact.at(0.0)?.radius();
             let carried = |from, to| rule.integrate(from, to, |r| now.pressure(r) * r);
@@ -119,7 +119,7 @@ fn pressure_of_powers_near_the_zeroth_carries_the_load() -> Result<(), Box<dyn c
     let rule = Graded::new(16, 12);
     let ramp = PiecewiseLinear::new([(0.0, 0.0), (1.0, 100.0)])?;
     for n in [1e-233, 1e-20, 1e-10, 1e-3, 0.02] {
-        let contact = Contact::new(Polynomial::new([(0.3, n)])?, Medium::from_constants(0.375, 1.0)?, &ramp)?;
+        let contact = joint(Polynomial::new([(0.3, n)])?, 1.0, &ramp);
         for t in [0.3_f64, 0.9, 5.0, 300.0] {
             let now = contact.at(t)?;
             let a = now.radius();

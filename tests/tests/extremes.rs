@@ -3,6 +3,7 @@
 use cartcontact::load::{Constant, PiecewiseLinear};
 use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use tests::budget;
+use tests::joint::joint;
 
 /// r⁶⁴ is out of range at the contact radius in either format, and so is the power r⁶⁸ of J.
 #[test]
@@ -64,11 +65,7 @@ fn a_coefficient_of_zero_is_no_term() -> Result<(), Box<dyn core::error::Error>>
 /// numbers.
 #[test]
 fn the_end_of_drainage_is_reached() -> Result<(), Box<dyn core::error::Error>> {
-    let contact = Contact::new(
-        Polynomial::new([(0.025_f32, 2.0)])?,
-        Medium::from_constants(0.375, 1.0)?,
-        Constant(100.0),
-    )?;
+    let contact = joint(Polynomial::new([(0.025_f32, 2.0)])?, 1.0, Constant(100.0));
     for time in [1e6, 1e9, 1e12] {
         let now = contact.at(time)?;
         let (found, radius) = (f64::from(now.peak_pressure()), f64::from(now.radius()));
@@ -109,8 +106,7 @@ fn coefficients_times_exponents_need_not_be_in_range() -> Result<(), Box<dyn cor
 /// thinner than the spacing of numbers, also where times cannot tell when it was laid.
 fn error_at_the_end_of_a_rise<T: Scalar>(chi: f64) -> Result<f64, Box<dyn core::error::Error>> {
     let load = PiecewiseLinear::new([(0.0, 0.0), (999.0, 0.0), (1000.0, 2.0)].map(|(t, f)| number(t, f)))?;
-    let medium = Medium::from_constants(T::constant(0.375), T::constant(chi))?;
-    let contact = Contact::new(Polynomial::new([number::<T>(0.0625, 2.0)])?, medium, load)?;
+    let contact = joint(Polynomial::new([number::<T>(0.0625, 2.0)])?, chi, load);
     let now = contact.at(T::constant(1000.0))?;
     let a = now.radius().value();
     let share = now.peak_pressure().value() / (4.0 / (core::f64::consts::PI * a * a));

@@ -2,9 +2,10 @@
 //! beside the rounding of those that were.
 
 use cartcontact::load::Load;
-use cartcontact::{Contact, ContactError, GapProfile, Medium};
+use cartcontact::{ContactError, GapProfile};
 use tests::budget;
 use tests::condition::edge;
+use tests::joint::joint;
 use tests::measure::ulps;
 use tests::profiles::{Cone, Paraboloid, Patellofemoral, Quartic};
 use tests::random::Stream;
@@ -52,8 +53,8 @@ fn compare<P>(profile: P, load: FallAndHold, chi: f32, t: f32) -> Result<(), Con
 where
     P: GapProfile<f32> + GapProfile<f64> + Copy,
 {
-    let single = Contact::new(profile, Medium::from_constants(0.375_f32, chi)?, load)?;
-    let double = Contact::new(profile, Medium::from_constants(0.375, f64::from(chi))?, load)?;
+    let single = joint::<f32, _, _>(profile, chi.into(), load);
+    let double = joint::<f64, _, _>(profile, chi.into(), load);
     let (start, now, exact) = (single.at(0.0)?.radius(), single.at(t)?, double.at(t.into())?);
     let a = now.radius();
     for r in [0.0, 0.5 * a, 0.9 * a, 0.99 * start, start + 0.3 * (a - start), start + 0.7 * (a - start)] {

@@ -5,9 +5,10 @@ use core::num::NonZeroUsize;
 use std::path::Path;
 use std::{env, fs};
 
+use cartcontact::GapProfile;
 use cartcontact::load::Constant;
-use cartcontact::{Contact, GapProfile, Medium};
 use gauss_quad::GaussLegendre;
+use tests::joint::joint;
 use tests::measure::relative_error;
 use tests::oracle::{Oracle, Profile, double, rounded};
 use tests::profiles::Patellofemoral;
@@ -69,12 +70,9 @@ fn printed_pressure(r: f64, t: f64) -> f64 {
 fn at_long_times(oracle: &Oracle, folds: f64) -> [f64; 2] {
     let (t, radii) = (folds / CHI, core::array::from_fn::<_, 8, _>(|index| 0.5 * index as f64));
     let expected = oracle.pressures(radii, t).map(|pressure| rounded(&pressure));
-    let solve = |r: f64| {
-        let contact = Contact::new(Patellofemoral, Medium::from_constants(M, CHI)?, Constant(FORCE))?;
-        Ok(contact.at(t)?.pressure(r))
-    };
-    let ours = |r: f64| solve(r).unwrap_or_else(|error: Box<dyn core::error::Error>| unreachable!("{error}"));
-    let pressures: [&dyn Fn(f64) -> f64; 2] = [&|r| printed_pressure(r, t), &ours];
+    let contact = joint(Patellofemoral, CHI, Constant(FORCE));
+    let now = contact.at(t).unwrap_or_else(|error| unreachable!("{error}"));
+    let pressures: [&dyn Fn(f64) -> f64; 2] = [&|r| printed_pressure(r, t), &|r| now.pressure(r)];
     pressures.map(|pressure| {
         let errors = radii.iter().zip(&expected);
         digits_lost(errors.map(|(&r, &expected)| relative_error(pressure(r), expected, f64::EPSILON)))

@@ -1,10 +1,10 @@
 //! Loads that break the contract of a load are refused where they enter, or when they are used.
 
-use std::error::Error;
 use std::f64::consts::PI;
 
 use cartcontact::load::{Constant, Load, LoadError, PiecewiseLinear};
-use cartcontact::{Contact, ContactError, Medium};
+use cartcontact::{Contact, ContactError};
+use tests::joint::joint;
 use tests::profiles::Paraboloid;
 
 use super::{NOT_AN_AMOUNT, contact, paraboloid, refused};
@@ -104,12 +104,11 @@ impl Load<f64> for HalfCosine {
 }
 
 #[test]
-fn an_impulse_may_be_negative_by_rounding() -> Result<(), Box<dyn Error>> {
+fn an_impulse_may_be_negative_by_rounding() -> Result<(), ContactError> {
     let time = 6.265493684408876e-9;
     assert!(HalfCosine.impulse(time) < 0.0 && HalfCosine.force(time) > 0.0);
-    let at = |chi, time| -> Result<f64, Box<dyn Error>> {
-        let contact = Contact::new(Paraboloid, Medium::from_constants(0.375, chi)?, HalfCosine)?;
-        Ok(contact.at(time)?.peak_pressure())
+    let at = |chi, time| -> Result<f64, ContactError> {
+        Ok(joint(Paraboloid, chi, HalfCosine).at(time)?.peak_pressure())
     };
     assert!(at(1e-3, time)? > 0.0);
     // Without drainage impulses do not count, not even if there is no force yet.
@@ -230,8 +229,7 @@ impl Load<f32> for Held {
 
 #[test]
 fn steps_that_no_knot_tells_of_are_passed_in_single_precision() {
-    let medium = Medium::from_constants(0.375_f32, 0.02).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(Paraboloid, medium, Held).unwrap_or_else(|error| unreachable!("{error}"));
+    let contact = joint(Paraboloid, 0.02, Held);
     let times: Vec<f32> = (0..60).map(|k| 0.5 * k as f32).collect();
     let mut pressures = vec![0.0_f32; times.len()];
     let filled = contact.pressure_field(&times, &[0.0], &mut pressures);
@@ -295,8 +293,7 @@ fn a_load_is_never_asked_for_a_time_that_is_none() {
 /// Times of 1e60, beyond the usual sizes.
 #[test]
 fn times_of_no_common_size_have_the_radius_of_their_load() -> Result<(), ContactError> {
-    let medium = Medium::from_constants(0.375, 1e-60).unwrap_or_else(|error| unreachable!("{error}"));
-    let contact = Contact::new(Paraboloid, medium, Constant(100.0))?;
+    let contact = joint(Paraboloid, 1e-60, Constant(100.0));
     let times = [0.0, 1e60, 2e60_f64];
     let mut radii = [0.0; 3];
     contact.radii(&times, &mut radii)?;
