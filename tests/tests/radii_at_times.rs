@@ -25,7 +25,7 @@ fn assert_same<T: Scalar, P: GapProfile<T>, L: Load<T>>(contact: &Contact<T, P, 
 }
 
 #[test]
-fn radii_under_every_history() {
+fn many_times_have_the_radii_of_single_ones_under_every_history() {
     for (name, load) in histories(CHI) {
         assert_same(&joint(Patellofemoral, CHI, &load), name);
         assert_same(&joint(SixTerm, CHI, &load), name);
@@ -61,7 +61,7 @@ fn a_history_is_searched_once_for_all_rows_of_a_field() {
 
 /// This holds even where the numbers of a block are beyond the usual sizes.
 #[test]
-fn radii_under_loads_of_every_size() {
+fn many_times_have_the_radii_of_single_ones_under_loads_of_every_size() {
     for exponent in (-280..=280).step_by(10) {
         let load = Constant(10f64.powi(exponent));
         assert_same(&joint(Patellofemoral, CHI, load), &format!("{load:?}"));

@@ -56,18 +56,18 @@ fn check(load: impl Load<f64>) -> Result<(), ContactError> {
 }
 
 #[test]
-fn a_constant_load() -> Result<(), ContactError> {
+fn radii_come_in_any_order_under_a_constant_load() -> Result<(), ContactError> {
     check(Constant(100.0))
 }
 
 #[test]
-fn a_load_of_many_knots() -> Result<(), ContactError> {
+fn radii_come_in_any_order_under_a_load_of_many_knots() -> Result<(), ContactError> {
     let knots: Vec<(f64, f64)> =
         (0..100).map(|k| (f64::from(k) * 20.0, 20.0 + 0.05 * f64::from(k % 7))).collect();
     check(through(&knots))
 }
 
 #[test]
-fn a_load_without_knots() -> Result<(), ContactError> {
+fn radii_come_in_any_order_under_a_load_without_knots() -> Result<(), ContactError> {
     check(Rise { start: 10.0, rise: 90.0, rate: 0.01 })
 }
