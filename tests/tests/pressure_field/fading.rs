@@ -4,12 +4,13 @@
 use cartcontact::load::{Load, PiecewiseLinear};
 use cartcontact::{Contact, Medium, Scalar};
 use tests::budget;
-use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::{Announced, Fall};
 use tests::measure::ulps;
 use tests::profiles::Paraboloid;
 use tests::random::Stream;
+
+use super::{Value, values};
 
 type Failure = Box<dyn core::error::Error>;
 
@@ -17,17 +18,11 @@ type Failure = Box<dyn core::error::Error>;
 fn compare<T: Scalar, L: Load<T>>(chi: f64, load: L, times: &[T]) -> Result<(), Failure> {
     let contact = joint(Paraboloid, chi, load);
     let radii = [T::zero(), contact.at(T::zero())?.radius() * T::constant(0.5)];
-    let mut field = vec![T::zero(); times.len() * radii.len()];
-    contact.pressure_field(times, &radii, &mut field)?;
     let epsilon = T::default_epsilon().value();
     let allowed = if epsilon == f64::EPSILON { budget::FIELD.double } else { budget::FIELD.single };
-    let rows = times.iter().zip(field.chunks(radii.len())).enumerate();
-    for (k, (&t, row)) in rows.filter(|(k, _)| k % 16 == 0 || k + 1 == times.len()) {
-        let now = contact.at(t)?;
-        for (&found, &r) in row.iter().zip(&radii) {
-            let error = ulps(found.value(), now.pressure(r).value().into(), epsilon);
-            assert!(error <= allowed * edge(now.radius(), r), "row {k}, r = {r}: {error} ulp");
-        }
+    for Value { row, r, found, expected, edge, .. } in values(&contact, times, &radii, 16)? {
+        let error = ulps(found.value(), expected.value().into(), epsilon);
+        assert!(error <= allowed * edge, "row {row}, r = {r}: {error} ulp");
     }
     Ok(())
 }

@@ -4,11 +4,12 @@
 use cartcontact::load::{Constant, Load};
 use cartcontact::{ContactError, Polynomial};
 use tests::budget;
-use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::{Announced, Swing};
 use tests::measure::Errors;
 use tests::profiles::Paraboloid;
+
+use super::{Value, values};
 
 #[test]
 fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactError> {
@@ -23,14 +24,8 @@ fn rows_after_long_intervals_are_those_of_single_times() -> Result<(), ContactEr
             &[0.5, 1e6, 1e6 + 1.0, 1e6 + 41.0, 1e7],
         ] {
             let times: Vec<f64> = folds.iter().map(|folds| folds / chi).collect();
-            let mut values = vec![0.0; times.len() * radii.len()];
-            contact.pressure_field(&times, &radii, &mut values)?;
-            for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
-                let now = contact.at(t)?;
-                for (&r, &value) in radii.iter().zip(row) {
-                    let size = if r < now.radius() { edge(now.radius(), r) } else { 1.0 };
-                    errors.add(value, now.pressure(r), size, &(chi, t, r));
-                }
+            for Value { t, r, found, expected, edge, .. } in values(&contact, &times, &radii, 1)? {
+                errors.add(found, expected, edge, &(chi, t, r));
             }
         }
     }

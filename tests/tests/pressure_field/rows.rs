@@ -6,13 +6,14 @@ use cartcontact::load::{Constant, Load};
 use cartcontact::{Contact, ContactError, GapProfile, Medium};
 use proptest::prelude::*;
 use tests::budget;
-use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::{CountingSearches, Rise, histories, through};
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, Patellofemoral, cases};
 use tests::random;
+
+use super::{Value, values};
 
 const CHI: f64 = 0.02;
 const LAST_RADIUS: f64 = 5.0;
@@ -33,13 +34,8 @@ fn compare(
     radii: &[f64],
 ) -> Result<(), ContactError> {
     let contact = contact(case, load, times)?;
-    let mut values = vec![f64::NAN; times.len() * radii.len()];
-    contact.pressure_field(times, radii, &mut values)?;
-    for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
-        let now = contact.at(t)?;
-        for (&r, &value) in radii.iter().zip(row) {
-            errors.add(value, now.pressure(r), edge(now.radius(), r), &(case, t, r));
-        }
+    for Value { t, r, found, expected, edge, .. } in values(&contact, times, radii, 1)? {
+        errors.add(found, expected, edge, &(case, t, r));
     }
     Ok(())
 }
@@ -175,14 +171,8 @@ fn single_precision_has_its_own_rounding() -> Result<(), ContactError> {
             Err(ContactError::Profile(_)) if case.name == "FlatEnded" => continue,
             contact => contact?,
         };
-        let mut values = vec![f32::NAN; times.len() * radii.len()];
-        contact.pressure_field(&times, &radii, &mut values)?;
-        for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
-            let now = contact.at(t)?;
-            for (&r, &value) in radii.iter().zip(row) {
-                let edge = edge(now.radius(), r);
-                errors.add(f64::from(value), f64::from(now.pressure(r)), edge, &(case, t, r));
-            }
+        for Value { t, r, found, expected, edge, .. } in values(&contact, &times, &radii, 1)? {
+            errors.add(f64::from(found), f64::from(expected), edge, &(case, t, r));
         }
     }
     errors.check_worst();
@@ -206,14 +196,10 @@ proptest! {
         let load = through(&[(0.0, 1.0), (0.6 * end, 1.0 + growth), (2.0 * end, 1.0 + growth)]);
         let chi = folds / end;
         let contact = planted::contact(&gap, &load, chi, 1.0, now).unwrap_or_else(|e| unreachable!("{e}"));
-        let mut values = vec![f64::NAN; times.len() * radii.len()];
-        prop_assert_eq!(contact.pressure_field(&times, &radii, &mut values), Ok(()));
-        for (&t, row) in times.iter().zip(values.chunks(radii.len())) {
-            let now = contact.at(t).unwrap_or_else(|e| unreachable!("{e}"));
-            for (&r, &value) in radii.iter().zip(row) {
-                let error = relative_error(value, now.pressure(r), f64::EPSILON) / edge(now.radius(), r);
-                prop_assert!(error <= budget::FIELD.double, "{error} ε at t = {t}, r = {r}: {value}");
-            }
+        let values = values(&contact, &times, &radii, 1).unwrap_or_else(|e| unreachable!("{e}"));
+        for Value { t, r, found, expected, edge, .. } in values {
+            let error = relative_error(found, expected, f64::EPSILON) / edge;
+            prop_assert!(error <= budget::FIELD.double, "{error} ε at t = {t}, r = {r}: {found}");
         }
     }
 }

@@ -2,11 +2,12 @@
 
 use cartcontact::load::{Constant, Load, PiecewiseLinear};
 use cartcontact::{ContactError, Scalar};
-use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::Announced;
 use tests::measure::ulps;
 use tests::profiles::Patellofemoral;
+
+use super::{Value, values};
 
 type Failure = Box<dyn core::error::Error>;
 
@@ -23,17 +24,9 @@ fn compare<T: Scalar, L: Load<T>>(load: L, span: f64, rows: u32) -> Result<(), C
     let contact = joint(Patellofemoral, 0.5, load);
     let last = contact.at(times[times.len() - 1])?.radius();
     let radii = [0.0, 0.3, 0.6].map(|share| last * T::constant(share));
-    let mut field = vec![T::zero(); times.len() * radii.len()];
-    contact.pressure_field(&times, &radii, &mut field)?;
-    for (k, (&t, row)) in times.iter().zip(field.chunks(radii.len())).enumerate() {
-        if k % 37 != 0 && k + 1 != times.len() {
-            continue;
-        }
-        let now = contact.at(t)?;
-        for (&found, &r) in row.iter().zip(&radii).filter(|(_, r)| **r < now.radius()) {
-            let error = ulps(found.value(), now.pressure(r).value().into(), T::default_epsilon().value());
-            assert!(error <= ALLOWED * edge(now.radius(), r), "{span:e}, row {k}, r = {r}: {error} ulp");
-        }
+    for Value { row, r, found, expected, edge, .. } in values(&contact, &times, &radii, 37)? {
+        let error = ulps(found.value(), expected.value().into(), T::default_epsilon().value());
+        assert!(error <= ALLOWED * edge, "{span:e}, row {row}, r = {r}: {error} ulp");
     }
     Ok(())
 }
