@@ -20,6 +20,11 @@ pub fn cases(count: u32) -> ProptestConfig {
     }
 }
 
+/// A case that fails with an error.
+pub fn failure(error: impl core::fmt::Display) -> TestCaseError {
+    TestCaseError::fail(error.to_string())
+}
+
 /// A number between two powers of ten, with a uniform logarithm.
 pub fn magnitude(exponents: core::ops::Range<f64>) -> impl Strategy<Value = f64> {
     exponents.prop_map(|exponent| 10_f64.powf(exponent))

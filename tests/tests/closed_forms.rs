@@ -14,7 +14,7 @@ use cartcontact::{Contact, ContactError, GapProfile, Layer, Medium, Polynomial, 
 use proptest::prelude::*;
 use tests::budget;
 use tests::profiles::{Paraboloid, Patellofemoral};
-use tests::random::{self, exponent, magnitude, sum};
+use tests::random::{self, exponent, failure, magnitude, sum};
 
 /// A paraboloid of any curvature.
 #[gap_profile(c * r^2)]
@@ -76,9 +76,8 @@ impl Problem {
 
     /// Compares everything with a solver of the same geometry.
     fn compare(&self, profile: &dyn GapProfile<f64>) -> Result<(), TestCaseError> {
-        let fail = |error: ContactError| TestCaseError::fail(error.to_string());
-        let contact = self.contact(profile).map_err(fail)?;
-        let first = contact.at(0.0).map_err(fail)?;
+        let contact = self.contact(profile).map_err(failure)?;
+        let first = contact.at(0.0).map_err(failure)?;
         let close =
             |x: f64, y: f64, scale: f64, allowed: f64| (x - y).abs() <= allowed * f64::EPSILON * scale;
         let (n, of_radius) = (self.n, budget::CONTACT_RADIUS.double);
@@ -93,7 +92,7 @@ impl Problem {
             );
         }
         for x in [0.0, 0.2, 3.0, 1e6] {
-            let now = contact.at(x / self.chi).map_err(fail)?;
+            let now = contact.at(x / self.chi).map_err(failure)?;
             let (a, delta) = (self.radius(x / self.chi), self.approach(x / self.chi));
             prop_assert!(close(now.radius(), a, a, of_radius + POWER), "{self:?}, {x}: {} {a}", now.radius());
             prop_assert!(
@@ -136,9 +135,8 @@ proptest! {
     /// times 1/(χ t), which is 1e-6 here.
     #[test]
     fn pressure_becomes_parabolic_in_the_long_run(problem in problems(exponent())) {
-        let fail = |error: ContactError| TestCaseError::fail(error.to_string());
-        let contact = problem.contact(sum(vec![(problem.c, problem.n)])).map_err(fail)?;
-        let late = contact.at(1e6 / problem.chi).map_err(fail)?;
+        let contact = problem.contact(sum(vec![(problem.c, problem.n)])).map_err(failure)?;
+        let late = contact.at(1e6 / problem.chi).map_err(failure)?;
         let a = late.radius();
         for q in [0.0, 0.4, 0.9] {
             let expected = 2.0 * problem.force / (PI * a * a) * (1.0 - q * q);

@@ -9,7 +9,7 @@ use tests::loads::{Announced, Fall, Rise, Swing, Unannounced, histories, through
 use tests::measure::{Errors, relative_error};
 use tests::planted;
 use tests::profiles::{Case, cases};
-use tests::random;
+use tests::random::{self, failure};
 
 const CHI: f64 = 0.02;
 
@@ -34,8 +34,8 @@ proptest! {
     ) {
         let (name, load) = histories(CHI).swap_remove(history);
         let now = contact(cases()[index], load, 5.0, time / CHI);
-        let contact = now.map_err(|error| TestCaseError::fail(error.to_string()))?;
-        let now = contact.at(time / CHI).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let contact = now.map_err(failure)?;
+        let now = contact.at(time / CHI).map_err(failure)?;
         let (inner, outer) = (f64::min(inner, outer) * now.radius(), f64::max(inner, outer) * now.radius());
         let (high, low) = (now.pressure(inner), now.pressure(outer));
         let rounding = 1.0 + budget::PRESSURE.double * f64::EPSILON;

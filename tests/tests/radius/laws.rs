@@ -7,16 +7,12 @@ use tests::budget;
 use tests::condition::degree;
 use tests::measure::{relative_error, ulps};
 use tests::profiles::{case, cases};
-use tests::random::{self, magnitude, positive_sums};
+use tests::random::{self, failure, magnitude, positive_sums};
 
 use super::checks::{assert_same_one_by_one, in_single};
 
 /// In units of ε; J is rounded twice, and its degree divides its error.
 const ALLOWED: f64 = budget::RADIUS.double + 2.0 * budget::LOAD_INTEGRAL.double / 4.0;
-
-fn failure(error: impl core::fmt::Display) -> TestCaseError {
-    TestCaseError::fail(error.to_string())
-}
 
 proptest! {
     #![proptest_config(random::cases(300))]
