@@ -1,12 +1,12 @@
 //! A user-defined load is refused if and only if its impulse is not the integral of its force; where this cannot be
 //! decided, it does not take long either.
 
-use core::cell::Cell;
 use core::f64::consts::LN_2;
 
 use cartcontact::load::{Load, LoadError};
 use cartcontact::{Contact, ContactError, Polynomial};
 use tests::joint::joint;
+use tests::loads::CountingForces;
 use tests::random::Stream;
 
 const CHI: f64 = 0.02;
@@ -318,20 +318,16 @@ fn no_impulse_that_is_meant_well_is_refused() {
     assert!(solved > 1800, "{solved} of 2000 have a radius");
 }
 
-/// A load that is not searched and counts how often it is asked for a force.
-struct Unsearched {
-    load: Told<Curve, Curve>,
-    asked: Cell<u32>,
-}
+/// A load that is not searched.
+struct Unsearched(CountingForces<Told<Curve, Curve>>);
 
 impl Load<f64> for Unsearched {
     fn force(&self, t: f64) -> f64 {
-        self.asked.set(self.asked.get() + 1);
-        self.load.force(t)
+        self.0.force(t)
     }
 
     fn impulse(&self, t: f64) -> f64 {
-        self.load.impulse(t)
+        self.0.impulse(t)
     }
 
     fn recession(&self, _chi: f64, _t: f64) -> Option<f64> {
@@ -340,10 +336,10 @@ impl Load<f64> for Unsearched {
 }
 
 /// The pressure on the axis under a load that is not searched, and how many forces it took.
-fn unsearched_pressure(load: Told<Curve, Curve>, t: f64) -> (f64, u32) {
-    let contact = contact(CHI, Unsearched { load, asked: Cell::new(0) });
+fn unsearched_pressure(load: Told<Curve, Curve>, t: f64) -> (f64, usize) {
+    let contact = contact(CHI, Unsearched(CountingForces::new(load)));
     let pressure = contact.at(t).map_or(f64::NAN, |now| now.peak_pressure());
-    (pressure, contact.load().asked.get())
+    (pressure, contact.load().0.forces())
 }
 
 /// Without a limit there would be a hundred million forces.
