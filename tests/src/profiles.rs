@@ -3,6 +3,7 @@
 use cartcontact::{GapProfile, Polynomial, gap_profile};
 
 use crate::condition;
+use crate::oracle::{Profile, literal};
 use crate::random::Sum;
 
 /// One term.
@@ -100,6 +101,12 @@ impl Case {
             None => Polynomial::new(self.terms),
         };
         polynomial.unwrap_or_else(|error| unreachable!("{}: {error}", self.name))
+    }
+
+    /// The same geometry for the oracle, with its coefficients as written.
+    #[must_use]
+    pub fn oracle(&self) -> Profile {
+        Profile::of_numbers(self.terms.iter().map(|&(c, n)| (literal(c), literal(n))).collect())
     }
 
     /// The geometry of the absolute terms.

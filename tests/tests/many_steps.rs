@@ -8,8 +8,8 @@ use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::{Announced, Knots, through};
 use tests::measure::{Errors, relative_error};
-use tests::oracle::{Oracle, Profile};
-use tests::profiles::Patellofemoral;
+use tests::oracle::Oracle;
+use tests::profiles::{Patellofemoral, case};
 use tests::random::Stream;
 
 const CHI: f64 = 0.0015;
@@ -60,11 +60,10 @@ fn loads(count: usize) -> Vec<Knots> {
 
 #[test]
 fn pressures_after_many_steps_are_exact() -> Result<(), ContactError> {
-    let profile = Profile::of_decimals(&[("0.025", "2"), ("1.09375e-4", "4")]);
     let mut errors = Errors::of(budget::PRESSURE);
     for load in loads(9) {
         let contact = joint(Patellofemoral, CHI, &load);
-        let oracle = Oracle::new(profile.clone(), 0.375, CHI, load.knots());
+        let oracle = Oracle::new(case("Patellofemoral").oracle(), 0.375, CHI, load.knots());
         for t in [0.99, 1.07].map(|share| share * end(&load)) {
             let now = contact.at(t)?;
             let radii = [0.0, 0.5, 0.99].map(|share| share * now.radius());

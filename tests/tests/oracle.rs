@@ -1,45 +1,20 @@
 //! The oracle regenerates the reference values, and agrees with exact rational numbers where there are any.
 
-use std::sync::OnceLock;
-
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use num_rational::BigRational;
 use tests::oracle::number::{BITS, pi, size, whole};
 use tests::oracle::quadrature::integrate;
-use tests::oracle::{Oracle, Profile, Real, decimal, digits, double};
+use tests::oracle::{Oracle, Profile, Real, decimal, digits, double, literal};
+use tests::profiles::{Case, case, cases};
 use tests::reference::{self, knots, number};
 
 /// The significant digits of the reference values.
 const DIGITS: usize = 25;
 
-/// A geometry of `profiles.json`: its name, its terms (C, n) as decimals, and the integrals over it.
-struct Record {
-    name: &'static str,
-    terms: Vec<(&'static str, &'static str)>,
-    profile: Profile,
-}
-
-fn records() -> &'static [Record] {
-    static RECORDS: OnceLock<Vec<Record>> = OnceLock::new();
-    let records = include_str!("../reference/profiles.json").split("\"name\": ").skip(1);
-    let record = |record: &'static str| {
-        let mut quoted = record.split('"').skip(1).step_by(2);
-        let name = quoted.next().unwrap_or_default();
-        // The keys `expr` and `terms` and the value between them; after the numbers comes another key.
-        let numbers: Vec<&str> = quoted.skip(3).take_while(|text| *text != "max_radius").collect();
-        let terms: Vec<_> = numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
-        Record { name, profile: Profile::of_decimals(&terms), terms }
-    };
-    RECORDS.get_or_init(|| records.map(record).collect())
-}
-
 /// The rows of a file with the geometries they belong to.
-fn rows<const N: usize>(text: &'static str) -> impl Iterator<Item = (&'static Record, [&'static str; N])> {
-    reference::rows(text).map(|row: [&str; N]| {
-        let record = records().iter().find(|record| record.name == row[0]);
-        (record.unwrap_or_else(|| unreachable!("{row:?} belongs to none of the geometries")), row)
-    })
+fn rows<const N: usize>(text: &'static str) -> impl Iterator<Item = (Case, [&'static str; N])> {
+    reference::rows(text).map(|row: [&str; N]| (case(row[0]), row))
 }
 
 const KERNELS: &str = include_str!("../reference/kernels.csv");
@@ -61,8 +36,6 @@ fn kernels(profile: &Profile, a: &Real, r: &Real) -> [Real; 6] {
 /// The tests below compare row by row.
 #[test]
 fn there_is_something_to_compare() {
-    let terms: Vec<usize> = records().iter().map(|record| record.terms.len()).collect();
-    assert_eq!(terms, [1, 2, 1, 2, 1, 6, 2, 1, 2, 2, 3]);
     let counts = [rows::<9>(KERNELS).count(), rows::<4>(RADII).count(), rows::<10>(CONTACTS).count()];
     assert_eq!(counts, [440, 330, 132]);
 }
@@ -74,15 +47,14 @@ fn there_is_something_to_compare() {
 #[test]
 fn kernels_are_regenerated() {
     let mut of_forty_digits = 0;
-    for (record, row) in rows::<9>(KERNELS) {
-        let profile = &record.profile;
+    for (case, row) in rows::<9>(KERNELS) {
         let (a, r) = (double(number(row[1])), double(number(row[2])));
-        let found = kernels(profile, &a, &r);
+        let found = kernels(&case.oracle(), &a, &r);
         let [others @ .., kernel] = found.each_ref().map(|value| digits(value, DIGITS));
         assert_eq!(others, row[3..8], "{row:?}");
         if kernel != row[8] {
             of_forty_digits += 1;
-            assert_eq!(bracket_in_forty_digits(record, row[1], row[2]), row[8], "{row:?}");
+            assert_eq!(bracket_in_forty_digits(case, row[1], row[2]), row[8], "{row:?}");
             let [.., log_kernel, kernel] = found;
             assert!(size(kernel - decimal(row[8])) < decimal("1e-38") * log_kernel, "{row:?}");
         }
@@ -91,7 +63,7 @@ fn kernels_are_regenerated() {
 }
 
 /// Σ C/(2 (n+2)²) [n aⁿ⁺² − (n+2) aⁿ r² + 2 rⁿ⁺²] with every operation rounded to 136 bits.
-fn bracket_in_forty_digits(record: &Record, a: &str, r: &str) -> String {
+fn bracket_in_forty_digits(case: Case, a: &str, r: &str) -> String {
     type Rounded = FBig<HalfEven, 2>;
     // Differences may have a bit too many, which only an actual change of the precision rounds away.
     let rounded =
@@ -101,8 +73,8 @@ fn bracket_in_forty_digits(record: &Record, a: &str, r: &str) -> String {
         Ok(whole) => x.powi(whole.into()),
         Err(_) => x.powf(n),
     };
-    let sum = record.terms.iter().fold(rounded(&whole(0)), |sum, (c, n)| {
-        let (c, n) = (rounded(&decimal(c)), rounded(&decimal(n)));
+    let sum = case.terms.iter().fold(rounded(&whole(0)), |sum, &(c, n)| {
+        let (c, n) = (rounded(&literal(c)), rounded(&literal(n)));
         let two = rounded(&whole(2));
         let next = &n + &two;
         let difference = rounded(&(&n * power(&a, &next) - &next * power(&a, &n) * &r * &r));
@@ -114,18 +86,18 @@ fn bracket_in_forty_digits(record: &Record, a: &str, r: &str) -> String {
 
 #[test]
 fn radii_are_regenerated() {
-    for (record, row) in rows::<4>(RADII) {
+    for (case, row) in rows::<4>(RADII) {
         let stiffness = double(number(row[1])) * pi() / whole(4);
-        let radius = record.profile.radius(&(double(number(row[2])) / stiffness));
+        let radius = case.oracle().radius(&(double(number(row[2])) / stiffness));
         assert_eq!(digits(&radius, DIGITS), row[3], "{row:?}");
     }
 }
 
 #[test]
 fn contacts_are_regenerated() {
-    for (record, row) in rows::<10>(CONTACTS) {
+    for (case, row) in rows::<10>(CONTACTS) {
         let [_, m, chi, load, t, r, expected @ ..] = row;
-        let oracle = Oracle::new(record.profile.clone(), number(m), number(chi), &knots(load));
+        let oracle = Oracle::new(case.oracle(), number(m), number(chi), &knots(load));
         let t = number(t);
         let [pressure, peak] = oracle.pressures([number(r), 0.0], t);
         let found = [oracle.radius(t), oracle.approach(t), pressure, peak];
@@ -137,13 +109,12 @@ fn contacts_are_regenerated() {
 #[test]
 fn kernels_are_the_exact_rational_numbers() {
     let mut count = 0;
-    for (record, row) in rows::<9>(KERNELS).step_by(5) {
-        let Some(terms) = exact_terms(record) else { continue };
-        let profile = &record.profile;
+    for (case, row) in rows::<9>(KERNELS).step_by(5) {
+        let Some(terms) = exact_terms(case) else { continue };
         let (a, r) = (number(row[1]), number(row[2]));
         let expected = exact_kernels(&terms, &exact(a), &exact(r));
         let (a, r) = (double(a), double(r));
-        for (found, expected) in kernels(profile, &a, &r).into_iter().zip(expected) {
+        for (found, expected) in kernels(&case.oracle(), &a, &r).into_iter().zip(expected) {
             let expected = decimal(&expected.numer().to_string()) / decimal(&expected.denom().to_string());
             // Cancellation leaves 45 digits of the pressure kernel.
             assert!(size(&found - &expected) <= decimal("1e-45") * expected, "{row:?}");
@@ -159,17 +130,16 @@ fn exact(x: f64) -> BigRational {
 }
 
 /// The terms (C, n) of a geometry whose exponents are whole.
-fn exact_terms(record: &Record) -> Option<Vec<(BigRational, u16)>> {
-    let exponents: Vec<f64> = record.terms.iter().map(|(_, n)| number(n)).collect();
-    let is_whole = exponents.iter().all(|n| n.fract() == 0.0);
-    let coefficients = record.terms.iter().map(|(c, _)| exact_decimal(c));
-    is_whole.then(|| coefficients.zip(exponents.iter().map(|&n| n as u16)).collect())
+fn exact_terms(case: Case) -> Option<Vec<(BigRational, u16)>> {
+    let is_whole = case.terms.iter().all(|(_, n)| n.fract() == 0.0);
+    is_whole.then(|| case.terms.iter().map(|&(c, n)| (exact_literal(c), n as u16)).collect())
 }
 
-/// A decimal of the file.
-fn exact_decimal(text: &str) -> BigRational {
+/// The decimal that a literal means.
+fn exact_literal(x: f64) -> BigRational {
+    let text = format!("{x:e}");
     let read = || -> Option<BigRational> {
-        let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+        let (mantissa, power) = text.split_once('e')?;
         let (before, after) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let numerator: BigRational = format!("{before}{after}").parse().ok()?;
         let power = power.parse::<i32>().ok()? - i32::try_from(after.len()).ok()?;
@@ -201,8 +171,8 @@ fn exact_kernels(terms: &[(BigRational, u16)], a: &BigRational, r: &BigRational)
 #[test]
 fn integrals_of_powers_are_those_of_the_gap() {
     let tolerance = decimal("1e-50");
-    for record in records() {
-        let profile = &record.profile;
+    for case in cases() {
+        let profile = case.oracle();
         let a = decimal("3.7");
         let [mean, load, log] = integrate(&whole(0), &a, &tolerance, |rho| {
             let gap = profile.gap(rho) * rho;
@@ -212,7 +182,7 @@ fn integrals_of_powers_are_those_of_the_gap() {
         let found = [whole(2) * mean / (&a * &a), load, log];
         let expected = [profile.approach(&a), profile.load_integral(&a), profile.log_kernel(&a)];
         for (found, expected) in found.into_iter().zip(expected) {
-            assert!(size(found - &expected) < decimal("1e-48") * expected, "{}", record.name);
+            assert!(size(found - &expected) < decimal("1e-48") * expected, "{case:?}");
         }
     }
 }

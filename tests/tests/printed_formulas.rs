@@ -11,15 +11,11 @@ use gauss_quad::GaussLegendre;
 use tests::joint::joint;
 use tests::measure::relative_error;
 use tests::oracle::{Oracle, Profile, double, rounded};
-use tests::profiles::Patellofemoral;
+use tests::profiles::{Patellofemoral, case};
 
 const M: f64 = 0.375;
 const CHI: f64 = 0.0015;
 const FORCE: f64 = 100.0;
-
-fn oracle() -> Profile {
-    Profile::of_decimals(&[("0.025", "2"), ("1.09375e-4", "4")])
-}
 
 /// The decimal digits lost to relative errors in units of ε: none below 10, at most all sixteen.
 fn digits_lost(errors: impl IntoIterator<Item = f64>) -> f64 {
@@ -80,7 +76,7 @@ fn at_long_times(oracle: &Oracle, folds: f64) -> [f64; 2] {
 }
 
 fn page() -> String {
-    let profile = oracle();
+    let profile = case("Patellofemoral").oracle();
     let contact = Oracle::new(profile.clone(), M, CHI, &[(0.0, FORCE)]);
     let mut page = String::from(
         "Where the printed formulas fail.\n\

@@ -33,5 +33,5 @@ mod profile;
 pub mod quadrature;
 
 pub use history::Oracle;
-pub use number::{Real, decimal, digits, double, rounded};
+pub use number::{Real, decimal, digits, double, literal, rounded};
 pub use profile::Profile;

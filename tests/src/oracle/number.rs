@@ -40,6 +40,12 @@ pub fn decimal(text: &str) -> Real {
     exact.with_base_and_precision::<2>(BITS).value()
 }
 
+/// The decimal that a literal means: 0.025 is 1/40.
+#[must_use]
+pub fn literal(x: f64) -> Real {
+    decimal(&format!("{x:e}"))
+}
+
 /// The nearest `f64`.
 #[must_use]
 pub fn rounded(x: &Real) -> f64 {
