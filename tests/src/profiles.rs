@@ -5,6 +5,7 @@ use cartcontact::{GapProfile, Polynomial, gap_profile};
 use crate::condition;
 use crate::oracle::{Profile, literal};
 use crate::random::Sum;
+use crate::stress::wide::Wide;
 
 /// One term.
 #[gap_profile(0.025 * r^2)]
@@ -107,6 +108,12 @@ impl Case {
     #[must_use]
     pub fn oracle(&self) -> Profile {
         Profile::of_numbers(self.terms.iter().map(|&(c, n)| (literal(c), literal(n))).collect())
+    }
+
+    /// The terms with their coefficients as written, in 31 digits.
+    #[must_use]
+    pub fn exact_terms(&self) -> Vec<(Wide, f64)> {
+        self.terms.iter().map(|&(c, n)| (Wide::of_decimal(c), n)).collect()
     }
 
     /// The geometry of the absolute terms.

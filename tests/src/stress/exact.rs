@@ -196,8 +196,7 @@ mod tests {
     #[test]
     fn kernels_are_those_of_the_reference() {
         for row in crate::reference::kernels().into_iter().filter(|row| row.r < row.a) {
-            let terms = row.case.terms.iter().map(|&(c, n)| (Wide::of_decimal(c), n)).collect();
-            let profile = Profile::new(terms);
+            let profile = Profile::new(row.case.exact_terms());
             let (a, r) = (Wide::of(row.a), Wide::of(row.r));
             let here = profile.kernels(a);
             assert_eq!(here.gap.value.value(), row.gap.nearest);

@@ -4,7 +4,7 @@ use cartcontact::load::{LoadError, PiecewiseLinear};
 use cartcontact::{ContactError, GapProfile, Snapshot};
 
 use super::condition;
-use super::exact::{Profile, Sum};
+use super::exact::Profile;
 use super::finding::{Fault, Findings, Quantity, Tally};
 use super::history::History;
 use super::precision::Precision;
@@ -220,8 +220,8 @@ impl<T: Precision> Examination<'_, T> {
             (Quantity::LogKernel, profile.log_kernel(a), exact.log_kernel),
         ];
         let length = (self.scene.terms.len() as f64 / budget::TERMS).max(1.0);
-        for (quantity, found, Sum { value, size }) in sums {
-            self.measure(quantity, found.value(), value, Sum { value, size }.condition() * length);
+        for (quantity, found, exact) in sums {
+            self.measure(quantity, found.value(), exact.value, exact.condition() * length);
         }
         if r < a {
             let exact = self.exact.profile.pressure_kernel(Wide::of(a.value()), Wide::of(r.value()));

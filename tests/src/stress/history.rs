@@ -247,8 +247,7 @@ mod tests {
     #[test]
     fn pressures_are_those_of_the_reference() {
         for row in crate::reference::contacts().into_iter().step_by(7) {
-            let terms = row.case.terms.iter().map(|&(c, n)| (Wide::of_decimal(c), n)).collect();
-            let history = History::new(Profile::new(terms), (row.m, row.chi), &row.knots);
+            let history = History::new(Profile::new(row.case.exact_terms()), (row.m, row.chi), &row.knots);
             let (t, r) = (Wide::of(row.t), Wide::of(row.r));
             let y = history.hereditary(t) / history.stiffness();
             let a = history.profile.radius(y, Wide::of(row.radius.nearest)).unwrap_or(Wide::ZERO);

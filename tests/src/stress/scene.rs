@@ -2,6 +2,7 @@
 
 use super::precision::Precision;
 use super::wide::Wide;
+use crate::profiles::cases;
 
 /// Which solver holds the geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,11 +72,10 @@ impl<T: Precision> Scene<T> {
     /// The terms with the coefficients as meant: decimals for geometries that the compiler reads.
     #[must_use]
     pub fn exact_terms(&self) -> Vec<(Wide, f64)> {
-        if let Form::Constant(index) = self.form {
-            let terms = crate::profiles::cases()[index].terms;
-            return terms.iter().map(|&(c, n)| (Wide::of_decimal(c), n)).collect();
+        match self.form {
+            Form::Constant(index) => cases()[index].exact_terms(),
+            _ => self.terms.iter().map(|&(c, n)| (Wide::of(c.value()), n.value())).collect(),
         }
-        self.terms.iter().map(|&(c, n)| (Wide::of(c.value()), n.value())).collect()
     }
 
     /// Every number that has a unit.
