@@ -52,6 +52,11 @@ pub struct Hertzian52;
 #[derive(Clone, Copy, Debug)]
 pub struct RealPowers;
 
+/// A whole power and one that is a multiple of 1/4; not one of the reference geometries.
+#[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
+#[derive(Clone, Copy, Debug)]
+pub struct Blunt;
+
 /// Exponents that neither single nor double precision holds exactly; not one of the reference geometries.
 #[gap_profile(0.2 * r^0.7 + 0.03 * r^1.7 + 2e-3 * r^3.1)]
 #[derive(Clone, Copy, Debug)]

@@ -12,6 +12,7 @@ use tests::condition::edge;
 use tests::joint::joint;
 use tests::loads::Fall;
 use tests::measure::relative_error;
+use tests::profiles::Blunt;
 
 type Failure = Box<dyn core::error::Error>;
 
@@ -20,10 +21,6 @@ type Failure = Box<dyn core::error::Error>;
 struct Ball<T> {
     radius: T,
 }
-
-/// A geometry of constants with a power that is not whole, used with any scalar.
-#[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
-struct Plain;
 
 /// x with the derivative 1.
 fn variable(x: f64) -> Dual64 {
@@ -131,21 +128,21 @@ fn slopes_with_respect_to_the_geometry_are_those_of_differences() -> Result<(), 
 
 #[test]
 fn slopes_with_respect_to_the_medium_are_those_of_differences() -> Result<(), Failure> {
-    let dual = results(Plain, variable(2e-3), Dual64::from(100.0))?;
-    let plain = |permeability| or_nan(results(Plain, permeability, 100.0));
+    let dual = results(Blunt, variable(2e-3), Dual64::from(100.0))?;
+    let plain = |permeability| or_nan(results(Blunt, permeability, 100.0));
     compare(dual, plain, 2e-3);
     Ok(())
 }
 
 #[test]
 fn slopes_with_respect_to_the_load_are_those_of_differences() -> Result<(), Failure> {
-    let dual = results(Plain, Dual64::from(2e-3), variable(100.0))?;
-    compare(dual, |force| or_nan(results(Plain, 2e-3, force)), 100.0);
+    let dual = results(Blunt, Dual64::from(2e-3), variable(100.0))?;
+    compare(dual, |force| or_nan(results(Blunt, 2e-3, force)), 100.0);
     Ok(())
 }
 
 /// P_t + χ P = (m/4) δ₀′(t) (a² − r²) with m = 0.375 and χ = 0.0015, for a snapshot at a time with the derivative 1.
-fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Plain, L>) {
+fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Blunt, L>) {
     let (a, r) = (now.radius().re, 2.0);
     let pressure = now.pressure(Dual64::from(r));
     let expected = 0.375 / 4.0 * now.approach().eps * (a * a - r * r) - 0.0015 * pressure.re;
@@ -155,7 +152,7 @@ fn assert_pressure_follows_edge<L: Load<Dual64>>(now: &Snapshot<'_, Dual64, Plai
 /// The derivatives of a snapshot with respect to time satisfy the equations of the model.
 #[test]
 fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), Failure> {
-    let contact = joint(Plain, 0.0015, Constant(Dual64::from(100.0)));
+    let contact = joint(Blunt, 0.0015, Constant(Dual64::from(100.0)));
     let now = contact.at(variable(200.0))?;
     let a = now.radius();
     // F′ + χ F = (π m/8) a⁴ δ₀′(t).
@@ -168,7 +165,7 @@ fn slope_of_the_approach_in_time_obeys_the_equation_of_the_edge() -> Result<(), 
 /// At the start nothing has drained, but P_t + χ P = (m/4) δ₀′(t) (a² − r²) all the same.
 #[test]
 fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
-    let contact = joint(Plain, 0.0015, Constant(Dual64::from(100.0)));
+    let contact = joint(Blunt, 0.0015, Constant(Dual64::from(100.0)));
     let now = contact.at(variable(0.0))?;
     assert_pressure_follows_edge(&now);
     Ok(())
@@ -178,7 +175,7 @@ fn a_pressure_begins_to_change_at_once() -> Result<(), Failure> {
 /// derivative comes before the same with one.
 #[test]
 fn rows_have_the_slopes_of_single_pressures() -> Result<(), Failure> {
-    let contact = joint(Plain, 0.0015, Constant(Dual64::from(100.0)));
+    let contact = joint(Blunt, 0.0015, Constant(Dual64::from(100.0)));
     let radii = [0.0, 2.0, 4.0].map(Dual64::from);
     let plain = Dual64::from;
     for times in [
@@ -210,7 +207,7 @@ fn rows_have_the_slopes_of_single_pressures() -> Result<(), Failure> {
 #[test]
 fn at_a_knot_the_edge_moves_as_behind_it() -> Result<(), Failure> {
     let knots = [(0.0, 50.0), (10.0, 100.0), (30.0, 140.0)].map(|(t, f)| (Dual64::from(t), Dual64::from(f)));
-    let contact = joint(Plain, 0.0015, PiecewiseLinear::new(knots)?);
+    let contact = joint(Blunt, 0.0015, PiecewiseLinear::new(knots)?);
     for (time, force, slope) in [(0.0, 50.0, 5.0), (10.0, 100.0, 2.0), (30.0, 140.0, 0.0)] {
         let now = contact.at(variable(time))?;
         let fluid = PI * 0.375 / 8.0 * now.radius().re.powi(4) * now.approach().eps;
@@ -236,8 +233,8 @@ fn slope_with_respect_to_an_exponent_is_that_of_the_power() -> Result<(), Failur
 /// A dual number whose derivative is zero is a plain number.
 #[test]
 fn values_are_those_of_plain_numbers() -> Result<(), Failure> {
-    let plain = results(Plain, 2e-3, 100.0)?;
-    let dual = results(Plain, Dual64::from(2e-3), Dual64::from(100.0))?;
+    let plain = results(Blunt, 2e-3, 100.0)?;
+    let dual = results(Blunt, Dual64::from(2e-3), Dual64::from(100.0))?;
     assert_same(dual, plain);
     assert_eq!(dual.map(|result| result.eps), [0.0; 3]);
     Ok(())
@@ -379,5 +376,5 @@ fn slopes_are_right_where_the_force_does_not_vary() -> Result<(), Failure> {
 }
 
 fn peak_pressure<T: Scalar>(load: Approaching<T>) -> Result<T, Failure> {
-    Ok(joint(Plain, 0.0015, load).at(T::constant(200.0))?.peak_pressure())
+    Ok(joint(Blunt, 0.0015, load).at(T::constant(200.0))?.peak_pressure())
 }

@@ -3,17 +3,13 @@
 //! Pressures then depend on when the contact reached a radius, which their values do not.
 
 use cartcontact::load::PiecewiseLinear;
-use cartcontact::{Contact, GapProfile, Medium, Scalar, gap_profile};
+use cartcontact::{Contact, GapProfile, Medium, Scalar};
 use num_dual::Dual2_64;
 use tests::differences::{curvature, slope};
 use tests::joint::pressures_each_way;
-use tests::profiles::Patellofemoral;
+use tests::profiles::{Blunt, Patellofemoral};
 
 type Failure = Box<dyn core::error::Error>;
-
-/// A geometry with a power that is not whole.
-#[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
-struct Blunt;
 
 /// Held, rising at once, rising from nothing, held before a step and before a rise, and a record.
 const LOADS: [&[(f64, f64)]; 6] = [

@@ -1,19 +1,15 @@
 //! Derivatives of pressures with respect to forces of a load, where the value of a slope or of a step is zero.
 
 use cartcontact::load::{Constant, Load};
-use cartcontact::{ContactError, GapProfile, Polynomial, Scalar, gap_profile};
+use cartcontact::{ContactError, GapProfile, Polynomial, Scalar};
 use num_dual::{Dual2_64, Dual32, Dual64};
 use tests::differences::{curvature, slope};
 use tests::joint::{joint, pressures_each_way};
 use tests::loads::{Announced, Knots, through};
 use tests::measure::relative_error;
-use tests::profiles::Patellofemoral;
+use tests::profiles::{Blunt, Patellofemoral};
 
 type Failure = Box<dyn core::error::Error>;
-
-/// A geometry with a power that is not whole.
-#[gap_profile(0.025 * r^2 + 0.002 * r^3.25)]
-struct Blunt;
 
 const CHI: f64 = 0.0015;
 

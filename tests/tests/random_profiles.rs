@@ -11,7 +11,7 @@ use tests::loads::{Knots, through};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Oracle, Profile, double, rounded};
 use tests::planted;
-use tests::profiles::{DECIMALS, Decimals};
+use tests::profiles::{DECIMALS, Decimals, Hertzian52};
 use tests::random::{magnitude, sum};
 use tests::reference::number;
 
@@ -119,9 +119,7 @@ mod shapes {
     pub(super) struct Decimal;
     #[gap_profile(1e-7 * r^17.3)]
     pub(super) struct HighDecimal;
-    // Multiples of 1/2: alone, beside whole powers, with a negative term, and with a slope that is no polynomial.
-    #[gap_profile(0.03 * r^2.5)]
-    pub(super) struct Hertzian52;
+    // Multiples of 1/2: beside whole powers, with a negative term, and with a slope that is no polynomial.
     #[gap_profile(0.02 * r^2.5 + 1e-4 * r^4)]
     pub(super) struct Half;
     #[gap_profile(0.02 * r^1.5 + 1e-3 * r^2 + 2e-5 * r^5.5)]
@@ -150,7 +148,7 @@ const SHAPES: [Shape; 16] = [
     (&shapes::Decimal, &[("0.03", "2.3")]),
     (&Decimals, &DECIMALS),
     (&shapes::HighDecimal, &[("1e-7", "17.3")]),
-    (&shapes::Hertzian52, &[("0.03", "2.5")]),
+    (&Hertzian52, &[("0.03", "2.5")]),
     (&shapes::Half, &[("0.02", "2.5"), ("1e-4", "4")]),
     (&shapes::Halves, &[("0.02", "1.5"), ("1e-3", "2"), ("2e-5", "5.5")]),
     (&shapes::NegativeHalf, &[("0.02", "2"), ("-1e-3", "2.5"), ("2e-5", "4")]),
