@@ -6,7 +6,7 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenes::printed::Pressure;
-use scenes::{NO_RESULT, Patellofemoral, as_printed, contact};
+use scenes::{NO_RESULT, Patellofemoral, as_printed, contact, steps};
 
 /// The numbers of times and radii.
 const SHAPES: [(usize, usize); 3] = [(1000, 1000), (250, 4000), (4000, 250)];
@@ -56,11 +56,6 @@ fn fill_as_printed(printed: &Pressure, times: &[f64], radii: &[f64], values: &mu
         }
     }
     black_box(values);
-}
-
-/// `count` values from 0 to `end`.
-fn steps(count: usize, end: f64) -> Vec<f64> {
-    (0..count).map(|k| end * k as f64 / (count - 1) as f64).collect()
 }
 
 criterion_group!(benches, field);

@@ -14,7 +14,7 @@ use gungraun::prelude::*;
 use scenes::{
     Ball, Blunt, BluntBall, Fitted, FlatBall, FourTerm, NO_RESULT, Paraboloid, Patellofemoral, RATE,
     RoundBall, Settling, ThreeFields, ThreeFieldsOfHalves, ThreeTerm, by_hand, contact, load_integrals,
-    run_time, times,
+    run_time, steps, times,
 };
 
 /// Powers with many missing between them.
@@ -181,8 +181,7 @@ struct Field<L> {
 
 /// A field of 100 times and 100 radii in some order, some of them outside the contact.
 fn empty<L>(contact: Contact<f64, Patellofemoral, L>, put_in_order: fn(&mut [f64])) -> Field<L> {
-    let steps = |end: f64| (0..100).map(|k| end * f64::from(k) / 99.0).collect();
-    let (times, mut radii): (_, Vec<f64>) = (steps(400.0), steps(9.0));
+    let (times, mut radii) = (steps(100, 400.0), steps(100, 9.0));
     put_in_order(&mut radii);
     Field { contact, times, radii, values: vec![0.0; 10_000] }
 }

@@ -171,6 +171,11 @@ pub(crate) fn load_integrals<T: Scalar>() -> Vec<T> {
     (0..1024).map(|k| T::constant(10.0 * 1000f64.powf(f64::from(k * 389 % 1024) / 1023.0))).collect()
 }
 
+/// `count` values from 0 to `end`.
+pub(crate) fn steps(count: usize, end: f64) -> Vec<f64> {
+    (0..count).map(|k| end * k as f64 / (count - 1) as f64).collect()
+}
+
 /// 1024 times, in s.
 pub(crate) fn times() -> Vec<f64> {
     (0..1024).map(f64::from).collect()
