@@ -5,7 +5,7 @@
 //! ```
 //!
 //! A ball of radius 10 mm in a socket of 20 mm is described by two gap profiles, to second and to fourth order.
-//! The example shows how much the fourth order matters, with the rate chi of the memory as it follows from the
+//! The example shows how much the fourth order matters, with the rate chi of drainage as it follows from the
 //! layers' displacements and as the paper prints it. The figure of pressures has the former alone; the
 //! README shows a copy of it, `figures/pressure.svg`.
 //!

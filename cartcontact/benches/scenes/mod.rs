@@ -95,7 +95,7 @@ pub(crate) fn contact<P: GapProfile<f64>>(profile: P) -> Contact<f64, P, load::C
     loaded(profile, RATE, load::Constant(FORCE))
 }
 
-/// A contact of the paper's layers with another rate of the memory.
+/// A contact of the paper's layers with another rate of drainage.
 ///
 /// # Panics
 ///
@@ -114,7 +114,7 @@ fn knotted(rate: f64, knots: impl Iterator<Item = (f64, f64)>) -> Knotted {
     loaded(Patellofemoral, rate, PiecewiseLinear::new(knots.collect()).expect("a valid load"))
 }
 
-/// A load that rises through 100 knots, every second piece of which is level, in a medium with a rate of the memory.
+/// A load that rises through 100 knots, every second piece of which is level, in a medium with a rate of drainage.
 pub(crate) fn hundred_knots(rate: f64) -> Knotted {
     knotted(rate, (0..100).map(|k| (2.0 * f64::from(k), FORCE * (0.2 + f64::from(k + k % 2) / 100.0))))
 }
