@@ -15,11 +15,12 @@ const NOT_A_SIZE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 
 const NOT_AN_AMOUNT: [f64; 4] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0];
 
 /// Expects an error whose message holds the rule, the value and, after the semicolon, a remedy.
-fn refused<T, E: Display + Debug>(result: Result<T, E>, is_expected: fn(&E) -> bool, value: &str) {
+fn refused<T, E: Display + Debug>(result: Result<T, E>, is_expected: fn(&E) -> bool, value: impl Display) {
+    let value = value.to_string();
     let Err(error) = result else { unreachable!("{value} is accepted") };
     assert!(is_expected(&error), "{error:?} for {value}");
     let message = error.to_string();
-    assert!(message.contains(value), "no {value} in: {message}");
+    assert!(message.contains(&value), "no {value} in: {message}");
     let (rule, remedy) = message.split_once("; ").unwrap_or_default();
     assert!(!rule.is_empty() && !remedy.is_empty(), "no remedy in: {message}");
     assert!(message.starts_with(|first: char| !first.is_uppercase()) && !message.ends_with('.'), "{message}");
@@ -44,9 +45,9 @@ fn load_integrals_are_finite_and_within_the_range() {
     for case in cases() {
         for value in NOT_AN_AMOUNT {
             let is_expected = |e: &RadiusError| matches!(e, RadiusError::InvalidLoadIntegral { .. });
-            refused(case.double.radius(value), is_expected, &value.to_string());
-            refused(case.single.radius(value as f32), is_expected, &value.to_string());
-            refused(case.polynomial().radius(value), is_expected, &value.to_string());
+            refused(case.double.radius(value), is_expected, value);
+            refused(case.single.radius(value as f32), is_expected, value);
+            refused(case.polynomial().radius(value), is_expected, value);
         }
         if case.max_radius.is_some() {
             let is_expected = |e: &RadiusError| matches!(e, RadiusError::BeyondRange { .. });
@@ -59,9 +60,9 @@ fn load_integrals_are_finite_and_within_the_range() {
 fn times_are_finite_and_not_negative() {
     for value in NOT_AN_AMOUNT {
         let is_time = |e: &ContactError| matches!(e, ContactError::InvalidTime { .. });
-        refused(paraboloid().at(value), is_time, &value.to_string());
-        refused(paraboloid().radii(&[0.0, value], &mut [0.0; 2]), is_time, &value.to_string());
-        refused(paraboloid().pressure_field(&[value], &[0.0], &mut [0.0]), is_time, &value.to_string());
+        refused(paraboloid().at(value), is_time, value);
+        refused(paraboloid().radii(&[0.0, value], &mut [0.0; 2]), is_time, value);
+        refused(paraboloid().pressure_field(&[value], &[0.0], &mut [0.0]), is_time, value);
     }
 }
 
@@ -85,7 +86,7 @@ fn slices_fit_together() {
 fn radii_of_a_field_are_finite_and_not_negative() {
     for value in NOT_AN_AMOUNT {
         let result = paraboloid().pressure_field(&[1.0], &[0.0, value], &mut [0.0; 2]);
-        refused(result, |e| matches!(e, ContactError::InvalidRadius { index: 1, .. }), &value.to_string());
+        refused(result, |e| matches!(e, ContactError::InvalidRadius { index: 1, .. }), value);
     }
 }
 
