@@ -4,11 +4,11 @@ use super::wide::Wide;
 
 /// A sum, and the sum of the absolute values of its terms.
 #[derive(Clone, Copy, Debug)]
-pub struct Sum {
+pub(super) struct Sum {
     /// Σ terms.
-    pub value: Wide,
+    pub(super) value: Wide,
     /// Σ |terms|.
-    pub size: Wide,
+    pub(super) size: Wide,
 }
 
 impl Sum {
@@ -24,45 +24,42 @@ impl Sum {
     }
 
     /// Σ|terms|/|Σ terms|, by which errors from rounding may grow.
-    #[must_use]
-    pub fn condition(self) -> f64 {
+    pub(super) fn condition(self) -> f64 {
         if self.value.is_zero() { 1.0 } else { (self.size / self.value.abs()).value() }
     }
 }
 
 /// The functions of a geometry at one radius: Eqs. (10), (14), (28).
 #[derive(Clone, Copy, Debug)]
-pub struct Kernels {
+pub(super) struct Kernels {
     /// Φ.
-    pub gap: Sum,
+    pub(super) gap: Sum,
     /// δ₀.
-    pub approach: Sum,
+    pub(super) approach: Sum,
     /// δ₀′.
-    pub approach_slope: Sum,
+    pub(super) approach_slope: Sum,
     /// J.
-    pub load_integral: Sum,
+    pub(super) load_integral: Sum,
     /// L.
-    pub log_kernel: Sum,
+    pub(super) log_kernel: Sum,
     /// a J′.
-    pub log_slope: Sum,
+    pub(super) log_slope: Sum,
 }
 
 /// The gap Σ C r^n.
 #[derive(Clone, Debug)]
-pub struct Profile {
+pub(super) struct Profile {
     terms: Vec<(Wide, f64)>,
 }
 
 impl Profile {
     /// The gap with the given coefficients and exponents.
-    #[must_use]
-    pub fn new(terms: Vec<(Wide, f64)>) -> Self {
+    pub(super) fn new(terms: Vec<(Wide, f64)>) -> Self {
         Self { terms }
     }
 
     /// The functions at a radius above 0.
-    #[must_use]
-    pub fn kernels(&self, a: Wide) -> Kernels {
+    pub(super) fn kernels(&self, a: Wide) -> Kernels {
         let zero = Sum::ZERO;
         let mut sums = Kernels {
             gap: zero,
@@ -95,8 +92,7 @@ impl Profile {
     }
 
     /// G(a, r) for r < a: from its bracket away from the edge, from its expansion in 1 − r/a next to the edge.
-    #[must_use]
-    pub fn pressure_kernel(&self, a: Wide, r: Wide) -> Sum {
+    pub(super) fn pressure_kernel(&self, a: Wide, r: Wide) -> Sum {
         let (ratio, inset) = (r / a, (a - r) / a);
         let mut sum = Sum::ZERO;
         for &(c, n) in &self.terms {
@@ -109,8 +105,7 @@ impl Profile {
 
     /// The root of J(a) = y nearest to an estimate, by Newton's method on logarithms, until steps below 1e-17 no longer
     /// shrink; `None` if this is never reached.
-    #[must_use]
-    pub fn radius(&self, y: Wide, estimate: Wide) -> Option<Wide> {
+    pub(super) fn radius(&self, y: Wide, estimate: Wide) -> Option<Wide> {
         let (mut a, mut last) = (estimate, f64::INFINITY);
         // Where J is nearly flat, each step of Newton's method removes no more than a third of the error.
         for _ in 0..400 {
@@ -133,8 +128,7 @@ impl Profile {
     }
 
     /// The least radius at which one positive term alone reaches J = y: an estimate from above for positive sums.
-    #[must_use]
-    pub fn one_term_radius(&self, y: Wide) -> Wide {
+    pub(super) fn one_term_radius(&self, y: Wide) -> Wide {
         let logarithm = |&(c, n): &(Wide, f64)| {
             let (n, two, four) = (Wide::of(n), Wide::of(2.0), Wide::of(4.0));
             let j = c * n / ((n + two) * (n + four));
@@ -146,8 +140,7 @@ impl Profile {
 
     /// The radius up to `a` at which a J′ is smallest relative to the absolute terms of J, if the gap has terms of both
     /// signs: the contact passes this radius in no time, and rounding moves it most.
-    #[must_use]
-    pub fn flattest_radius(&self, a: Wide) -> Option<Wide> {
+    pub(super) fn flattest_radius(&self, a: Wide) -> Option<Wide> {
         if self.terms.iter().all(|(c, _)| c.is_positive()) {
             return None;
         }

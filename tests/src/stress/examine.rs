@@ -21,15 +21,15 @@ const MOST_KNOTS: usize = 30;
 
 /// How much of a scene is examined.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Depth {
+pub(super) struct Depth {
     /// The pressure after drainage, against its integral in 31 digits: some milliseconds.
-    pub memory: bool,
+    pub(super) memory: bool,
     /// The balance of pressure and load, from some thousand pressures: some milliseconds.
-    pub balance: bool,
+    pub(super) balance: bool,
 }
 
 /// Computes a scene and reports what is found.
-pub fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
+pub(super) fn examine<T: Precision>(scene: &Scene<T>, depth: Depth, findings: &mut dyn Findings) {
     let profile = match solver(scene) {
         Ok(profile) => profile,
         Err(error) => return turned_away(&error, usable::is_geometry(&scene.terms), findings),

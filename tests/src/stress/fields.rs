@@ -39,12 +39,11 @@ struct High<T> {
 }
 
 /// The exponents of each geometry.
-pub const EXPONENTS: [[f64; 3]; 4] =
+pub(super) const EXPONENTS: [[f64; 3]; 4] =
     [[2.0, 4.0, 8.0], [1.0, 2.0, 5.0], [0.25, 2.5, 3.28125], [2.0, 12.0, 64.0]];
 
 /// The generated solver of the geometry `index` with these coefficients.
-#[must_use]
-pub fn solver<T: Scalar>(index: usize, [first, second, third]: [T; 3]) -> Box<dyn GapProfile<T>> {
+pub(super) fn solver<T: Scalar>(index: usize, [first, second, third]: [T; 3]) -> Box<dyn GapProfile<T>> {
     match index {
         0 => Box::new(Even { first, second, third }),
         1 => Box::new(Whole { first, second, third }),

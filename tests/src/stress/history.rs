@@ -7,9 +7,9 @@ use super::wide::Wide;
 
 /// Everything that a contact is made of, exactly as given.
 #[derive(Clone, Debug)]
-pub struct History {
+pub(super) struct History {
     /// The geometry.
-    pub profile: Profile,
+    pub(super) profile: Profile,
     m: Wide,
     chi: Wide,
     knots: Vec<(Wide, Wide)>,
@@ -43,41 +43,35 @@ impl Piece {
 
 impl History {
     /// The contact of a geometry in a medium under a load through knots.
-    #[must_use]
-    pub fn new(profile: Profile, (m, chi): (f64, f64), knots: &[(f64, f64)]) -> Self {
+    pub(super) fn new(profile: Profile, (m, chi): (f64, f64), knots: &[(f64, f64)]) -> Self {
         let knots = knots.iter().map(|&(t, force)| (Wide::of(t), Wide::of(force))).collect();
         Self { profile, m: Wide::of(m), chi: Wide::of(chi), knots }
     }
 
     /// π m/4.
-    #[must_use]
-    pub fn stiffness(&self) -> Wide {
+    pub(super) fn stiffness(&self) -> Wide {
         self.m * Wide::FRAC_PI_4
     }
 
     /// F(t).
-    #[must_use]
-    pub fn force(&self, time: Wide) -> Wide {
+    pub(super) fn force(&self, time: Wide) -> Wide {
         self.pieces(time).last().map_or(Wide::ZERO, |piece| piece.forces.1)
     }
 
     /// Y(t) = F + χ ∫F.
-    #[must_use]
-    pub fn hereditary(&self, time: Wide) -> Wide {
+    pub(super) fn hereditary(&self, time: Wide) -> Wide {
         let last = self.pieces(time).pop();
         last.map_or(Wide::ZERO, |piece| piece.hereditary(self.chi, piece.end - piece.start))
     }
 
     /// The relative error of pressures: what still counts was laid while J grew by F/Y of itself, and J has an error of
     /// 2^-100.
-    #[must_use]
-    pub fn precision(&self, time: Wide) -> f64 {
+    pub(super) fn precision(&self, time: Wide) -> f64 {
         (self.hereditary(time) / self.force(time)).scaled(-100).value()
     }
 
     /// m G(a, r).
-    #[must_use]
-    pub fn undrained_pressure(&self, a: Wide, r: Wide) -> Wide {
+    pub(super) fn undrained_pressure(&self, a: Wide, r: Wide) -> Wide {
         if r.is_below(a) { self.m * self.profile.pressure_kernel(a, r).value } else { Wide::ZERO }
     }
 
@@ -115,8 +109,7 @@ impl History {
     /// ```
     ///
     /// where a jump of the load contributes the change of m G; none if a radius of the history cannot be found.
-    #[must_use]
-    pub fn pressure(&self, time: Wide, a: Wide, r: Wide) -> Option<Wide> {
+    pub(super) fn pressure(&self, time: Wide, a: Wide, r: Wide) -> Option<Wide> {
         let mut sum = Wide::ZERO;
         let mut before = Wide::ZERO;
         let pieces = self.pieces(time);

@@ -2,15 +2,15 @@
 
 pub mod campaign;
 mod condition;
-pub mod exact;
-pub mod examine;
-pub mod fields;
+mod exact;
+mod examine;
+mod fields;
 pub mod finding;
-pub mod history;
+mod history;
 pub mod precision;
 pub mod region;
 mod report;
-pub mod scene;
+mod scene;
 mod solver;
 pub mod soundness;
 mod units;

@@ -6,7 +6,7 @@ use crate::profiles::cases;
 
 /// Which solver holds the geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
+pub(super) enum Form {
     /// `Polynomial`.
     Polynomial,
     /// The generated solver of a constant geometry, by its index in [`crate::profiles::cases`].
@@ -19,27 +19,26 @@ pub enum Form {
 #[derive(Clone, Debug)]
 pub struct Scene<T> {
     /// Which solver holds the geometry.
-    pub form: Form,
+    pub(super) form: Form,
     /// The terms (C, n) of the gap.
-    pub terms: Vec<(T, T)>,
+    pub(super) terms: Vec<(T, T)>,
     /// The declared end of the range, if there is one.
-    pub max_radius: Option<T>,
+    pub(super) max_radius: Option<T>,
     /// The stiffness.
-    pub m: T,
+    pub(super) m: T,
     /// The rate of drainage.
-    pub chi: T,
+    pub(super) chi: T,
     /// The knots (time, force) of the load.
-    pub knots: Vec<(T, T)>,
+    pub(super) knots: Vec<(T, T)>,
     /// The time.
-    pub time: T,
+    pub(super) time: T,
     /// Where the pressure is taken: 1 − r/a.
-    pub inset: f64,
+    pub(super) inset: f64,
 }
 
 impl Scene<f64> {
     /// The scene in another format; loads that would recede there because of rounding are held instead.
-    #[must_use]
-    pub fn rounded<T: Precision>(&self) -> Scene<T> {
+    pub(super) fn rounded<T: Precision>(&self) -> Scene<T> {
         let pairs =
             |pairs: &[(f64, f64)]| pairs.iter().map(|&(x, y)| (T::rounded(x), T::rounded(y))).collect();
         let mut scene = Scene {
@@ -70,8 +69,7 @@ impl<T: Precision> Scene<T> {
     }
 
     /// The terms with the coefficients as meant: decimals for geometries that the compiler reads.
-    #[must_use]
-    pub fn exact_terms(&self) -> Vec<(Wide, f64)> {
+    pub(super) fn exact_terms(&self) -> Vec<(Wide, f64)> {
         match self.form {
             Form::Constant(index) => cases()[index].exact_terms(),
             _ => self.terms.iter().map(|&(c, n)| (Wide::of(c.value()), n.value())).collect(),
@@ -79,7 +77,7 @@ impl<T: Precision> Scene<T> {
     }
 
     /// Every number that has a unit.
-    pub fn numbers(&self) -> impl Iterator<Item = T> {
+    pub(super) fn numbers(&self) -> impl Iterator<Item = T> {
         let coefficients = self.terms.iter().map(|&(c, _)| c);
         let knots = self.knots.iter().flat_map(|&(t, force)| [t, force]);
         coefficients.chain(knots).chain([self.m, self.chi, self.time])
@@ -87,8 +85,7 @@ impl<T: Precision> Scene<T> {
 
     /// A digest that tells the scene from others, of its form and of seven digits of every number: all machines agree
     /// in these, although they do not round powers of ten alike.
-    #[must_use]
-    pub fn fingerprint(&self) -> u32 {
+    pub(super) fn fingerprint(&self) -> u32 {
         let exponents = self.terms.iter().map(|&(_, n)| n);
         let numbers = self.numbers().chain(exponents).chain(self.max_radius).map(T::value);
         let text: String = numbers.chain([self.inset]).map(|x| format!("{x:.6e} ")).collect();
@@ -99,8 +96,7 @@ impl<T: Precision> Scene<T> {
     }
 
     /// The scene with lengths, forces and times multiplied by powers of two; none if its exponents do not allow it.
-    #[must_use]
-    pub fn in_units(&self, length: i32, force: i32, time: i32) -> Option<Self> {
+    pub(super) fn in_units(&self, length: i32, force: i32, time: i32) -> Option<Self> {
         let coefficient = |(c, n): (T, T)| {
             let power = f64::from(length) * (1.0 - n.value());
             let exact = power == power.trunc() && power.abs() < 100.0;
