@@ -46,21 +46,21 @@ pub fn histories(chi: f64) -> Vec<(&'static str, Knots)> {
 
 /// A user-defined load with only the two required methods that rises exponentially to its final value.
 #[derive(Clone, Copy, Debug)]
-pub struct Rise {
+pub struct Rise<T> {
     /// The first force.
-    pub start: f64,
+    pub start: T,
     /// The last force minus the first.
-    pub rise: f64,
+    pub rise: T,
     /// The rate of the exponential.
-    pub rate: f64,
+    pub rate: T,
 }
 
-impl Load<f64> for Rise {
-    fn force(&self, t: f64) -> f64 {
+impl<T: Scalar> Load<T> for Rise<T> {
+    fn force(&self, t: T) -> T {
         self.start - self.rise * (-self.rate * t).exp_m1()
     }
 
-    fn impulse(&self, t: f64) -> f64 {
+    fn impulse(&self, t: T) -> T {
         self.start * t + self.rise * (t + (-self.rate * t).exp_m1() / self.rate)
     }
 }

@@ -10,7 +10,7 @@ use num_dual::{Dual32, Dual64};
 use tests::budget;
 use tests::condition::edge;
 use tests::joint::joint;
-use tests::loads::Fall;
+use tests::loads::{Fall, Rise};
 use tests::measure::relative_error;
 use tests::profiles::Blunt;
 
@@ -262,16 +262,8 @@ fn single_precision_has_its_own_range() -> Result<(), Failure> {
 }
 
 /// F (1 − e^(−t/10)).
-struct FromNothing<T>(T);
-
-impl<T: Scalar> Load<T> for FromNothing<T> {
-    fn force(&self, t: T) -> T {
-        -self.0 * (-t * T::constant(0.1)).exp_m1()
-    }
-
-    fn impulse(&self, t: T) -> T {
-        self.0 * (t + (-t * T::constant(0.1)).exp_m1() * T::constant(10.0))
-    }
+fn from_nothing<T: Scalar>(rise: T) -> Rise<T> {
+    Rise { start: T::zero(), rise, rate: T::constant(0.1) }
 }
 
 /// The pressures at 0 mm and 3 mm, at a time.
@@ -296,12 +288,12 @@ fn slopes_under_loads_from_nothing_are_those_of_differences() -> Result<(), Fail
         for t in [0.7, 20.0, 500.0] {
             let ramp = |force| PiecewiseLinear::new([(0.0, 0.0), (20.0, force)]);
             let dual_ramp = [(Dual64::from(0.0), Dual64::from(0.0)), (Dual64::from(20.0), variable(100.0))];
-            for (index, (smooth, straight)) in pressures(gap, FromNothing(variable(100.0)), t)?
+            for (index, (smooth, straight)) in pressures(gap, from_nothing(variable(100.0)), t)?
                 .into_iter()
                 .zip(pressures(gap, PiecewiseLinear::new(dual_ramp)?, t)?)
                 .enumerate()
             {
-                let of_smooth = |force: f64| pressures(plain_gap, FromNothing(force), t);
+                let of_smooth = |force: f64| pressures(plain_gap, from_nothing(force), t);
                 let of_straight = |force: f64| pressures(plain_gap, ramp(force)?, t);
                 let value = |found: Result<[f64; 2], ContactError>| found.map_or(f64::NAN, |p| p[index]);
                 for (dual, expected) in [
@@ -344,30 +336,12 @@ fn a_zero_before_a_power_beyond_the_format_changes_nothing() -> Result<(), Failu
     Ok(())
 }
 
-/// F = 100 (1 − b e^(−t/τ)).
-struct Approaching<T> {
-    b: T,
-    tau: f64,
-}
-
-impl<T: Scalar> Load<T> for Approaching<T> {
-    fn force(&self, t: T) -> T {
-        let hundred = T::constant(100.0);
-        hundred * (T::one() - self.b * (-t / T::constant(self.tau)).exp())
-    }
-
-    fn impulse(&self, t: T) -> T {
-        let (hundred, tau) = (T::constant(100.0), T::constant(self.tau));
-        hundred * (t + self.b * tau * (-t / tau).exp_m1())
-    }
-}
-
 /// A fit may begin where a parameter has no effect yet, and the force does not vary.
 #[test]
 fn slopes_are_right_where_the_force_does_not_vary() -> Result<(), Failure> {
     for tau in [100.0, 30.0, 10.0] {
-        let dual = peak_pressure(Approaching { b: variable(0.0), tau })?;
-        let plain = |b| peak_pressure(Approaching { b, tau }).unwrap_or(f64::NAN);
+        let dual = peak_pressure(variable(0.0), tau)?;
+        let plain = |b| peak_pressure(b, tau).unwrap_or(f64::NAN);
         let share = dual.eps / dual.re;
         let error = relative_error(share, slope(plain, 0.0, 1e-3) / dual.re, f64::EPSILON);
         assert!(error <= DIFFERENCES / share.abs(), "{tau}: {share} is off by {error:.2} ε");
@@ -375,6 +349,9 @@ fn slopes_are_right_where_the_force_does_not_vary() -> Result<(), Failure> {
     Ok(())
 }
 
-fn peak_pressure<T: Scalar>(load: Approaching<T>) -> Result<T, Failure> {
+/// The peak pressure under F = 100 (1 − b e^(−t/τ)).
+fn peak_pressure<T: Scalar>(b: T, tau: f64) -> Result<T, Failure> {
+    let [hundred, rate] = [100.0, 1.0 / tau].map(T::constant);
+    let load = Rise { start: hundred * (T::one() - b), rise: hundred * b, rate };
     Ok(joint(Blunt, 0.0015, load).at(T::constant(200.0))?.peak_pressure())
 }
