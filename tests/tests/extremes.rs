@@ -105,15 +105,15 @@ fn coefficients_times_exponents_need_not_be_in_range() -> Result<(), Box<dyn cor
 /// At the end of a rise during which all but its last moments drain, P(0) = 2 F/(π a²): the load comes from a strip that is
 /// thinner than the spacing of numbers, also where times cannot tell when it was laid.
 fn error_at_the_end_of_a_rise<T: Scalar>(chi: f64) -> Result<f64, Box<dyn core::error::Error>> {
-    let load = PiecewiseLinear::new([(0.0, 0.0), (999.0, 0.0), (1000.0, 2.0)].map(|(t, f)| number(t, f)))?;
-    let contact = joint(Polynomial::new([number::<T>(0.0625, 2.0)])?, chi, load);
+    let load = PiecewiseLinear::new([(0.0, 0.0), (999.0, 0.0), (1000.0, 2.0)].map(|(t, f)| pair(t, f)))?;
+    let contact = joint(Polynomial::new([pair::<T>(0.0625, 2.0)])?, chi, load);
     let now = contact.at(T::constant(1000.0))?;
     let a = now.radius().value();
     let share = now.peak_pressure().value() / (4.0 / (core::f64::consts::PI * a * a));
     Ok((share - 1.0).abs() / T::default_epsilon().value())
 }
 
-fn number<T: Scalar>(x: f64, y: f64) -> (T, T) {
+fn pair<T: Scalar>(x: f64, y: f64) -> (T, T) {
     (T::constant(x), T::constant(y))
 }
 
@@ -134,9 +134,9 @@ fn the_end_of_a_rise_is_not_lost() -> Result<(), Box<dyn core::error::Error>> {
 #[test]
 fn slopes_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     fn peak<T: Scalar>(coefficient: f64) -> Result<f64, Box<dyn core::error::Error>> {
-        let load = PiecewiseLinear::new([number::<T>(0.0, 0.0), number(256.0, 0.5)])?;
+        let load = PiecewiseLinear::new([pair::<T>(0.0, 0.0), pair(256.0, 0.5)])?;
         let medium = Medium::from_constants(T::constant(500.0), T::constant(300.0))?;
-        let contact = Contact::new(Polynomial::new([number::<T>(coefficient, 0.25)])?, medium, load)?;
+        let contact = Contact::new(Polynomial::new([pair::<T>(coefficient, 0.25)])?, medium, load)?;
         Ok(contact.at(T::constant(2f64.powi(-10)))?.peak_pressure().value())
     }
     for exponent in [66, 80, 86, 93] {
