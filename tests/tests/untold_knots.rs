@@ -88,6 +88,35 @@ fn pressures_are_as_exact_as_documented() -> Result<(), ContactError> {
     Ok(())
 }
 
+/// A load that drops by a share of its force half-way between two of its knots, and the time at which it does.
+fn dropping(mut knots: Vec<(f64, f64)>, first: usize, share: f64) -> (Vec<(f64, f64)>, f64) {
+    let ((t, force), (next, next_force)) = (knots[first], knots[first + 1]);
+    let (middle, mean) = (t + 0.5 * (next - t), 0.5 * (force + next_force));
+    let after = knots.split_off(first + 1);
+    knots.push((middle, mean));
+    knots.push((middle, mean * (1.0 - share)));
+    knots.extend(after.iter().map(|&(t, force)| (t, force * (1.0 - share))));
+    (knots, middle)
+}
+
+#[test]
+fn falls_between_a_thousand_knots_are_found() {
+    for knots in [jumps, kinks] {
+        for end in [END, LATE_END] {
+            for case in 0..5 {
+                // Pieces, not jumps, begin at knots of even number.
+                let first = 400 + 100 * case as usize;
+                let (knots, drop) = dropping(knots(&mut Stream::of_case(1, case), 1000, end), first, 1e-3);
+                let load = through(&knots);
+                let found = joint(Patellofemoral, CHI, Unannounced(&load)).at(end).err();
+                let is_near = |since: f64| (since - drop).abs() < 1e-4 * end;
+                let is_found = matches!(found, Some(ContactError::Receding { since, .. }) if is_near(since));
+                assert!(is_found, "{drop} of {end}, case {case}: {found:?}");
+            }
+        }
+    }
+}
+
 /// A load that jumps at random times, and in between falls by a share of what it may: F/(1 + χ Δt) from knot to knot.
 fn falls(stream: &mut Stream, count: usize, share: f64) -> Vec<(f64, f64)> {
     let (mut before, mut force) = (0.0, 50.0);

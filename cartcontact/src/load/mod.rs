@@ -247,11 +247,12 @@ pub trait Load<T: Scalar> {
     ///
     /// The provided method follows the force between knots as closely as it varies. It finds every fall of a load that
     /// is smooth over its steps by more than rounding, 8 ε of the hereditary load, and falls by √ε of the force in
-    /// ripples that are too short for them; a pulse between two of its samples shows only if its impulse exceeds √ε
-    /// Y/χ. Of a wave that falls hardly faster than e^(−χ t) this holds up to 1e5 periods; then the answer may be one
-    /// of the later waves, and from 1e7 periods on there may be none. It needs some 17 forces for each panel of a few
-    /// radians of an oscillation, or a few e-foldings of a decay, and up to 1e5 where forces are the rounding of
-    /// something larger, as 1 − cos t is at first. A load that knows the answer should give it.
+    /// ripples that are too short for them; a pulse between two of its samples shows only if its impulse exceeds √ε Y/χ.
+    /// Of a wave that falls hardly faster than e^(−χ t) this holds up to 1e5 periods; then the answer may be one of the
+    /// later waves, and from 1e7 periods on there may be none. Between a thousand jumps or kinks that no knot reports,
+    /// in single precision a hundred, it finds falls by 1e-3 of the force. It needs some 17 forces for each panel of a
+    /// few radians of an oscillation, or a few e-foldings of a decay, some 200 for each such kink, and up to 1e6 where
+    /// forces are the rounding of something larger, as 1 − cos t is at first. A load that knows the answer should give it.
     ///
     /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two
     /// forces for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them together

@@ -24,11 +24,14 @@ pub(crate) struct Shortest<T> {
     length: T,
     /// Since the length was doubled, or a long part was resolved.
     given_up: u32,
+    /// How many more may be given up at jumps and kinks.
+    at_knots: u32,
 }
 
 impl<T: Scalar> Shortest<T> {
-    pub(crate) fn of(length: T) -> Self {
-        Self { length, given_up: 0 }
+    /// At most `at_knots` parts are given up at jumps and kinks, as some noise resembles these; all others are noise.
+    pub(crate) fn of(length: T, at_knots: u32) -> Self {
+        Self { length, given_up: 0, at_knots }
     }
 
     pub(crate) fn length(&self) -> T {
@@ -44,10 +47,10 @@ impl<T: Scalar> Shortest<T> {
         }
     }
 
-    /// Notes a part of some length that leaves nothing out. Who only looks for falls need not: jumps may then be stepped
-    /// over.
+    /// Notes a part of some length that leaves nothing out.
     pub(crate) fn resolve(&mut self, length: T) {
-        if length >= self.length * T::constant(LONG) {
+        if self.at_knots > 0 && length >= self.length * T::constant(LONG) {
+            self.at_knots = self.at_knots.saturating_sub(self.given_up);
             self.given_up = 0;
         }
     }

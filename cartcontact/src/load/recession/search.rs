@@ -16,7 +16,7 @@
 //!
 //! No panel that misses something is halved below 2^−17 of the time between knots, and only a limited number of other
 //! panels is, so the search ends. What a panel still leaves out when it is halved no more is a jump, a kink, or noise
-//! such as the rounding of 1 − e^(−t) early on; because of these the bound [grows](Shortest).
+//! such as the rounding of 1 − e^(−t) early on; because of noise the bound [grows](Shortest).
 //!
 //! A load that is [straight](super::straight) between its knots is not searched.
 //!
@@ -28,6 +28,7 @@ use super::fault::{Fault, tolerances};
 use crate::Scalar;
 use crate::load::rounding::{rounding_of_hereditary, rounding_within_load, tolerance_of_falls};
 use crate::load::{ForceSeries, Load, Piece, Shortest, knot_between, least_step};
+use crate::scalar::is_single;
 
 /// The most halvings of panels because of their impulse, which may simply be that of another load, or of panels that
 /// are short already. From 16 to 1024 no test tells a difference but in time.
@@ -36,6 +37,10 @@ const MOST_DOUBTS: u32 = 128;
 /// 2⁻¹⁷ of the time between knots: panels that miss something are no shorter. Steps of pressures go down to
 /// 2⁻²⁰, as they have to integrate what panels only have to notice.
 const SHORTEST_SHARE: f64 = 1.0 / 131_072.0;
+
+/// The most panels that are given up at jumps and kinks which no knot reports: enough for a thousand of these. By rounding
+/// a smooth rise from zero may be a flight of many thousands of jumps, too, and always is in single precision.
+const MOST_AT_KNOTS: u32 = 2000;
 
 /// Fails with the first fault of a history up to `t`.
 pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T) -> Result<(), Fault<T>> {
@@ -49,7 +54,7 @@ pub(super) fn first_fault<T: Scalar, L: Load<T> + ?Sized>(load: &L, chi: T, t: T
         time: zero,
         impulse: zero,
         crest: Crest::at(zero),
-        shortest: Shortest::of(T::constant(SHORTEST_SHARE)),
+        shortest: Shortest::of(T::constant(SHORTEST_SHARE), if is_single::<T>() { 0 } else { MOST_AT_KNOTS }),
         doubts: MOST_DOUBTS,
         suspicion: None,
     };
@@ -164,6 +169,8 @@ impl<T: Scalar, L: Load<T> + ?Sized> Search<'_, T, L> {
             };
             if force.is_unresolved() || force.is_rough() {
                 self.shortest.give_up();
+            } else {
+                self.shortest.resolve(step / whole);
             }
             (self.time, self.impulse) = (stop, impulse);
             if stop >= end {

@@ -47,7 +47,7 @@ struct Pace<T> {
 impl<T: Scalar> Pace<T> {
     fn over(duration: T, end: T) -> Self {
         let least = least_step(end);
-        let shortest = Shortest::of((duration * T::constant(SHORTEST_SHARE)).max(least));
+        let shortest = Shortest::of((duration * T::constant(SHORTEST_SHARE)).max(least), u32::MAX);
         Self { step: duration, shortest, least, halvings: MOST_HALVINGS, follows_given_up: false }
     }
 
