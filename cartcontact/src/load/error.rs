@@ -89,7 +89,7 @@ impl fmt::Display for LoadError {
                     ", as tension would pull the surfaces apart; give compression as a positive force, and \
                      noise around zero as zero"
                 } else {
-                    "; check how it is computed"
+                    "; check how it is computed, or leave out the sample that is missing"
                 }
             ),
             Self::InvalidImpulse { time, impulse } => write!(
@@ -128,8 +128,8 @@ impl fmt::Display for LoadError {
             }
             Self::LateStart { time } => write!(
                 f,
-                "the first knot is at time {}, but a load history starts at 0; shift the times, or add a knot \
-                 at 0",
+                "the first knot is at time {}, but a load history starts at 0; shift the times, or add a knot at 0, and \
+                 check that pairs are (time, force)",
                 Shown(time)
             ),
             Self::Unsorted { knot, time, previous } => write!(
