@@ -37,6 +37,14 @@ mod shapes {
         pub(super) b: f64,
         pub(super) d: f64,
     }
+    #[gap_profile(0.05 * r^2 + d * r^4)]
+    pub(super) struct BesideADecimal {
+        pub(super) d: f64,
+    }
+    #[gap_profile(0.7 * r^2.3 + d * r^2.5)]
+    pub(super) struct BesideADecimalOfAFraction {
+        pub(super) d: f64,
+    }
     #[gap_profile(r^2.3 / (3 * radius))]
     pub(super) struct DecimalOfALength {
         pub(super) radius: f64,
@@ -119,6 +127,21 @@ fn weights_of_fields_are_not_rounded() {
     check(
         |[b, d, _]| shapes::WithAConstant { b, d },
         |[b, d, _]| vec![(b, whole(1)), (whole(1) / whole(30), whole(2)), (d, whole(3))],
+    );
+}
+
+/// Fields so small that the constant decides.
+#[test]
+fn constants_beside_fields_are_not_rounded() {
+    let small = |d: f64| d * 2f64.powi(-20);
+    let exact = |d: Real| d / whole(1 << 20);
+    check(
+        |[d, ..]| shapes::BesideADecimal { d: small(d) },
+        |[d, ..]| vec![(decimal("0.05"), whole(2)), (exact(d), whole(4))],
+    );
+    check(
+        |[d, ..]| shapes::BesideADecimalOfAFraction { d: small(d) },
+        |[d, ..]| vec![(decimal("0.7"), decimal("2.3")), (exact(d), decimal("2.5"))],
     );
 }
 

@@ -47,10 +47,11 @@ impl<'a> Coefficients<'a> {
         &self.geometry.gap
     }
 
-    /// The same for sums that are rounded once: with twice the digits, unless all their factors are constants or fields
-    /// times powers of two, for which a word is enough.
+    /// The same for sums that are rounded once: with twice the digits if one of their factors depends on fields, unless
+    /// all are fields times powers of two or constants of few digits, for which a word is enough.
     pub(super) fn for_rounding_once<const N: usize>(&self, sums: [&PowerSum; N]) -> Self {
-        let are_words = sums.iter().flat_map(|sum| &sum.summands).all(|summand| self.is_word(summand));
+        let mut summands = sums.iter().flat_map(|sum| &sum.summands);
+        let are_words = self.gap().is_constant() || summands.all(|summand| self.is_word(summand));
         if are_words { *self } else { self.precise() }
     }
 
@@ -59,10 +60,13 @@ impl<'a> Coefficients<'a> {
     }
 
     fn is_word(&self, summand: &Summand) -> bool {
-        summand.weight().is_none_or(|weight| {
-            let multiple = self.geometry.gap.terms[summand.term].coefficient.as_multiple_of_field();
-            multiple.is_some_and(number::is_power_of_two) && number::is_power_of_two(weight)
-        })
+        match &summand.factor {
+            Prefactor::Constant(value) => number::has_few_digits(value),
+            Prefactor::Weight(weight) => {
+                let multiple = self.geometry.gap.terms[summand.term].coefficient.as_multiple_of_field();
+                multiple.is_some_and(number::is_power_of_two) && number::is_power_of_two(weight)
+            }
+        }
     }
 
     /// The type of a coefficient.

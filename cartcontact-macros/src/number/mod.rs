@@ -153,6 +153,11 @@ pub(crate) fn is_binary(value: &Rational) -> bool {
     value.denom().magnitude().count_ones() == 1
 }
 
+/// Whether a number of single precision has all its digits.
+pub(crate) fn has_few_digits(value: &Rational) -> bool {
+    is_binary(value) && value.numer().magnitude().bits() <= u64::from(f32::MANTISSA_DIGITS)
+}
+
 /// The number rounded to three digits, as the exact value of the `f64` that these digits are read as.
 pub(crate) fn three_digits(value: f64) -> Option<Rational> {
     format!("{value:.2e}").parse::<f64>().ok().and_then(Rational::from_float)
