@@ -136,8 +136,8 @@ impl<T: Scalar, S: Step<T, LENGTH>, const LENGTH: usize, const BYTES: usize> Blo
 
     /// The radii of a block; false if one of them is not in the table or exceeds the limit.
     ///
-    /// Only the rows are copied, or if long used, one by one; the loops before and after handle several values at once. At
-    /// increasing times most blocks have one row, and no copies.
+    /// Only the rows are copied one by one, or used so if they are long; the loops before and after handle several values
+    /// at once. At increasing times most blocks have one row, and no copies.
     #[inline(always)]
     fn block<const N: usize>(
         &self,

@@ -38,8 +38,8 @@ const MOST_DOUBTS: u32 = 128;
 /// 2⁻²⁰, as they have to integrate what panels only have to notice.
 const SHORTEST_SHARE: f64 = 1.0 / 131_072.0;
 
-/// The most panels that are given up at jumps and kinks which no knot reports: enough for a thousand of these. By rounding
-/// a smooth rise from zero may be a flight of many thousands of jumps, too, and always is in single precision.
+/// The most panels that are given up at jumps and kinks that no knot reports: enough for a thousand of these. By
+/// rounding, a smooth rise from zero may be a flight of many thousands of jumps too, and always is in single precision.
 const MOST_AT_KNOTS: u32 = 2000;
 
 /// Fails with the first fault of a history up to `t`.

@@ -88,7 +88,7 @@ impl<T: Scalar> Step<T, 96> for DoubleCurve {
         let rest = |place: usize| from_single::<T>(row.at(20 + place));
         let square = w * w;
         let fourth = square * square;
-        // Sums of every fourth power. The thirteenth is multiplied by what A lacks, which is nothing there.
+        // Sums of every fourth power. There is no c₁₃: what A lacks is in its place, and times w¹³ it is nothing.
         let even: [T; 2] = from_fn(
             #[inline(always)]
             |k| word(k) + fourth * (word(4 + k) + fourth * rest(k)),
