@@ -142,10 +142,11 @@ impl<'a> Coefficients<'a> {
         }
     }
 
-    /// One over that for a symbol, computed from the fields of `self`, if it takes no division.
+    /// One over that for a symbol, computed from the fields of `self`, if it takes no division and loses no digits.
     pub(super) fn inverse(&self, summand: &Summand) -> Option<TokenStream> {
-        let inverse = self.geometry.gap.terms[summand.term].coefficient.inverse_of_divisors()?;
-        Some(self.in_fields(&inverse))
+        let term = &self.geometry.gap.terms[summand.term];
+        let inverse = term.coefficient.inverse_of_divisors()?;
+        (!inverse.loses_digits(&term.exponent)).then(|| self.in_fields(&inverse))
     }
 
     /// An array of such factors, zero where there is no summand. The zero is −0, because a sum with that is the other
@@ -261,8 +262,10 @@ impl<'a> Coefficients<'a> {
         };
         let (parameters, bounds) = (generics.declared(), generics.bounds());
         let (coefficients, profile) = (self.name(), local("profile"));
-        let may_cancel = self.symbolic().any(|(_, coefficient)| coefficient.may_cancel());
-        let body = if self.digits == Digits::OfAWord && may_cancel {
+        let terms = &self.geometry.gap.terms;
+        let lose_digits =
+            self.symbolic().any(|(index, coefficient)| coefficient.loses_digits(&terms[index].exponent));
+        let body = if self.digits == Digits::OfAWord && lose_digits {
             let (rounded, precise) = (self.names.generated("rounded"), self.precise());
             let (function, scalar) = (precise.name(), precise.scalar());
             self.names.in_double_words(&quote!(#rounded::<_, #scalar, _>(#function(#profile))))

@@ -10,13 +10,15 @@
 //! ```text
 //! coefficients   0  for a polynomial known at run time if its exponents have half the digits of a word, otherwise 1.3,
 //!                   1  for constants,
-//!                   2  for one that depends on fields, and its weight
+//!                   2  for a field and its weight, and one for each operation that makes a coefficient of r^n of
+//!                      fields, n + 3 = p − 1 at the most: those of more are computed in double words and rounded
 //! powers         0  for exponents that are multiples of 1/4, otherwise 1.1 for a `powf`
 //! ```
 //!
-//! Anything else is below ε/100. So 1/2 ulp is left for sums known at run time with common exponents. For all others,
-//! with k ≤ 3.1 and with p > 4 for fields, 1.3 ulp would be the most, and 0.95 was seen in millions of radii. Constants
-//! with whole powers take plain arithmetic instead, and are now and then off by 1.07 ulp.
+//! Anything else is below ε/100. So 1/2 ulp is left for sums known at run time with common exponents. For constants and
+//! for fields alone, with k ≤ 3.1 and with p > 4 for fields, 1.3 ulp would be the most. What is made of fields could be
+//! off by another ulp, but of millions of such radii the worst was off by 1.09. Constants with whole powers take plain
+//! arithmetic instead, and are now and then off by 1.07 ulp.
 
 use super::power::{fractional_power, plain_whole_term, quarter_power, quarters, real_fractional_power};
 use crate::Scalar;

@@ -252,8 +252,7 @@ pub trait Load<T: Scalar> {
     /// later waves, and from 1e7 periods on there may be none. Between a thousand jumps or kinks that no knot reports,
     /// in single precision a hundred, it finds falls by 1e-3 of the force. It needs some 17 forces for each panel of a
     /// few radians of an oscillation, or a few e-foldings of a decay, some 200 for each such kink, and up to 1e6 where
-    /// forces are the rounding of something larger, as 1 − cos t is at first. A load that knows the answer should give
-    /// it.
+    /// forces are the rounding of something larger, as 1 − cos t is at first. A load that knows it should say so.
     ///
     /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two
     /// forces for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them together

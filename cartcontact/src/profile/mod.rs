@@ -229,7 +229,9 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// About 1 unit in the last place, times 2 Σ|terms of J|/(a J′) where terms of both signs cancel. It is 4 units
     /// where a J′, up to n + 4 times J, overflows and an interval is halved instead; a [`Contact`](crate::Contact)
-    /// refuses that. It also refuses subnormal load integrals, whose radius has no more digits than they have.
+    /// refuses that. Where a positive term of J overflows although J does not, because others are negative, the radius
+    /// may be too small by some per cent: it is the one at which that term overflows. A `Contact` refuses that unless J
+    /// is nearly flat there. It also refuses subnormal load integrals, whose radius has no more digits than they have.
     ///
     /// # Examples
     ///

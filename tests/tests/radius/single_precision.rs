@@ -40,6 +40,14 @@ struct Steepening {
     b: f32,
 }
 
+/// In plain arithmetic eight roundings, which are the same in all radii of a geometry.
+#[gap_profile(c * b^3 / (7 * d^3) * r)]
+struct LongProduct {
+    b: f32,
+    c: f32,
+    d: f32,
+}
+
 /// A geometry, its terms (C, n), and the powers of ten between which its load integrals lie.
 struct Case {
     profile: Box<dyn GapProfile<f32>>,
@@ -81,6 +89,24 @@ fn radii_are_exact_for_load_integrals_of_any_size() {
             let found = profile.radius(load_integral).unwrap_or(f32::NAN);
             let expected = Exact::from(&exact.radius(&double(load_integral.into())));
             errors.add(found.into(), expected, 1.0, &(&terms, load_integral));
+        }
+    }
+    errors.check();
+}
+
+#[test]
+fn radii_are_exact_where_coefficients_are_long_products() {
+    let mut errors = Errors::of_single(budget::RADIUS);
+    for index in 0..100 {
+        let mut stream = Stream::of_case(2, index);
+        let fields = [(); 3].map(|()| stream.magnitude(-1.0, 1.0) as f32);
+        let ([b, c, d], exact) = (fields, fields.map(f64::from));
+        let exact = Profile::of(&[(exact[1] * exact[0].powi(3) / (7.0 * exact[2].powi(3)), 1.0)]);
+        for _ in 0..20 {
+            let load_integral = stream.magnitude(-3.0, 3.0) as f32;
+            let found = LongProduct { b, c, d }.radius(load_integral).unwrap_or(f32::NAN);
+            let expected = Exact::from(&exact.radius(&double(load_integral.into())));
+            errors.add(found.into(), expected, 1.0, &(fields, load_integral));
         }
     }
     errors.check();
