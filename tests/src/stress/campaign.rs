@@ -155,7 +155,7 @@ impl Campaign {
         }
     }
 
-    /// A number that tells the scene of a case from others; see [`Scene::fingerprint`].
+    /// A number that tells the scene of a case from others.
     #[must_use]
     pub fn fingerprint(&self, case: u64) -> u32 {
         match Format::of(case) {
