@@ -220,6 +220,26 @@ fn the_first_fault_among_many_is_named() {
     assert_eq!(length, Err(RadiusError::Length { load_integrals: 3, radii: 2 }));
 }
 
+#[gap_profile(0.02 * r^1.8 - 1e-5 * r^4.6, max_radius = 6)]
+struct BoundedPolynomials;
+
+#[gap_profile(0.05 * r^2 - 1e-4 * r^4, max_radius = 6)]
+struct BoundedSteps;
+
+/// Whether the rows of the table hold polynomials or seeds.
+#[test]
+fn slices_end_with_the_range() {
+    for profile in [&BoundedPolynomials as &dyn GapProfile<f64>, &BoundedSteps] {
+        let end = profile.load_integral(6.0);
+        let mut load_integrals: Vec<f64> = (0..500).map(|k| end * 0.97_f64.powi(k)).collect();
+        assert_same_one_by_one(profile, &load_integrals, &end);
+        load_integrals[300] = 1.001 * end;
+        let refused = profile.radii(&load_integrals, &mut vec![f64::NAN; load_integrals.len()]);
+        assert!(refused.is_err());
+        assert_eq!(refused, profile.radius(1.001 * end).map(drop));
+    }
+}
+
 /// On both sides of every border between rows of the tables, and at their ends, neighbours have neighbouring radii.
 #[test]
 fn radii_are_continuous_from_row_to_row() {
