@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Prints the README's table of microcontrollers: flash, stack and instructions of each function of this library.
 
-Run it after `.ci/single_precision`, which builds the library; it needs `pip install unicorn pyelftools`. Flash is what
-the linker keeps if a program calls one function only.
+It needs the target and `pip install unicorn pyelftools`. Flash is what the linker keeps if a program calls one function
+only. With `--opt-level 3` and `--double` it prints what the README says of other settings and of f64.
 """
 
+import argparse
+import os
 import struct
 import subprocess
 import sys
@@ -14,6 +16,7 @@ from elftools.elf.elffile import ELFFile
 from unicorn import UC_ARCH_ARM, UC_HOOK_CODE, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (
     UC_ARM_REG_C1_C0_2,
+    UC_ARM_REG_D0,
     UC_ARM_REG_FPEXC,
     UC_ARM_REG_LR,
     UC_ARM_REG_R0,
@@ -21,7 +24,9 @@ from unicorn.arm_const import (
     UC_ARM_REG_SP,
 )
 
-LIBRARY = Path(__file__).parents[2] / "target/thumbv7em-none-eabihf/release/libmicrocontroller.a"
+HERE = Path(__file__).parent
+TARGET = "thumbv7em-none-eabihf"
+BUILT = HERE.parents[1] / "target"
 # The linker lays programs in the first of these. The stack grows down from the second, the third holds arrays, to the
 # fourth functions return.
 PROGRAM, STACK, ARRAYS, RETURN = 0, 0x2000_0000, 0x3000_0000, 0x4000_0000
@@ -56,16 +61,25 @@ def linker():
     return next(Path(sysroot.strip()).glob("lib/rustlib/*/bin/rust-lld"))
 
 
-def linked(lld, function):
+def library(opt_level, double):
+    """All functions, compiled, as a file."""
+    command = ["cargo", "build", "--quiet", "--release", "--locked", "--target", TARGET, "--target-dir", BUILT]
+    command += ["--manifest-path", HERE / "Cargo.toml"] + (["--features", "double"] if double else [])
+    environment = os.environ | {"CARGO_PROFILE_RELEASE_OPT_LEVEL": opt_level}
+    subprocess.run(command, check=True, env=environment)
+    return BUILT / TARGET / "release/libmicrocontroller.a"
+
+
+def linked(lld, library, function):
     """The program of one function, as a file."""
-    program = LIBRARY.with_name(f"{function}.elf")
+    program = library.with_name(f"{function}.elf")
     subprocess.run(
-        [lld, "-flavor", "gnu", "--gc-sections", "-e", function, LIBRARY, "-o", program], check=True
+        [lld, "-flavor", "gnu", "--gc-sections", "-e", function, library, "-o", program], check=True
     )
     return program
 
 
-def run(elf, arrays, numbers, written):
+def run(elf, double, arrays, numbers, written):
     """Stack in bytes, instructions, and the numbers written."""
     machine = Uc(UC_ARCH_ARM, UC_MODE_THUMB)
     machine.reg_write(UC_ARM_REG_C1_C0_2, machine.reg_read(UC_ARM_REG_C1_C0_2) | 0xF << 20)
@@ -74,14 +88,16 @@ def run(elf, arrays, numbers, written):
         machine.mem_map(start, ROOM)
     for segment in elf.iter_segments("PT_LOAD"):
         machine.mem_write(segment["p_vaddr"], segment.data())
+    number_format, size, first = ("d", 8, UC_ARM_REG_D0) if double else ("f", 4, UC_ARM_REG_S0)
     address = ARRAYS
     for place, array in enumerate([*arrays, [float("nan")] * written]):
         result = address
-        machine.mem_write(address, struct.pack(f"<{len(array)}f", *array))
+        machine.mem_write(address, struct.pack(f"<{len(array)}{number_format}", *array))
         machine.reg_write(UC_ARM_REG_R0 + place, address)
-        address += 4 * len(array)
+        address += size * len(array)
     for place, number in enumerate(numbers):
-        machine.reg_write(UC_ARM_REG_S0 + place, struct.unpack("<I", struct.pack("<f", number))[0])
+        bits = int.from_bytes(struct.pack(f"<{number_format}", number), "little")
+        machine.reg_write(first + place, bits)
     machine.reg_write(UC_ARM_REG_SP, STACK)
     machine.reg_write(UC_ARM_REG_LR, RETURN | 1)
     count, lowest = 0, STACK
@@ -93,16 +109,21 @@ def run(elf, arrays, numbers, written):
 
     machine.hook_add(UC_HOOK_CODE, step)
     machine.emu_start(elf.header["e_entry"] | 1, RETURN)
-    return STACK - lowest, count, struct.unpack(f"<{written}f", machine.mem_read(result, 4 * written))
+    results = struct.unpack(f"<{written}{number_format}", machine.mem_read(result, size * written))
+    return STACK - lowest, count, results
 
 
 def main():
-    lld = linker()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--opt-level", default="s", choices=["0", "1", "2", "3", "s", "z"])
+    parser.add_argument("--double", action="store_true", help="in f64")
+    options = parser.parse_args()
+    lld, functions = linker(), library(options.opt_level, options.double)
     for name, function, *call in ROWS:
-        with linked(lld, function).open("rb") as file:
+        with linked(lld, functions, function).open("rb") as file:
             elf = ELFFile(file)
             flash = sum(segment["p_filesz"] for segment in elf.iter_segments("PT_LOAD"))
-            stack, count, results = run(elf, *call)
+            stack, count, results = run(elf, options.double, *call)
         if any(result != result for result in results):
             sys.exit(f"{function} has no result: {results}")
         print(f"| {name} | {flash / 1024:.0f} | {stack / 1024:.1f} | {count} |")
