@@ -228,16 +228,16 @@ const _: () = {
                             __cartcontact::invert(
                                 __load_integral,
                                 __limit,
-                                ::core::iter::IntoIterator::into_iter([
-                                    __cartcontact::PositiveTerm::of(
+                                [
+                                    (
                                         <T as __cartcontact::Scalar>::constant(0.025f64),
                                         <T as __cartcontact::Scalar>::constant(2.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(0.000109375f64),
                                         <T as __cartcontact::Scalar>::constant(4.0f64),
                                     ),
-                                ]),
+                                ],
                                 false,
                                 |__a| {
                                     let __x = __a * __a;

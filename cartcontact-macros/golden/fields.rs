@@ -317,10 +317,10 @@ const _: () = {
                             __cartcontact::invert(
                                 __load_integral,
                                 __limit,
-                                __cartcontact::positive_terms([
+                                [
                                     (__c0, <T as __cartcontact::Scalar>::constant(2.0f64)),
                                     (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
-                                ]),
+                                ],
                                 __c0 < <T as __cartcontact::Scalar>::constant(0.0f64)
                                     || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64),
                                 |__a| {

@@ -353,10 +353,10 @@ const _: () = {
                             __cartcontact::invert(
                                 __load_integral,
                                 __limit,
-                                __cartcontact::positive_terms([
+                                [
                                     (__c0, <S as __cartcontact::Scalar>::constant(2.0f64)),
                                     (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
-                                ]),
+                                ],
                                 __c0 < <S as __cartcontact::Scalar>::constant(0.0f64),
                                 |__a| {
                                     __cartcontact::power_sum_and_log_slope(

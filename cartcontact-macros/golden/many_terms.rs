@@ -450,74 +450,74 @@ const _: () = {
                             __cartcontact::invert(
                                 __load_integral,
                                 __limit,
-                                ::core::iter::IntoIterator::into_iter([
-                                    __cartcontact::PositiveTerm::of(
+                                [
+                                    (
                                         <T as __cartcontact::Scalar>::constant(0.075f64),
                                         <T as __cartcontact::Scalar>::constant(2.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(0.000140625f64),
                                         <T as __cartcontact::Scalar>::constant(4.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(6.4453125e-7f64),
                                         <T as __cartcontact::Scalar>::constant(6.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             3.936767578125e-9f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(8.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             2.739715576171875e-11f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(10.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             2.0517826080322267e-13f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(12.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             1.6115248203277588e-15f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(14.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             1.309244055300951e-17f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(16.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             1.0910117416642606e-19f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(18.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             9.273546740587335e-22f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(20.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             8.00896072814794e-24f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(22.0f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(
                                             7.007838130931532e-26f64,
                                         ),
                                         <T as __cartcontact::Scalar>::constant(24.0f64),
                                     ),
-                                ]),
+                                ],
                                 false,
                                 |__a| {
                                     let __x = __a * __a;

@@ -200,16 +200,20 @@ const _: () = {
                     __cartcontact::invert(
                         __load_integral,
                         __limit,
-                        ::core::iter::IntoIterator::into_iter([
-                            __cartcontact::PositiveTerm::of(
+                        [
+                            (
                                 <T as __cartcontact::Scalar>::constant(0.05f64),
                                 <T as __cartcontact::Scalar>::constant(2.0f64),
                             ),
-                            __cartcontact::PositiveTerm::of(
+                            (
+                                <T as __cartcontact::Scalar>::constant(-0.004f64),
+                                <T as __cartcontact::Scalar>::constant(3.0f64),
+                            ),
+                            (
                                 <T as __cartcontact::Scalar>::constant(0.0002f64),
                                 <T as __cartcontact::Scalar>::constant(4.0f64),
                             ),
-                        ]),
+                        ],
                         true,
                         |__a| {
                             let __x = __a;

@@ -286,16 +286,16 @@ const _: () = {
                             __cartcontact::invert(
                                 __load_integral,
                                 __limit,
-                                ::core::iter::IntoIterator::into_iter([
-                                    __cartcontact::PositiveTerm::of(
+                                [
+                                    (
                                         <T as __cartcontact::Scalar>::constant(0.01f64),
                                         <T as __cartcontact::Scalar>::constant(1.5f64),
                                     ),
-                                    __cartcontact::PositiveTerm::of(
+                                    (
                                         <T as __cartcontact::Scalar>::constant(0.002f64),
                                         <T as __cartcontact::Scalar>::constant(3.25f64),
                                     ),
-                                ]),
+                                ],
                                 false,
                                 |__a| {
                                     __cartcontact::power_sum_and_log_slope(

@@ -335,11 +335,11 @@ const _: () = {
                     __cartcontact::invert(
                         __load_integral,
                         __limit,
-                        __cartcontact::positive_terms([
+                        [
                             (__c0, <T as __cartcontact::Scalar>::constant(2.5f64)),
                             (__c1, <T as __cartcontact::Scalar>::constant(4.0f64)),
                             (__c2, <T as __cartcontact::Scalar>::constant(5.0f64)),
-                        ]),
+                        ],
                         __c0 < <T as __cartcontact::Scalar>::constant(0.0f64)
                             || __c1 < <T as __cartcontact::Scalar>::constant(0.0f64)
                             || __c2 < <T as __cartcontact::Scalar>::constant(0.0f64),

@@ -34,7 +34,7 @@ pub use crate::generated as root;
 pub use crate::in_double_words;
 pub use crate::numbers::exponent::{Exponent, whole_terms};
 pub use crate::profile::with_parameters;
-pub use crate::radius::newton::{PositiveTerm, invert, positive_terms};
+pub use crate::radius::newton::invert;
 pub use crate::radius::one_term::invert_one_term;
 pub use crate::radius::real_powers::radius_of_real_powers;
 pub use crate::radius::table::curves::{Curves, DoubleCurves, SingleCurves};

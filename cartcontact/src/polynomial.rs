@@ -18,7 +18,7 @@ use crate::numbers::exponent::Exponent;
 use crate::numbers::halved::Halved;
 use crate::pairs::Pairs;
 use crate::profile::{GapProfile, ProfileError, RadiusError};
-use crate::radius::newton::{invert, positive_terms};
+use crate::radius::newton::invert;
 use crate::radius::real_powers::radius_of_real_powers;
 use crate::scalar::{floor, is_plain_zero};
 
@@ -117,9 +117,9 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
 
     /// The radius of any load integral, also where terms have both signs or numbers carry derivatives.
     fn general_radius_within(&self, load_integral: T, limit: T) -> Result<T, RadiusError> {
-        let positive = positive_terms(self.map(|c, n| (c, n)));
+        let terms = self.terms().iter().copied();
         let evaluate = |a| power_sum_and_log_slope(a, self.load_integral_terms());
-        invert(load_integral, limit, positive, self.has_negative_terms, evaluate, |a| self.load_integral(a))
+        invert(load_integral, limit, terms, self.has_negative_terms, evaluate, |a| self.load_integral(a))
     }
 
     /// The terms of the gap.

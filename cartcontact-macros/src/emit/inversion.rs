@@ -8,8 +8,8 @@ use super::coefficients::Coefficients;
 use super::power_sum::{self, WholeExponents, terms};
 use super::{Names, curves, leading_term, local, roots, seeds};
 use crate::closed_forms::ClosedForms;
+use crate::gap::Gap;
 use crate::gap::range::Range;
-use crate::gap::{Gap, Term};
 use crate::geometry::Geometry;
 use crate::number::{Rational, integer, literal};
 use crate::proof::Proof;
@@ -211,7 +211,7 @@ fn newton(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
     let names = coefficients.names;
     let (invert, zero) = (names.generated("invert"), names.number(&Rational::zero()));
     let evaluate = value_and_log_slope(forms, coefficients);
-    let positive = positive_terms(coefficients);
+    let terms = coefficients.terms();
     let has_negative = match coefficients.of_uncertain_sign() {
         None => quote!(true),
         Some(none) if none.is_empty() => quote!(false),
@@ -225,26 +225,12 @@ fn newton(forms: &ClosedForms, coefficients: &Coefficients<'_>) -> TokenStream {
         #invert(
             #load_integral,
             #limit,
-            #positive,
+            [#(#terms),*],
             #has_negative,
             |#a| { #evaluate },
             |#a| #rounded_once,
         )
     }
-}
-
-/// The positive terms to iterate over.
-fn positive_terms(coefficients: &Coefficients<'_>) -> TokenStream {
-    let names = coefficients.names;
-    let terms = coefficients.gap().terms.iter().zip(coefficients.terms());
-    if !coefficients.gap().is_constant() {
-        let (of, terms) = (names.generated("positive_terms"), terms.map(|(_, pair)| pair));
-        return quote!(#of([#(#terms),*]));
-    }
-    let is_positive = |term: &Term| term.coefficient.as_constant().is_some_and(|value| value.is_positive());
-    let pairs = terms.filter(|(term, _)| is_positive(term)).map(|(_, pair)| pair);
-    let of = names.generated("PositiveTerm");
-    quote!(::core::iter::IntoIterator::into_iter([#(#of::of #pairs),*]))
 }
 
 /// J(a) and a J′(a), in the cheapest form: Newton's method divides their error by the degree of J.

@@ -54,7 +54,7 @@ fn beyond<T: Scalar>(target: T, largest: T, limit: T) -> RadiusError {
 
 #[cfg(test)]
 mod tests {
-    use super::newton::{PositiveTerm, invert};
+    use super::newton::invert;
     use super::one_term::invert_one_term;
     use super::*;
 
@@ -62,9 +62,8 @@ mod tests {
     fn radii(load_integral: f64, limit: f64) -> [Result<f64, RadiusError>; 2] {
         let (c, n) = (12.0, 2.0);
         let power = |a: f64| a.powi(6);
-        let positive = [PositiveTerm::of(c, n)].into_iter();
         let evaluate = |a| (power(a), 6.0 * power(a));
-        let by_steps = invert(load_integral, limit, positive, false, evaluate, power);
+        let by_steps = invert(load_integral, limit, [(c, n)], false, evaluate, power);
         [by_steps, invert_one_term(load_integral, (c, n), limit)]
     }
 

@@ -31,44 +31,10 @@ use crate::numbers::binary::{estimated_root_of_quotient, scale, split};
 use crate::profile::RadiusError;
 use crate::scalar::{has_no_derivatives, is_same, lesser};
 
-/// A positive term of the gap.
-#[derive(Clone, Copy, Debug)]
-pub struct PositiveTerm<T> {
-    c: T,
-    n: T,
-}
-
-impl<T: Scalar> PositiveTerm<T> {
-    /// The term C r^n.
-    #[inline]
-    pub fn of(c: T, n: T) -> Self {
-        Self { c, n }
-    }
-
-    /// The power p = n + 4 of the term j a^p of J.
-    fn power(self) -> T {
-        self.n + T::constant(4.0)
-    }
-
-    /// The radius at which the term alone is a load integral, (y/j)^(1/p) with 1/j = (n+2)(n+4)/(C n), within 1 %.
-    fn estimated_radius(self, load_integral: T) -> T {
-        let (n, two) = (self.n, T::constant(2.0));
-        estimated_root_of_quotient(load_integral, (n + two) * (self.power() / n), self.c, self.power())
-    }
-}
-
-/// The positive ones among the terms (C, n) of a gap.
-#[inline]
-pub fn positive_terms<T: Scalar>(
-    terms: impl IntoIterator<Item = (T, T)>,
-) -> impl Iterator<Item = PositiveTerm<T>> {
-    terms.into_iter().filter(|&(c, _)| c > T::zero()).map(|(c, n)| PositiveTerm::of(c, n))
-}
-
-/// Solves J(a) = `target` on (0, `limit`].
+/// Solves J(a) = `target` on (0, `limit`] for a gap of the terms (C, n), in any order.
 ///
-/// `positive` lists the terms with positive coefficients in any order, `has_negative_terms` tells whether there are
-/// others. `evaluate` gives J(a) and a J′(a), and `load_integral` J(a) rounded once.
+/// `has_negative_terms` tells whether a C is negative. `evaluate` gives J(a) and a J′(a), and `load_integral` J(a)
+/// rounded once.
 ///
 /// # Errors
 ///
@@ -77,7 +43,7 @@ pub fn positive_terms<T: Scalar>(
 pub fn invert<T: Scalar>(
     mut target: T,
     limit: T,
-    positive: impl Iterator<Item = PositiveTerm<T>>,
+    terms: impl IntoIterator<Item = (T, T)>,
     has_negative_terms: bool,
     evaluate: impl Fn(T) -> (T, T),
     load_integral: impl Fn(T) -> T,
@@ -85,7 +51,7 @@ pub fn invert<T: Scalar>(
     if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
-    let seed = Seed::of(target, positive);
+    let seed = Seed::of(target, terms);
     let mut bracket = Bracket { low: seed.low, high: seed.high };
     // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
     // fields, whose coefficients are rounded here, even this may be less by some roundings.
@@ -135,7 +101,8 @@ fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> O
     Some(high)
 }
 
-/// The least of the one-term radii, a lower bound of the root and, without negative terms, an upper bound.
+/// The least of the radii that positive terms have alone, a lower bound of the root and, without negative terms, an
+/// upper bound.
 struct Seed<T> {
     radius: T,
     low: T,
@@ -144,12 +111,15 @@ struct Seed<T> {
 }
 
 impl<T: Scalar> Seed<T> {
-    fn of(target: T, positive: impl Iterator<Item = PositiveTerm<T>>) -> Self {
+    fn of(target: T, terms: impl IntoIterator<Item = (T, T)>) -> Self {
+        let (two, four) = (T::constant(2.0), T::constant(4.0));
         let (mut radius, mut count) = (T::infinity(), T::zero());
         let (mut least_power, mut highest_power) = (T::infinity(), T::zero());
-        for term in positive {
-            radius = radius.min(term.estimated_radius(target));
-            (least_power, highest_power) = (least_power.min(term.power()), highest_power.max(term.power()));
+        for (c, n) in terms.into_iter().filter(|&(c, _)| c > T::zero()) {
+            // j a^p = y for p = n + 4 and 1/j = (n+2)(n+4)/(C n).
+            let p = n + four;
+            radius = radius.min(estimated_root_of_quotient(target, (n + two) * (p / n), c, p));
+            (least_power, highest_power) = (least_power.min(p), highest_power.max(p));
             count += T::one();
         }
         // N^(−1/p) ≥ 1 − (ln N)/p ≥ 1 − (N−1)/p, but never below N^(−1/4) ≥ 1/N.
@@ -267,10 +237,11 @@ fn close_enough<T: Scalar>(has_negative_terms: bool, highest_power: T) -> T {
 mod tests {
     use super::*;
 
-    /// J of 0.05 r² − 0.004 r³ + 2e-4 r⁴.
+    const MIXED: [(f64, f64); 3] = [(0.05, 2.0), (-0.004, 3.0), (2e-4, 4.0)];
+
+    /// J and a J′ of [`MIXED`] terms.
     fn mixed(a: f64) -> (f64, f64) {
-        let terms = [(0.05, 2.0), (-0.004, 3.0), (2e-4, 4.0)];
-        terms.iter().fold((0.0, 0.0), |(value, slope), &(c, n)| {
+        MIXED.iter().fold((0.0, 0.0), |(value, slope), &(c, n)| {
             let term = c * n * a.powf(n + 4.0) / ((n + 2.0) * (n + 4.0));
             (value + term, slope + (n + 4.0) * term)
         })
@@ -281,8 +252,7 @@ mod tests {
     }
 
     fn radius(target: f64, limit: f64) -> Result<f64, RadiusError> {
-        let positive = [PositiveTerm::of(0.05, 2.0), PositiveTerm::of(2e-4, 4.0)];
-        invert(target, limit, positive.into_iter(), true, mixed, load_integral)
+        invert(target, limit, MIXED, true, mixed, load_integral)
     }
 
     #[test]
@@ -305,14 +275,13 @@ mod tests {
 
     #[test]
     fn nearly_flat_load_integrals_are_met_to_their_rounding() {
-        let positive = [PositiveTerm::of(2.0, 2.0), PositiveTerm::of(1.5, 4.0)];
+        let positive = [(2.0, 2.0), (1.5, 4.0)];
         for k in 0..1000 {
             let b = 1.0 - 10f64.powf(-6.0 - 7.0 * f64::from(k % 31) / 31.0);
             let planted = 1.0 + 2e-5 * (f64::from(k) / 500.0 - 1.0);
             let ((target, _), size) = nearly_flat(b, planted);
             let evaluate = |a| nearly_flat(b, a).0;
-            let found =
-                invert(target, f64::INFINITY, positive.into_iter(), true, evaluate, |a| evaluate(a).0);
+            let found = invert(target, f64::INFINITY, positive, true, evaluate, |a| evaluate(a).0);
             let left = found.map(|a| (nearly_flat(b, a).0.0 - target).abs() / size);
             assert!(left.is_ok_and(|left| left < f64::EPSILON), "{k}: {left:?}");
         }
@@ -333,17 +302,15 @@ mod tests {
     #[test]
     fn the_bracket_has_the_radius_of_many_equal_terms() {
         let powers = [6, 7, 8];
-        let positive = powers.map(|p| {
+        let terms = powers.map(|p| {
             let n = f64::from(p - 4);
-            PositiveTerm::of((n + 2.0) * (n + 4.0) / n, n)
+            ((n + 2.0) * (n + 4.0) / n, n)
         });
         let sum =
             |a: f64, weight: fn(i32) -> i32| powers.map(|p| f64::from(weight(p)) * a.powi(p)).iter().sum();
         let evaluate = |a: f64| -> (f64, f64) { (sum(a, |_| 1), sum(a, |p| p)) };
         for has_negative_terms in [false, true] {
-            let found = invert(3.0, f64::INFINITY, positive.into_iter(), has_negative_terms, evaluate, |a| {
-                evaluate(a).0
-            });
+            let found = invert(3.0, f64::INFINITY, terms, has_negative_terms, evaluate, |a| evaluate(a).0);
             assert!(found.is_ok_and(|a| (a - 1.0).abs() < 2.0 * f64::EPSILON), "{found:?}");
         }
     }

@@ -12,9 +12,9 @@ struct Option;
 struct Result;
 struct Copy;
 struct Iterator;
+struct Exponent;
 struct Scalar;
 struct GapProfile;
-struct PositiveTerm;
 #[allow(non_camel_case_types, reason = "it is in the way on purpose")]
 struct bool;
 mod core {}
