@@ -51,11 +51,10 @@ pub fn invert<T: Scalar>(
     if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
-    let seed = Seed::of(target, terms);
-    let mut bracket = Bracket { low: seed.low, high: seed.high };
+    let Seed { radius: start, mut bracket, highest_power } = Seed::of(target, terms);
     // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
     // fields, whose coefficients are rounded here, even this may be less by some roundings.
-    let is_end_near = limit.is_finite() && (has_negative_terms || limit <= seed.high);
+    let is_end_near = limit.is_finite() && (has_negative_terms || limit <= bracket.high);
     let largest = if is_end_near { load_integral(limit) } else { T::infinity() };
     if target > largest * (T::one() + T::default_epsilon() * T::constant(16.0)) {
         return Err(beyond(target, largest, limit));
@@ -69,7 +68,7 @@ pub fn invert<T: Scalar>(
         bracket.high = high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(limit);
     }
     bracket.low = bracket.low.min(bracket.high);
-    let close = close_enough(has_negative_terms, seed.highest_power);
+    let close = close_enough(has_negative_terms, highest_power);
     let (_, exponent) = split(target);
     // The derivative of 1/y has a factor 1/y², which a small y makes leave the format: all is divided by a power of two
     // near y.
@@ -81,7 +80,7 @@ pub fn invert<T: Scalar>(
         },
         |a| scaled(load_integral(a)),
     );
-    let radius = iterate(scaled(target), seed.radius.min(bracket.high), bracket, close, functions);
+    let radius = iterate(scaled(target), start.min(bracket.high), bracket, close, functions);
     // The last step may end a few units in the last place beyond the bracket.
     Ok(lesser(radius, limit))
 }
@@ -101,12 +100,12 @@ fn above<T: Scalar>(target: T, mut high: T, evaluate: impl Fn(T) -> (T, T)) -> O
     Some(high)
 }
 
-/// The least of the radii that positive terms have alone, a lower bound of the root and, without negative terms, an
-/// upper bound.
+/// Where the search begins.
 struct Seed<T> {
+    /// The least of the radii that positive terms have alone.
     radius: T,
-    low: T,
-    high: T,
+    /// Its upper end holds without negative terms only.
+    bracket: Bracket<T>,
     highest_power: T,
 }
 
@@ -127,7 +126,7 @@ impl<T: Scalar> Seed<T> {
         // Both ends are widened by the error of the estimates.
         let margin = T::constant(0.02);
         let (low, high) = (radius * shrink * (T::one() - margin), radius * (T::one() + margin));
-        Self { radius, low, high, highest_power }
+        Self { radius, bracket: Bracket { low, high }, highest_power }
     }
 }
 
