@@ -17,8 +17,14 @@ impl Tabled {
 
     #[inline(always)]
     pub(crate) fn get<T: Scalar>(self) -> T {
-        if is_single::<T>() { from_single(self.single) } else { T::constant(self.double) }
+        of_precision(self.double, self.single)
     }
+}
+
+/// The one of two numbers that has the precision of `T`.
+#[inline(always)]
+pub(crate) fn of_precision<T: Scalar>(double: f64, single: f32) -> T {
+    if is_single::<T>() { from_single(single) } else { T::constant(double) }
 }
 
 /// The numbers of a table.

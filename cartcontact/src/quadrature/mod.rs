@@ -13,8 +13,7 @@
 mod legendre;
 
 use crate::Scalar;
-use crate::numbers::tabled::Tabled;
-use crate::scalar::{from_single, is_single};
+use crate::numbers::tabled::{Tabled, of_precision};
 pub(crate) use legendre::NODES_4;
 use legendre::{NODES_6, NODES_8, NODES_10, NODES_12, NODES_16, NODES_24, legendre};
 
@@ -89,16 +88,6 @@ impl Rule {
         Self { count, double, single }
     }
 
-    /// A number from the tables of the format that `T` has.
-    #[inline(always)]
-    fn number<T: Scalar>(
-        &self,
-        double: impl Fn(&Tables<f64>) -> f64,
-        single: impl Fn(&Tables<f32>) -> f32,
-    ) -> T {
-        if is_single::<T>() { from_single(single(&self.single)) } else { T::constant(double(&self.double)) }
-    }
-
     /// The shortest rule for an integrand that changes by e^`folds`.
     pub(crate) fn for_folds<T: Scalar>(folds: T) -> &'static Self {
         RULES.into_iter().find(|rule| folds <= rule.folds()).unwrap_or(Self::FINEST)
@@ -110,7 +99,7 @@ impl Rule {
 
     /// The most e-foldings it integrates to full accuracy in the arithmetic of `T`.
     pub(crate) fn folds<T: Scalar>(&self) -> T {
-        self.number(|tables| tables.folds, |tables| tables.folds)
+        of_precision(self.double.folds, self.single.folds)
     }
 
     /// The number of nodes.
@@ -125,8 +114,8 @@ impl Rule {
     #[inline(always)]
     pub(crate) fn coefficients<T: Scalar>(&self) -> impl Iterator<Item = (T, T)> {
         (0..self.len() / 2).map(|pair| {
-            let first = self.number(|tables| tables.first[pair], |tables| tables.first[pair]);
-            (first, self.number(|tables| tables.highest[pair], |tables| tables.highest[pair]))
+            let first = of_precision(self.double.first[pair], self.single.first[pair]);
+            (first, of_precision(self.double.highest[pair], self.single.highest[pair]))
         })
     }
 
@@ -169,7 +158,7 @@ impl Rule {
     /// degree n − 2.
     #[inline(always)]
     pub(crate) fn factor_of_next<T: Scalar>(&self, pair: usize) -> T {
-        self.number(|tables| tables.next[pair], |tables| tables.next[pair])
+        of_precision(self.double.next[pair], self.single.next[pair])
     }
 
     /// Whether the rule [`resolves`](Self::resolves) the function that has these `values` at the nodes, by either of its
@@ -195,8 +184,8 @@ impl Rule {
         let half = T::constant(0.5);
         let (middle, radius) = ((low + high) * half, (high - low) * half);
         (0..self.len()).map(move |index| {
-            let node: T = self.number(|tables| tables.nodes[index], |tables| tables.nodes[index]);
-            let weight: T = self.number(|tables| tables.weights[index], |tables| tables.weights[index]);
+            let node: T = of_precision(self.double.nodes[index], self.single.nodes[index]);
+            let weight: T = of_precision(self.double.weights[index], self.single.weights[index]);
             (middle + radius * node, radius * weight)
         })
     }
