@@ -134,11 +134,6 @@ fn has_digits<T: Scalar>(c: T, n: T) -> bool {
     c >= smallest_normal::<T>() * T::constant(2.0) * divisor
 }
 
-/// Whether a requested radius is infinite, which means no limit.
-fn is_unlimited<T: Scalar>(max_radius: T) -> bool {
-    max_radius > T::zero() && !max_radius.is_finite()
-}
-
 /// The end of the range of a geometry, up to the `requested` radius if there is a finite one.
 ///
 /// # Errors
@@ -149,7 +144,7 @@ pub fn checked_range<T: Scalar>(
     terms: impl AsRef<[(T, T)]>,
     requested: Option<T>,
 ) -> Result<T, ProfileError> {
-    let requested = requested.filter(|max_radius| !is_unlimited(*max_radius));
+    let requested = requested.filter(|&max_radius| max_radius != T::infinity());
     let end = admissible_range(terms, requested)?;
     match requested {
         None => Ok(end),
