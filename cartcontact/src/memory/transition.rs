@@ -54,6 +54,13 @@ impl<T: Scalar> Transition<T> {
         fading.pass(&mut self.slope, quarter_m * increment.slope);
     }
 
+    /// Continues with a time during which nothing is laid.
+    pub(super) fn fade(&mut self, fading: Fading<T>) {
+        for sum in [&mut self.decay, &mut self.offset, &mut self.slope] {
+            fading.pass(sum, T::zero());
+        }
+    }
+
     /// Adds an increment beyond the reach that takes no time.
     pub(super) fn add(&mut self, quarter_m: T, increment: Increment<T>) {
         self.offset.add(quarter_m * increment.offset);

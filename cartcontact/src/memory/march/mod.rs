@@ -23,7 +23,7 @@ mod steps;
 use super::batch::Batch;
 use super::fading::{Fading, faded_folds};
 use super::stretch::{Course, Stretch};
-use super::{Increment, Stage, Transition, not_negative, surplus_that_counts};
+use super::{Stage, Transition, not_negative, surplus_that_counts};
 use crate::contact::{Contact, Loading};
 use crate::load::{Load, MOST_PIECES, Piece, knot_between, pieces_between};
 use crate::numbers::compensated_sum::CompensatedSum;
@@ -231,12 +231,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         let force = skipped.end.1;
         let radius = self.radius_under(time, force);
         self.leave_strip();
-        self.transition.advance(
-            Fading::over(chi * skipped.duration()),
-            self.quarter_m(),
-            Increment::zero(),
-            radius,
-        );
+        self.transition.fade(Fading::over(chi * skipped.duration()));
         self.now =
             self.contact.stage_with_loading(Loading::new(force, self.now.impulse.value, chi), time, radius);
         Piece { start: skipped.end, end: piece.end }
@@ -305,7 +300,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         if self.is_covered() {
             self.add_strip();
         }
-        self.transition.advance(fading, self.quarter_m(), Increment::zero(), self.now.radius);
+        self.transition.fade(fading);
     }
 
     /// The surplus at a later radius, up to which the hereditary load gains `gain`.
