@@ -30,16 +30,12 @@ impl<T: Scalar> CommonSizes<T> {
         (self.least <= size) & (size <= self.most)
     }
 
+    /// Whether the rate is of common size, or zero, and neither Y = (π m/4) J leaves the format nor F/(π m/4) if F and J
+    /// are of common size: a load that has fallen far leaves a large Y and a small F.
     #[inline(always)]
-    pub(super) fn contain_rate(self, chi: T) -> bool {
-        chi.is_zero() | self.contain(chi)
-    }
-
-    /// Whether neither Y = (π m/4) J leaves the format nor F/(π m/4) if F and J are of common size: a load that has
-    /// fallen far leaves a large Y and a small F.
-    #[inline(always)]
-    pub(super) fn contain_load_per_integral(self, load_per_integral: T) -> bool {
-        (load_per_integral * T::constant(if is_single::<T>() { 1e7 } else { 1e51 })).is_finite()
+    pub(super) fn contain_medium(self, chi: T, load_per_integral: T) -> bool {
+        let most = T::constant(if is_single::<T>() { 1e7 } else { 1e51 });
+        (chi.is_zero() | self.contain(chi)) & (load_per_integral * most).is_finite()
     }
 
     /// The time itself if it is of common size, otherwise a time that is.

@@ -73,9 +73,8 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'_, T, P, L> {
     /// Takes the load integrals under loadings that are a function of the time and of what is in their places.
     #[inline(always)]
     fn take_load_integrals_under(&mut self, loading: impl Fn(T, T) -> Loading<T>) -> bool {
-        let (sizes, chi, scales) = (CommonSizes::new(), self.contact.medium.chi(), self.contact.scales);
-        let mut are_common =
-            sizes.contain_rate(chi) & sizes.contain_load_per_integral(scales.load_per_integral);
+        let (sizes, scales) = (CommonSizes::new(), self.contact.scales);
+        let mut are_common = sizes.contain_medium(self.contact.medium.chi(), scales.load_per_integral);
         for (load_integral, &time) in self.load_integrals.iter_mut().zip(self.times) {
             let common_time = sizes.time_near(time);
             let loading = loading(common_time, *load_integral);

@@ -45,14 +45,13 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The contact radius, if all numbers on the way to it are of common size and the edge never recedes.
     #[inline(always)]
     fn common_radius_at(&self, t: T, is_advancing: impl FnOnce() -> bool) -> Option<T> {
-        let (sizes, chi) = (CommonSizes::new(), self.medium.chi());
+        let sizes = CommonSizes::new();
         // At an invalid time a load need not have a force.
         let time = sizes.time_near(t);
         let loading = self.loading(time);
         let load_integral = self.scales.load_integral(loading);
         let is_common = (time == t)
-            & sizes.contain_rate(chi)
-            & sizes.contain_load_per_integral(self.scales.load_per_integral)
+            & sizes.contain_medium(self.medium.chi(), self.scales.load_per_integral)
             & sizes.contain_load(loading, load_integral);
         if !is_common || !is_advancing() {
             return None;
