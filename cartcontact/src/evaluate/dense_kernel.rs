@@ -3,8 +3,7 @@
 
 use super::arithmetic::{Arithmetic, Word};
 use super::coefficient::{Coefficient, added, multiplied, number};
-use super::kernel_of_term::Order;
-use super::pressure_kernel::sum_of_kernels;
+use super::pressure_kernel::pressure_kernel_zero_first;
 use crate::Scalar;
 use crate::numbers::double_word::DoubleWord;
 use crate::numbers::exponent::Exponent;
@@ -79,8 +78,7 @@ fn kernel_term_by_term<T: Scalar, C: Coefficient<T>, const N: usize>(
         let per_weight = from_single((2 * (n + 2) * (n + 2) / step) as f32);
         (number::<T, DoubleWord<T>>(weight).times_word(per_weight), Exponent::whole(n as i32))
     });
-    let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
-    sum.rounded_or(|| sum_of_kernels::<_, Word<T>, _>(a, r, terms, Order::ZeroFirst).rounded())
+    pressure_kernel_zero_first(a, r, terms)
 }
 
 /// (a² − r²)² Σ_k w_k Σ_{j<k} (k−j) R^j A^(k−1−j) without a division, with A = a² and R = r². The sum over the

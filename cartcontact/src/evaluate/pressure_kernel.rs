@@ -25,10 +25,18 @@ where
     I: IntoIterator<Item = (C, Exponent<T>)> + Clone,
 {
     let sum: DoubleWord<T, FUSED> = sum_of_kernels(a, r, terms.clone(), Order::PowerFirst);
-    sum.rounded_or(|| {
-        let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
-        sum.rounded_or(|| sum_of_kernels::<T, Word<T>, C>(a, r, terms, Order::ZeroFirst).rounded())
-    })
+    sum.rounded_or(|| pressure_kernel_zero_first(a, r, terms))
+}
+
+/// [`pressure_kernel`] with the zero at the edge as the first factor, where powers alone would leave the format.
+#[inline]
+pub(super) fn pressure_kernel_zero_first<T: Scalar, C: Coefficient<T>>(
+    a: T,
+    r: T,
+    terms: impl IntoIterator<Item = (C, Exponent<T>)> + Clone,
+) -> T {
+    let sum: DoubleWord<T> = sum_of_kernels(a, r, terms.clone(), Order::ZeroFirst);
+    sum.rounded_or(|| sum_of_kernels::<_, Word<T>, _>(a, r, terms, Order::ZeroFirst).rounded())
 }
 
 /// [`pressure_kernel`] in plain arithmetic: on the axis within 8 ε. Elsewhere a long tent multiplies the rounding of q;
@@ -57,7 +65,7 @@ pub fn quick_pressure_kernel_in_root<T: Scalar, const D: usize, const N: usize, 
 }
 
 #[inline(always)]
-pub(super) fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
+fn sum_of_kernels<T: Scalar, A: Arithmetic<T>, C: Coefficient<T>>(
     a: T,
     r: T,
     terms: impl IntoIterator<Item = (C, Exponent<T>)>,
