@@ -180,9 +180,10 @@ mod tests {
     use crate::load::{Constant, PiecewiseLinear};
     use crate::{Medium, Polynomial};
 
-    /// Whether a contact refuses a load up to a time because a number leaves the format, alone and among many times.
-    fn is_refused<T: Scalar>((m, chi): (T, T), load: impl Load<T>, t: T) -> Option<[bool; 2]> {
-        let gap = Polynomial::new([(T::constant(0.025), T::constant(2.0))]).ok()?;
+    /// Whether the contact of a term (C, n) is refused at a time because a number leaves the format, alone and among many
+    /// times; none if there is no contact.
+    fn is_refused<T: Scalar>(term: (T, T), (m, chi): (T, T), load: impl Load<T>, t: T) -> Option<[bool; 2]> {
+        let gap = Polynomial::new([term]).ok()?;
         let contact = Contact::new(gap, Medium::from_constants(m, chi).ok()?, load).ok()?;
         let errors = [contact.at(t).err(), contact.radii(&[t; 3], &mut [t; 3]).err()];
         Some(errors.map(|error| matches!(error, Some(ContactError::Unrepresentable { .. }))))
@@ -191,9 +192,9 @@ mod tests {
     /// Nothing else is out of range.
     #[test]
     fn a_hereditary_load_beyond_the_format_is_refused() {
-        let held = |unit: f64| is_refused((unit, 1e3), Constant(unit), 1e4);
+        let held = |unit: f64| is_refused((0.025, 2.0), (unit, 1e3), Constant(unit), 1e4);
         assert_eq!((held(1e300), held(1e302)), (Some([false; 2]), Some([true; 2])));
-        let held = |unit: f32| is_refused((unit, 1e3), Constant(unit), 1e4);
+        let held = |unit: f32| is_refused((0.025, 2.0), (unit, 1e3), Constant(unit), 1e4);
         assert_eq!((held(1e30), held(1e32)), (Some([false; 2]), Some([true; 2])));
     }
 
@@ -203,7 +204,7 @@ mod tests {
         let fallen = |since: f32| {
             let fall = (0..=103).map(|k| (since + 0.01 * k as f32, 1e36 * 0.505_f32.powi(k)));
             let knots = core::iter::once((0.0, 1e36)).chain(fall).collect::<Vec<_>>();
-            is_refused((1e33, 100.0), PiecewiseLinear::new(knots).ok()?, since + 1.03)
+            is_refused((0.025, 2.0), (1e33, 100.0), PiecewiseLinear::new(knots).ok()?, since + 1.03)
         };
         assert_eq!((fallen(2.0), fallen(4.0)), (Some([false; 2]), Some([true; 2])));
     }
@@ -212,20 +213,14 @@ mod tests {
     /// format: a pressure on the axis would not be a number.
     #[test]
     fn slopes_beyond_the_format_are_refused_among_common_sizes() {
-        fn is_refused<T: Scalar>(load_integral: f64, radius: f64) -> bool {
+        fn of_steep_gap<T: Scalar>(load_integral: f64, radius: f64) -> Option<[bool; 2]> {
             let (n, m) = (0.1, 4.0 * core::f64::consts::FRAC_1_PI);
             let c = load_integral * radius.powf(-n - 4.0) * ((n + 2.0) * (n + 4.0) / n);
             let [c, n, m, chi, force] = [c, n, m, 1.0, load_integral].map(T::constant);
-            let contact = Polynomial::new([(c, n)]).map(|gap| {
-                Medium::from_constants(m, chi).map(|medium| Contact::new(gap, medium, Constant(force)))
-            });
-            let Ok(Ok(Ok(contact))) = contact else { return false };
-            let (t, unrepresentable) =
-                (T::zero(), |error| matches!(error, ContactError::Unrepresentable { .. }));
-            contact.at(t).is_err_and(unrepresentable)
-                && contact.radii(&[t; 3], &mut [t; 3]).is_err_and(unrepresentable)
+            is_refused((c, n), (m, chi), Constant(force), T::zero())
         }
-        assert!(is_refused::<f32>(9e5, 1.1e-6) && !is_refused::<f32>(9e4, 1.1e-5));
-        assert!(is_refused::<f64>(9e49, 1.1e-50) && !is_refused::<f64>(9e48, 1.1e-49));
+        let expected = [Some([true; 2]), Some([false; 2])];
+        assert_eq!([of_steep_gap::<f32>(9e5, 1.1e-6), of_steep_gap::<f32>(9e4, 1.1e-5)], expected);
+        assert_eq!([of_steep_gap::<f64>(9e49, 1.1e-50), of_steep_gap::<f64>(9e48, 1.1e-49)], expected);
     }
 }
