@@ -279,8 +279,7 @@ mod tests {
     use crate::worse::worse;
     use crate::{Medium, Polynomial};
 
-    type Load<T> = PiecewiseLinear<T, Vec<(T, T)>>;
-    type Joint<T> = Contact<T, Polynomial<T, Vec<(T, T)>>, Load<T>>;
+    type Joint<T> = Contact<T, Polynomial<T, Vec<(T, T)>>, PiecewiseLinear<T, Vec<(T, T)>>>;
 
     /// A load that rises along a line up to 320 s and is held, with knots on the line that change nothing.
     fn joint<T: Scalar>(terms: &[(f64, f64)], chi: f64, knots: u32) -> Option<Joint<T>> {
