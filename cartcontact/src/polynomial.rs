@@ -132,7 +132,7 @@ impl<T: Scalar, S: Pairs<T>> Polynomial<T, S> {
         self.map(|c, n| (c * (n / load_integral_divisor(n)), Exponent::of(n).plus(4)))
     }
 
-    /// The same terms, with nothing rounded.
+    /// The [terms of J](Self::load_integral_terms) with nothing rounded.
     fn precise_load_integral_terms(&self) -> impl Iterator<Item = (Halved<T>, Exponent<T>)> {
         self.map(|c, n| (load_integral_coefficient(c, n), Exponent::of(n).plus(4)))
     }

@@ -310,7 +310,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
         self.loading_of_impulse(t, self.load.impulse(t))
     }
 
-    /// The same where ∫F up to then is known.
+    /// The [`loading`](Self::loading) at a time up to which ∫F is known.
     #[inline(always)]
     pub(crate) fn loading_of_impulse(&self, t: T, impulse: T) -> Loading<T> {
         Loading::new(self.load.force(t), impulse, self.medium.chi())

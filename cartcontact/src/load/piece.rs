@@ -101,9 +101,9 @@ impl<T: Scalar> Piece<T> {
         self.fall_forgiving(T::zero())
     }
 
-    /// The same, if rounding may have made the force at the end smaller, by 8 ε of the first one. A fall as fast as
-    /// e^(−χ t) may be too fast by that much when its forces are rounded: a long fall leaves so little that this is
-    /// more than its own rounding.
+    /// The [`fall`](Self::fall) if rounding has made the force at the end smaller, by 8 ε of the first one. A fall as
+    /// fast as e^(−χ t) may be too fast by that much when its forces are rounded: a long fall leaves so little that this
+    /// is more than its own rounding.
     pub(super) fn fall_beyond_rounding(&self) -> T {
         self.fall_forgiving(allowed_fall(self.start.1))
     }

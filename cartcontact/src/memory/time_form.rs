@@ -48,8 +48,8 @@ const ADDED_FOLDS: f64 = 0.5;
 /// from 1 to 100 000 e-foldings.
 const FOLDS_AT_DISTANCE: f64 = 10.0;
 
-/// The same along any other load, whose singularity may be nearer, and whose force may vary like a polynomial of high
-/// degree: computed for distances from 0.01 e-foldings on.
+/// [`FOLDS_AT_DISTANCE`] along a load that is not straight, whose singularity may be nearer, and whose force may vary
+/// like a polynomial of high degree: computed for distances from 0.01 e-foldings on.
 const FOLDS_AT_ANY_DISTANCE: f64 = 37.0;
 
 /// The increment of a stretch during which the hereditary load falls short of its final value by D and rises at D′,

@@ -16,7 +16,7 @@ pub(crate) const LOGARITHM_DIGITS: u32 = 8;
 const UNIT_OF_DOUBLE: u64 = 0x4330_0000_0000_0000;
 const UNIT_OF_SINGLE: u32 = 0x4b00_0000;
 
-/// These with room for a sign: 3 · 2⁵¹ and 3 · 2²².
+/// 2⁵² and 2²³ with room for a sign: 3 · 2⁵¹ and 3 · 2²².
 const SIGNED_UNIT_OF_DOUBLE: f64 = 6_755_399_441_055_744.0;
 const SIGNED_UNIT_OF_SINGLE: f64 = 12_582_912.0;
 

@@ -135,8 +135,8 @@ impl Rule {
         is_negligible(height, fall, 4)
     }
 
-    /// The same from `next`, the coefficient of degree n − 2: a pair of complex singularities lets coefficients
-    /// oscillate, so that the last one may be next to nothing.
+    /// Whether the rule [`resolves`](Self::resolves) a function, by `next`, its coefficient of degree n − 2: a pair of
+    /// complex singularities lets coefficients oscillate, so that the last one may be next to nothing.
     ///
     /// The coefficient of degree 2n is then next · (next/first)^((n+2)/(n−3)). The exponent is 6 for n = 4, and at least
     /// 5/2, 2 and 1 for n ≤ 6, n ≤ 8 and all n.

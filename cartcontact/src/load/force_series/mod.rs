@@ -67,7 +67,7 @@ impl<T: Scalar> ForceSeries<T> {
         Self::through_forces(load, times, chi).grown()
     }
 
-    /// The same without noise.
+    /// The series [between](Self::between) two times without the coefficients that are noise.
     pub(crate) fn without_noise<L: Load<T>>(load: &L, times: (T, T), chi: T) -> Self {
         Self::through_forces(load, times, chi).denoised().grown()
     }

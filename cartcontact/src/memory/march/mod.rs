@@ -315,7 +315,7 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> March<'_, T, P, L> {
         self.radius_after(self.now.impulse, (time, force))
     }
 
-    /// The same after another impulse.
+    /// The contact radius [under](Self::radius_under) a force at a time, after another impulse than that so far.
     fn radius_after(&self, impulse: CompensatedSum<T>, (time, force): (T, T)) -> T {
         if time >= self.time && force >= self.force {
             return self.radius;
