@@ -32,7 +32,7 @@ impl<T: Scalar> Descent<T> {
     pub(in crate::load) fn pass(&mut self, piece: &Piece<T>, t: T) -> Option<T> {
         if let Some(turn) = piece.recession(self.chi) {
             // At the very time at which a slope becomes too steep the edge has not moved yet.
-            return (turn < t || piece.duration().is_zero()).then_some(turn);
+            return (turn < t || piece.is_step()).then_some(turn);
         }
         if piece.end.0 > t {
             return None;
