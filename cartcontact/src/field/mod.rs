@@ -5,7 +5,8 @@
 //! own, once. A field of N times × M radii therefore costs O(N + M) integrals.
 //!
 //! Rows are computed in blocks of up to [`BLOCK`]: [`panel`] finds the changes of a whole block from a few contact
-//! radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies them.
+//! radii, [`block`] takes them one by one where there is no such short cut, and [`sweep`] applies them. Radii may come in
+//! any order: [`runs`] finds the columns inside an edge.
 //!
 //! **Rounding.** Taking every row from the one before it would add up N roundings. Rows are therefore taken from the
 //! last row before their block; only radii covered within the block go row by row, and where all rows round alike every
