@@ -2,7 +2,9 @@
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
+use crate::reading::entry::is_of_r;
 use crate::reading::is_punct;
+use crate::reading::parse::is_expression;
 
 /// What to say about an entry that states a range or a sign.
 pub(super) fn option_for(tokens: &[TokenTree]) -> Option<String> {
@@ -14,7 +16,8 @@ pub(super) fn option_for(tokens: &[TokenTree]) -> Option<String> {
     }
     let Compared { name, least, greatest } = Compared::of(tokens)?;
     if let ("r", Some(end)) = (name.to_string().as_str(), greatest) {
-        return Some(option_for_range(end));
+        // Between expressions of r it is no range.
+        return (!is_of_r(end)).then(|| option_for_range(end));
     }
     least?;
     Some(if name == "r" {
@@ -38,6 +41,9 @@ pub(super) fn end_for_range(end: &[TokenTree]) -> String {
 fn remedy(end: &[TokenTree]) -> String {
     if end.is_empty() {
         return "leave it out if the gap has no end".to_owned();
+    }
+    if is_of_r(end) || !is_expression(end) {
+        return "write it as in `max_radius = 6.0`".to_owned();
     }
     format!("write `max_radius = {}`", end.iter().cloned().collect::<TokenStream>())
 }

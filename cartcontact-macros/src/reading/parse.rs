@@ -22,6 +22,13 @@ pub(crate) fn expression(tokens: &[TokenTree], place: Span, diagnostics: &mut Di
     Parser { rest: tokens, previous: place.into(), depth: 0, diagnostics }.everything()
 }
 
+/// Whether some tokens can be read as they are.
+pub(super) fn is_expression(tokens: &[TokenTree]) -> bool {
+    let mut faults = Diagnostics::default();
+    drop(expression(tokens, Span::call_site(), &mut faults));
+    faults.is_empty()
+}
+
 pub(super) struct Parser<'a> {
     pub(super) rest: &'a [TokenTree],
     /// The token that was read last: the place of "something is missing here".
