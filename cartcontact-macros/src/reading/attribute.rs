@@ -265,11 +265,9 @@ impl Attribute {
             return None;
         }
         if let [TokenTree::Ident(name)] = entry.tokens.as_slice() {
-            let fields = self.positive.as_ref().and_then(|positive| positive.names.as_ref());
+            let fields = self.positive.as_ref().and_then(|positive| positive.listed_with(name));
             if let Some(fields) = fields {
-                return Some(format!(
-                    "several fields stand in parentheses; write `positive = ({fields}, {name})`"
-                ));
+                return Some(format!("several fields stand in parentheses; write `positive = ({fields})`"));
             }
             if let Some(option) = likely_option(name) {
                 self.mark_option_faulty(entry);

@@ -44,6 +44,13 @@ impl Positive {
         }
     }
 
+    /// The fields that are named, and another one; nothing if something else stands there.
+    pub(super) fn listed_with(&self, other: &Ident) -> Option<String> {
+        let mut names = listed(self.names.clone()?, self.place).ok()?;
+        names.push(other.clone());
+        Some(names.iter().map(Ident::to_string).collect::<Vec<_>>().join(", "))
+    }
+
     /// Reports what was declared in vain, once it is known which fields the geometry uses.
     pub(crate) fn check_used(&self, item: &Item, diagnostics: &mut Diagnostics) {
         let Some(names) = &self.names else {

@@ -70,6 +70,7 @@ fn likely_slips_are_understood() {
         ("r^1000000000000000000000", "at most 1024"),
         ("radius * r^2, positive(radius)", "write it as in `positive = (c, d)`"),
         ("radius * r^2, positive = radius, depth", "write `positive = (radius, depth)`"),
+        ("radius * r^2, positive = (radius), depth", "write `positive = (radius, depth)`"),
         ("0.025 mm^-1 * r^2", "remove `mm^-1`"),
         ("0.025 mm**-1 * r^2", "remove `mm**-1`"),
         ("0.025 mm^(-1) * r^2", "numbers have no units"),
