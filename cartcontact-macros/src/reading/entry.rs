@@ -187,10 +187,7 @@ impl Entry {
     /// The number without a point, but with its suffix, that this entry begins with.
     pub(super) fn first_digits(&self) -> Option<String> {
         let [TokenTree::Literal(digits), ..] = self.tokens.as_slice() else { return None };
-        let is_whole = |digits: &String| {
-            digits.starts_with(|first: char| first.is_ascii_digit()) && !digits.contains('.')
-        };
-        Some(digits.to_string()).filter(is_whole)
+        Some(digits.to_string()).filter(|digits| literal::may_follow_point(digits))
     }
 
     pub(super) fn extent(&self) -> Extent {

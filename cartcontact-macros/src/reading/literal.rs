@@ -83,7 +83,7 @@ pub(super) fn factor(name: &str) -> String {
 
 /// A name with `*` for the centred dots that names may contain, and formulas have for products.
 pub(super) fn with_stars(name: &str) -> String {
-    name.replace('·', " * ")
+    name.split('·').filter(|factor| !factor.is_empty()).collect::<Vec<_>>().join(" * ")
 }
 
 pub(super) fn is_times_ten(name: &str) -> bool {
@@ -95,6 +95,11 @@ pub(super) fn across_comma(before: &str, behind: &str) -> Vec<String> {
     let thousands = are_thousands(before.trim_start_matches('-'), split_digits(behind).0)
         .then(|| format!("{before}{behind}"));
     thousands.into_iter().chain([format!("{before}.{behind}")]).collect()
+}
+
+/// Whether some digits, perhaps with a suffix, may stand behind a decimal point.
+pub(super) fn may_follow_point(text: &str) -> bool {
+    begins_with_digit(text) && !has_other_base(text) && !text.contains('.')
 }
 
 /// A whole number with a point after its thousands, as before a decimal comma in `1.000,5`.

@@ -103,7 +103,9 @@ impl<'a> Parser<'a> {
         };
         if let TokenTree::Punct(point) = token {
             match rest.first() {
-                Some(TokenTree::Literal(digits)) if point.as_char() == '.' => {
+                Some(TokenTree::Literal(digits))
+                    if point.as_char() == '.' && literal::may_follow_point(&digits.to_string()) =>
+                {
                     let place = Extent::between(point.span().into(), digits.span().into());
                     let digits = digits.to_string();
                     let meant = literal::with_name(&digits).map_or(digits.clone(), |(digits, name)| {
