@@ -7,7 +7,7 @@ use crate::reading::parse::Parser;
 use crate::reading::slips::{is_case, is_times};
 use crate::reading::syntax::{Expression, Kind};
 use crate::reading::unit::is_unit;
-use crate::reading::{is_punct, literal, ungrouped};
+use crate::reading::{is_punct, is_sign, literal, ungrouped};
 
 impl Parser<'_> {
     /// Skips a divisor that lacks an operator, if one follows, and reports it: which of its operands divide is for the
@@ -41,11 +41,8 @@ fn length(tokens: &[TokenTree]) -> usize {
                 follows_operand = false;
             }
             slash if is_punct(slash, '/') => break,
-            sign if is_punct(sign, '+') || is_punct(sign, '-') => {
-                if follows_operand {
-                    break;
-                }
-            }
+            sign if is_sign(sign) && follows_operand => break,
+            sign if is_sign(sign) => {}
             other => follows_operand = !matches!(other, TokenTree::Punct(_)),
         }
         index += 1;

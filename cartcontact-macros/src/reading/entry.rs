@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use crate::diagnostics::{Diagnostics, Extent};
 use crate::reading::similar::closest;
 use crate::reading::syntax::Expression;
-use crate::reading::{is_punct, literal, parse};
+use crate::reading::{is_punct, is_sign, literal, parse};
 
 const OPTIONS: [&str; 7] = ["upper", "lower", "max_radius", "order", "tolerance", "positive", "crate"];
 
@@ -181,7 +181,7 @@ impl Entry {
 
     /// Whether it goes on, if at all, with a sign behind its first token: the end of an expression does.
     pub(super) fn goes_on_with_sign(&self) -> bool {
-        self.tokens.get(1).is_none_or(|token| is_punct(token, '+') || is_punct(token, '-'))
+        self.tokens.get(1).is_none_or(is_sign)
     }
 
     /// The number without a point, but with its suffix, that this entry begins with.

@@ -34,6 +34,10 @@ fn is_punct(token: &TokenTree, character: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
+fn is_sign(token: &TokenTree) -> bool {
+    is_punct(token, '+') || is_punct(token, '-')
+}
+
 /// The tokens, without the invisible group that a macro may have put them into.
 fn ungrouped(tokens: TokenStream) -> Vec<TokenTree> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();

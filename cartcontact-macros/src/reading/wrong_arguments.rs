@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use crate::reading::call::arguments;
 use crate::reading::parse::Parser;
-use crate::reading::{is_punct, literal};
+use crate::reading::{is_punct, is_sign, literal};
 
 impl Parser<'_> {
     /// What to say about a surface with wrong `tokens` after its name; nothing if the name is not that of a surface.
@@ -118,10 +118,6 @@ fn with_constant(only: &Value<'_>, is_readable: bool) -> String {
         }
         _ => "add the conic constant after a comma".to_owned(),
     }
-}
-
-fn is_sign(token: &TokenTree) -> bool {
-    is_punct(token, '-') || is_punct(token, '+')
 }
 
 /// Whether a comma between two values may be meant as a decimal point.
