@@ -256,7 +256,7 @@ impl<'a> Parser<'a> {
         if matches!(next, TokenTree::Punct(_)) {
             return None;
         }
-        if self.reads_unit() || self.reads_conversion() {
+        if self.reads_unit() || self.reads_conversion() || self.reads_exponent() {
             return self.next_product_operator();
         }
         match next {

@@ -5,10 +5,10 @@ use proc_macro2::{Delimiter, Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::{Rational, decimal, integer};
-use crate::reading::is_punct;
 use crate::reading::literal::{is_times_ten, number, with_name};
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
+use crate::reading::{is_punct, is_sign};
 
 impl Parser<'_> {
     /// Reads `**`, which other languages use for powers.
@@ -66,26 +66,56 @@ impl Parser<'_> {
         self.fault(Extent::between(start, self.previous), message)
     }
 
-    /// Skips the exponent of `1.5d-4`, as in Fortran, or of `1.5 e-4`, after `1.5d` or `1.5` has been read.
+    /// Skips the exponent of `1.5d-4`, as in Fortran, or of `1.5 e-4` or `1.5 e4`, after `1.5d` or `1.5` has been read.
     pub(super) fn exponent_apart(&mut self, mantissa: &Literal) -> Option<String> {
         let text = mantissa.to_string();
-        let (number, name, exponent) = match (with_name(&text), self.rest) {
-            (Some((number, name)), rest) if name.eq_ignore_ascii_case("d") => (number, name.to_owned(), rest),
-            (None, [TokenTree::Ident(name), rest @ ..])
-                if (name == "e" || name == "E") && number(&text).is_ok() =>
-            {
-                (text.as_str(), name.to_string(), rest)
+        let of_fortran = with_name(&text).filter(|(_, name)| name.eq_ignore_ascii_case("d"));
+        let (written, name) = of_fortran.unzip();
+        let written = written.or_else(|| number(&text).is_ok().then_some(&*text))?;
+        // Two exponents make no number.
+        if written.contains(['e', 'E']) {
+            return None;
+        }
+        self.exponent(name, written, &format!("{written} * "))
+    }
+
+    /// Skips the exponent of `(1 + 2) e-4`, behind an operand that is no number, and reports it.
+    pub(super) fn reads_exponent(&mut self) -> bool {
+        let start = self.previous;
+        let Some(message) = self.exponent(None, "* 1", "* ") else { return false };
+        self.diagnostics.report(Extent::between(start, self.previous), message);
+        true
+    }
+
+    /// Skips an exponent whose `name` has been read, if that is not the next token. It is to be written behind `before`,
+    /// and the product that it may be, behind `before_product`.
+    fn exponent(&mut self, name: Option<&str>, before: &str, before_product: &str) -> Option<String> {
+        let written;
+        let (name, digits, behind) = match (name, self.rest) {
+            (Some(name), behind) => (name, "", behind),
+            (None, [TokenTree::Ident(next), behind @ ..]) => {
+                written = next.to_string();
+                (&*written, written.strip_prefix(['e', 'E'])?, behind)
             }
             _ => return None,
         };
-        let [TokenTree::Punct(sign), TokenTree::Literal(size), rest @ ..] = exponent else { return None };
-        if !matches!(sign.as_char(), '+' | '-') || !is_whole(&size.to_string()) {
-            return None;
+        let (digits, product, rest) = match (digits, behind) {
+            ("", [sign, TokenTree::Literal(size), rest @ ..])
+                if is_sign(sign) && is_whole(&size.to_string()) =>
+            {
+                (format!("{sign}{size}"), format!("{name} {sign} {size}"), rest)
+            }
+            (digits, _) if !digits.is_empty() && is_whole(digits) => {
+                (digits.to_owned(), name.to_owned(), behind)
+            }
+            _ => return None,
+        };
+        while self.rest.len() > rest.len() {
+            self.take_token();
         }
-        (self.previous, self.rest) = (size.span().into(), rest);
         Some(format!(
-            "an exponent stands right behind `e`; write `{number}e{sign}{size}`, or `{number} * {name} {sign} {size}` if \
-             `{name}` is a field"
+            "an exponent stands right behind a number and `e`; write `{before}e{digits}`, or `{before_product}{product}` \
+             if `{name}` is a field"
         ))
     }
 
