@@ -1,6 +1,6 @@
 //! Operands side by side after `/`, as in `r^2/2R`: physicists divide by both, programmers by the first.
 
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::reading::parse::Parser;
@@ -17,11 +17,14 @@ impl Parser<'_> {
         let (factors, fault) = factors(divisor)?;
         let ([first, _, ..], [.., last]) = (factors.as_slice(), divisor) else { return None };
         let product = factors.join(" * ");
-        let message = format!(
-            "{fault}; write `({product})` if all of it divides, or `{product}` if only `{first}` does"
-        );
+        let tokens = product.parse().unwrap_or_else(|_| TokenStream::new());
+        let remedy = if self.is_expression(&tokens.into_iter().collect::<Vec<_>>()) {
+            format!("write `({product})` if all of it divides, or `{product}` if only `{first}` does")
+        } else {
+            "write `*`, and parentheses around all that divides".to_owned()
+        };
         let extent = Extent::of(divisor, last.span());
-        self.diagnostics.report(extent, message);
+        self.diagnostics.report(extent, format!("{fault}; {remedy}"));
         (self.previous, self.rest) = (last.span().into(), rest);
         Some(Expression { kind: Kind::Faulty, extent })
     }
@@ -51,7 +54,7 @@ fn length(tokens: &[TokenTree]) -> usize {
 }
 
 /// The factors that are meant, as they should be written, and what is wrong with how they are written. Nothing if there
-/// is something else among them, which has messages of its own.
+/// is something else among them, which has messages of its own, or might not even be tokens side by side.
 fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
     let mut factors: Vec<String> = Vec::new();
     let mut fault = None;
@@ -79,6 +82,7 @@ fn factors(tokens: &[TokenTree]) -> Option<(Vec<String>, String)> {
                 let is_second = before.is_some_and(|before| is_punct(before, '*'));
                 operands = vec![if is_second { String::new() } else { "^".to_owned() }];
             }
+            TokenTree::Punct(sign) if !"+-^".contains(sign.as_char()) => return None,
             _ => {}
         }
         let mut operands = operands.into_iter();

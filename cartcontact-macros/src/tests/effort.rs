@@ -79,7 +79,9 @@ fn what_would_take_long_is_refused() {
 /// If each call were read twice, the time would double with every level.
 #[test]
 fn nested_calls_are_read_once() {
-    for (open, close) in [("f(", ")"), ("r(", ")"), ("pow(2, ", ")"), ("sphere(1, ", ")"), ("conic[", "]")] {
+    for (open, close) in
+        [("f(", ")"), ("r(", ")"), ("pow(2, ", ")"), ("sphere(1, ", ")"), ("conic[", "]"), ("1/2(", "+)")]
+    {
         let output = timed(open, &(open.repeat(24) + "1" + &close.repeat(24)));
         assert!(output.contains("compile_error"), "{open}: {output}");
     }

@@ -169,6 +169,8 @@ fn remedies_of_divisors_say_what_divides() {
         ("r^2/2 sphere(10)", "write `(2 * sphere(10))` if"),
         ("r^4/r^2radius", "write `(r^2 * radius)` if"),
         ("r^4/r(radius + 1) 2radius", "write `(r * (radius + 1) * 2 * radius)` if all"),
+        ("r^2/2(radius +)", "write `*`, and parentheses around all that divides"),
+        ("r^2/2 > radius r", "`>` has no meaning"),
         ("2 r^2", "write `*`, as in `2 * r`"),
         ("r^2 / 2 * radius radius", "write `*`, as in `2 * r`"),
     ] {
