@@ -6,6 +6,9 @@ use crate::number::{Rational, decimal, is_written};
 use crate::reading::name::unraw;
 use crate::reading::syntax::{Expression, Kind, Summand};
 
+/// Nobody copies a longer remedy; `f64` has 17 digits, and the product of three such numbers 51.
+const LONGEST_REMEDY: usize = 80;
+
 /// The constant of a gap as it is written: what stands there without r.
 pub(crate) struct WrittenConstant {
     is_of_bodies: bool,
@@ -113,7 +116,11 @@ pub(super) fn message(value: &Coefficient, constant: Option<&WrittenConstant>) -
             let opposite = if sign == '+' { '-' } else { '+' };
             let whole =
                 if constant.is_some_and(|constant| constant.is_of_bodies) { "a body" } else { "the gap" };
-            format!("write `{opposite} {size}` behind {whole} to take it away")
+            if size.len() > LONGEST_REMEDY {
+                format!("write behind {whole} what takes it away")
+            } else {
+                format!("write `{opposite} {size}` behind {whole} to take it away")
+            }
         }
     };
     format!("the gap must vanish at r = 0; a constant only shifts the approach: {remedy}")

@@ -110,6 +110,7 @@ fn each_fault_is_named() {
         ("(r^2 + 0.5 + r)", "remove `+ 0.5`"),
         ("r^2 - 2/3", "remove this term"),
         ("r^2 + 1e-400", "remove this term"),
+        ("r^2 + 1e-400 - 2e-400", "write behind the gap what takes it away"),
         ("r^2 + 1 + 2", "write `- 3` behind the gap"),
         ("(r + 1)^2", "write `- 1` behind the gap"),
         ("(r - 1)^3", "write `+ 1` behind the gap"),
