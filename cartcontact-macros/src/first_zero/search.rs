@@ -109,11 +109,11 @@ impl<'a> Search<'a> {
                 front.local.sign_changes(&|end| self.sign_at(&front.part, end, front.digits));
             match changes {
                 _ if start == Some(Ordering::Equal) => {
-                    return Ok(Some(self.at(&front.part.end(0), front.part.bits)));
+                    return Ok(Some(self.at_start(&front.part)));
                 }
                 SignChanges { most: 0, .. } => {}
                 SignChanges { least: 1, most: 1 } => {
-                    return Ok(Some(self.between(&front.part, &front.part.end(1), front.part.bits)));
+                    return Ok(Some(self.within(&front.part)));
                 }
                 SignChanges { least, most } if least != most => {
                     ahead.push(self.with_more_digits(front, most - least)?);
@@ -249,15 +249,13 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// At offset/2^bits of the interval.
-    fn at(&self, offset: &BigInt, bits: u64) -> RootPlace {
-        RootPlace::At { offset: offset.clone(), exponent: self.whole.exponent - bits as i64 }
+    fn at_start(&self, part: &Part) -> RootPlace {
+        RootPlace::At { offset: part.end(0), exponent: self.whole.exponent - part.bits as i64 }
     }
 
-    /// From the beginning of a part to upper/2^bits.
-    fn between(&self, part: &Part, upper: &BigInt, bits: u64) -> RootPlace {
-        let lower = part.end(0) << (bits - part.bits);
-        RootPlace::Between { lower, upper: upper.clone(), exponent: self.whole.exponent - bits as i64 }
+    fn within(&self, part: &Part) -> RootPlace {
+        let exponent = self.whole.exponent - part.bits as i64;
+        RootPlace::Between { lower: part.end(0), upper: part.end(1), exponent }
     }
 }
 
