@@ -16,7 +16,7 @@ pub(crate) struct End {
 /// So many bits that seven digits hardly ever need a narrower root.
 const BITS: u64 = 48;
 /// Outside this range, numbers of seven digits have no `f64` next to them.
-const DECIMAL_EXPONENTS: RangeInclusive<i32> = -307..=307;
+const DECIMAL_EXPONENTS: RangeInclusive<i64> = -307..=307;
 /// Outside this range, only the power of ten of an end is computed: higher powers would take long.
 const SHOWN_EXPONENTS: RangeInclusive<i64> = -1000..=1000;
 
@@ -40,11 +40,10 @@ impl End {
         if !SHOWN_EXPONENTS.contains(&exponent) {
             return (format!("1e{exponent}"), largest_below(exponent));
         }
-        let unit = |exponent: i64| number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
-        let (fine, coarse) = (unit(exponent - 6), unit(exponent - 5));
+        let (fine, coarse) = (power_of_ten(exponent - 6), power_of_ten(exponent - 5));
         let mut mantissa = self.mantissa(&fine);
         let digits = (mantissa + 5) / 10;
-        if !i32::try_from(exponent).is_ok_and(|exponent| DECIMAL_EXPONENTS.contains(&exponent)) {
+        if !DECIMAL_EXPONENTS.contains(&exponent) {
             return (scientific(digits, exponent - 5), largest_below(exponent));
         }
         let shown = number::decimal(&(number::integer(digits) * coarse));
@@ -89,14 +88,17 @@ impl End {
     }
 
     fn exceeds_power_of_ten(&mut self, exponent: i64) -> bool {
-        let power = number::integer(10).pow(i32::try_from(exponent).unwrap_or(0));
-        self.compare(&power) == Ordering::Greater
+        self.compare(&power_of_ten(exponent)) == Ordering::Greater
     }
 }
 
 /// The largest decimal below an end whose exponent no `f64` has; nothing if the end is too small.
 fn largest_below(exponent: i64) -> Option<Rational> {
-    (exponent > 0).then(|| number::integer(10).pow(*DECIMAL_EXPONENTS.end()))
+    (exponent > 0).then(|| power_of_ten(*DECIMAL_EXPONENTS.end()))
+}
+
+fn power_of_ten(exponent: i64) -> Rational {
+    number::integer(10).pow(i32::try_from(exponent).unwrap_or(0))
 }
 
 /// `digits` times a power of ten.
