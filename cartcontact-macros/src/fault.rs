@@ -59,9 +59,9 @@ impl Fault {
         Fault { extent, rank, rule: rule.into(), ways: Vec::new(), otherwise: String::new() }
     }
 
-    /// Way out: a `max_radius` that is no larger than this.
-    pub(crate) fn or_max_radius(mut self, remedy: Remedy, largest: Rational) -> Self {
-        self.ways.push(Way::MaxRadius { remedy, largest });
+    /// Way out: a `max_radius` that is no larger than this, if there is one.
+    pub(crate) fn or_max_radius(mut self, remedy: Remedy, largest: Option<Rational>) -> Self {
+        self.ways.extend(largest.map(|largest| Way::MaxRadius { remedy, largest }));
         self
     }
 

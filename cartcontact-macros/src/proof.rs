@@ -105,10 +105,8 @@ fn unlimited(extent: Extent, end: &mut End) -> Fault {
 /// Adds the remedy for a range that goes too far. `largest` is the largest decimal below its end, if there is an `f64`
 /// there.
 fn with_remedy(fault: Fault, largest: Option<Rational>, remedy: Remedy, otherwise: &str) -> Fault {
-    match largest {
-        Some(largest) => fault.or_max_radius(remedy, largest).otherwise(otherwise),
-        None => fault.otherwise("use a smaller unit of length"),
-    }
+    let otherwise = if largest.is_some() { otherwise } else { "use a smaller unit of length" };
+    fault.or_max_radius(remedy, largest).otherwise(otherwise)
 }
 
 /// n and C n/(n+2) of each term; nothing if a coefficient is not a number.

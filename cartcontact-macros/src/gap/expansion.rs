@@ -266,11 +266,9 @@ fn beyond_rim(extent: Extent, surface: &Surface) -> Fault {
         None => ("the r with |1 + k| r^2 = R^2 (r = R for a sphere)".to_owned(), None),
     };
     let rule = format!("max_radius must lie below {end}, where the series of a surface ends");
-    let fault = Fault::new(Rank::Rim, extent, rule).otherwise("write a smaller one");
-    match largest {
-        Some(largest) => fault.or_max_radius(|largest| format!("write at most `{largest}`"), largest),
-        None => fault,
-    }
+    Fault::new(Rank::Rim, extent, rule)
+        .or_max_radius(|largest| format!("write at most `{largest}`"), largest)
+        .otherwise("write a smaller one")
 }
 
 fn expanded(shape: &Shape, order: u32) -> Result<Polynomial, Fault> {
