@@ -221,14 +221,11 @@ impl Neglected {
             least.push(lower);
             most.push(upper);
         }
-        let sum = |of: &[Rest], part: fn(&Rest) -> &Rational| unreduced_sum(of.iter().map(part).cloned());
-        let [at_centre, rise]: [fn(&Rest) -> &Rational; 2] = [|rest| &rest.at_centre, |rest| &rest.rise];
-        let below = |part| floor(&sum(&least, part), DIGITS);
-        let above = |part| ceil(&sum(&most, part), DIGITS);
-        [
-            Rest { at_centre: below(at_centre), rise: below(rise) },
-            Rest { at_centre: above(at_centre), rise: above(rise) },
-        ]
+        let sum = |rests: &[Rest], rounded: fn(&Rational, u64) -> Rational| Rest {
+            at_centre: rounded(&unreduced_sum(rests.iter().map(|rest| &rest.at_centre)), DIGITS),
+            rise: rounded(&unreduced_sum(rests.iter().map(|rest| &rest.rise)), DIGITS),
+        };
+        [sum(&least, floor), sum(&most, ceil)]
     }
 
     /// The smallest ε at some radii, in `f64`: not a bound, but near the smallest ε. Infinite if there is none.
@@ -275,7 +272,7 @@ fn at_end(radius: &Rational, exponent: &Rational, value: &Rational) -> (f64, f64
 impl Sum {
     /// The sum for j = index + 1, where the powers of the gap have the coefficient `own`.
     fn of(surfaces: &[Series], own: Option<Rational>, index: usize, scale: &Rational) -> Self {
-        let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)).cloned());
+        let sum = unreduced_sum(surfaces.iter().filter_map(|series| series.terms.get(index)));
         let (below, above) = (floor(&sum, DIGITS), ceil(&sum, DIGITS));
         let with_own = own.as_ref().map_or_else(|| below.clone(), |own| floor(&(own + sum), DIGITS));
         let own = own.unwrap_or_else(Rational::zero);
@@ -291,7 +288,7 @@ impl Sum {
 }
 
 /// Without reducing by greatest common divisors, which take most of the time of such a sum.
-fn unreduced_sum(terms: impl Iterator<Item = Rational>) -> Rational {
+fn unreduced_sum<'a>(terms: impl Iterator<Item = &'a Rational>) -> Rational {
     terms.fold(Rational::zero(), |sum, term| {
         let numerator = sum.numer() * term.denom() + term.numer() * sum.denom();
         Rational::new_raw(numerator, sum.denom() * term.denom())
