@@ -302,14 +302,15 @@ impl<'a> Coefficients<'a> {
     /// bind.
     pub(super) fn expression(&self, coefficient: &Coefficient) -> TokenStream {
         let finite_or = self.names.generated("finite_or");
-        coefficient.expression(&Writer {
+        let writer = Writer {
             variable: field_variable,
             inverse: &|field| self.shares_inverse(field).then(|| inverse_variable(field)),
             scaled: &|weight, product| self.scaled(weight, product),
             number: &|value| self.number(value),
             power: &|base, exponent| self.power(base, exponent),
             finite_or: (self.digits == Digits::OfAWord).then_some(&finite_or),
-        })
+        };
+        writer.sum(coefficient)
     }
 
     /// Binds the inverses that several quotients share.

@@ -8,14 +8,6 @@ use super::local;
 use crate::gap::coefficient::{Atom, Coefficient, Product, is_divisor};
 use crate::number::{self, Rational};
 
-impl Coefficient {
-    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators. Each
-    /// product has at most one division.
-    pub(crate) fn expression(&self, writer: &Writer<'_>) -> TokenStream {
-        writer.sum(self)
-    }
-}
-
 /// How parts of an expression are written.
 pub(crate) struct Writer<'a> {
     pub(crate) variable: fn(&Ident) -> Ident,
@@ -32,7 +24,9 @@ pub(crate) struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn sum(&self, coefficient: &Coefficient) -> TokenStream {
+    /// An expression over the variables of the fields, of a type that is `Copy` and has the arithmetic operators. Each
+    /// product has at most one division.
+    pub(crate) fn sum(&self, coefficient: &Coefficient) -> TokenStream {
         let sum = self.unfactored(coefficient);
         match (self.finite_or, coefficient.factored()) {
             (Some(finite_or), Some(factored)) => {
@@ -172,7 +166,7 @@ mod tests {
         let variable = Ident::clone;
         let writer =
             Writer { variable, inverse, scaled: &|_, _| None, finite_or, number: &number, power: &power };
-        of.expression(&writer).to_string()
+        writer.sum(of).to_string()
     }
 
     #[test]
