@@ -171,8 +171,7 @@ impl Entry {
         let is_exponent = before.last().is_some_and(|token| is_punct(token, '^'));
         let written = digits.to_string();
         let digits = literal::without_points(&written).unwrap_or(written);
-        let is_whole = digits.chars().all(|digit| digit.is_ascii_digit());
-        is_whole.then(|| LastDigits {
+        literal::is_whole(&digits).then(|| LastDigits {
             digits,
             is_exponent,
             option: self.assignment().map(|option| option.name),

@@ -134,6 +134,11 @@ impl<'a> Parts<'a> {
     }
 }
 
+/// Whether there are only digits, if anything.
+pub(super) fn is_whole(text: &str) -> bool {
+    text.chars().all(|digit| digit.is_ascii_digit())
+}
+
 fn begins_with_digit(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit())
 }

@@ -20,7 +20,7 @@ pub(crate) fn known_number(name: &Ident) -> Option<&'static str> {
 /// What `r2` is meant as, unless it is a field; `r1` is more likely the first of two radii.
 pub(super) fn power_of_r(name: &str) -> Option<String> {
     let exponent = name.strip_prefix('r').filter(|exponent| !["", "0", "1"].contains(exponent))?;
-    exponent.chars().all(|digit| digit.is_ascii_digit()).then(|| format!("r^{exponent}"))
+    literal::is_whole(exponent).then(|| format!("r^{exponent}"))
 }
 
 /// The known name that differs from this one by the fewest letters, and by at most a third of its own.

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Ident, Literal, Spacing, TokenTree};
 
 use crate::diagnostics::Extent;
 use crate::number::{Rational, decimal, integer};
-use crate::reading::literal::{is_times_ten, number, with_name};
+use crate::reading::literal::{is_times_ten, is_whole, number, with_name};
 use crate::reading::parse::Parser;
 use crate::reading::syntax::{Expression, Kind};
 use crate::reading::{is_punct, is_sign};
@@ -267,10 +267,6 @@ impl Parser<'_> {
 /// Whether a name is written like that of a field, not like that of a type.
 fn is_lower_case(name: &Ident) -> bool {
     !name.to_string().contains(char::is_uppercase)
-}
-
-fn is_whole(digits: &str) -> bool {
-    digits.chars().all(|digit| digit.is_ascii_digit())
 }
 
 pub(super) fn is_times(name: &Ident) -> bool {

@@ -84,7 +84,7 @@ impl<'a> Value<'a> {
         let text = tokens.iter().cloned().collect::<TokenStream>().to_string();
         let text = text.strip_prefix("- ").map_or(text.clone(), |size| format!("-{size}"));
         let size = text.strip_prefix('-');
-        let is_whole = size.unwrap_or(&text).chars().all(|digit| digit.is_ascii_digit());
+        let is_whole = literal::is_whole(size.unwrap_or(&text));
         let follows_comma = follows_comma && name.is_none();
         Value { name, tokens, is_whole, is_signed: size.is_some(), text, follows_comma }
     }
