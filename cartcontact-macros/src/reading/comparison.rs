@@ -92,8 +92,8 @@ impl<'a> Compared<'a> {
     }
 }
 
-/// The tokens without the second sign of `<=`, `>=` or `..=`.
-fn without_equals(tokens: &[TokenTree]) -> &[TokenTree] {
+/// The tokens without the second sign of `<=`, `>=`, `..=` or `==`.
+pub(super) fn without_equals(tokens: &[TokenTree]) -> &[TokenTree] {
     match tokens {
         [equals, rest @ ..] if is_punct(equals, '=') => rest,
         _ => tokens,

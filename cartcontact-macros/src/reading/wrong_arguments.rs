@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use crate::reading::call::arguments;
+use crate::reading::comparison::without_equals;
 use crate::reading::parse::Parser;
 use crate::reading::{is_punct, is_sign, literal};
 
@@ -69,15 +70,10 @@ fn values(tokens: &[TokenTree]) -> Vec<Value<'_>> {
 impl<'a> Value<'a> {
     fn new(argument: &'a [TokenTree], follows_comma: bool) -> Self {
         let (name, tokens) = match argument {
-            [TokenTree::Ident(name), equals, again, value @ ..]
-                if is_punct(equals, '=') && is_punct(again, '=') =>
-            {
-                (Some(name), value)
-            }
             [TokenTree::Ident(name), equals, value @ ..]
                 if is_punct(equals, '=') || is_punct(equals, ':') =>
             {
-                (Some(name), value)
+                (Some(name), without_equals(value))
             }
             value => (None, value),
         };
