@@ -14,6 +14,7 @@ use crate::reading::slips::is_case;
 use crate::reading::syntax::{Expression, Factor, Kind, Summand};
 
 pub(super) const NO_CONSTANTS: &str = "constants of a program are not known here";
+pub(super) const NO_OPERATOR: &str = "an operator is missing here; for a product write `*`, as in `2 * r`";
 /// Every level takes a few hundred bytes of the compiler's stack, of which a thread of an editor may have little.
 const MAXIMUM_DEPTH: usize = 64;
 
@@ -270,8 +271,7 @@ impl<'a> Parser<'a> {
             _ if self.reads_times() => {}
             _ => {
                 let place = Extent::between(self.previous, next.span().into());
-                let message = "an operator is missing here; for a product write `*`, as in `2 * r`";
-                self.diagnostics.report(place, message);
+                self.diagnostics.report(place, NO_OPERATOR);
             }
         }
         Some(false)

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Ident, Literal, Spacing, TokenTree};
 use crate::diagnostics::Extent;
 use crate::number::{Rational, decimal, integer};
 use crate::reading::literal::{is_times_ten, is_whole, number, with_name};
-use crate::reading::parse::Parser;
+use crate::reading::parse::{NO_OPERATOR, Parser};
 use crate::reading::syntax::{Expression, Kind};
 use crate::reading::{is_punct, is_sign};
 
@@ -47,7 +47,7 @@ impl Parser<'_> {
         let message = if are_thousands {
             format!("a number is written without spaces; write `{digits}`")
         } else {
-            "an operator is missing here; for a product write `*`, as in `2 * r`".to_owned()
+            NO_OPERATOR.to_owned()
         };
         self.fault(Extent::between(start, self.previous), message)
     }
