@@ -102,32 +102,34 @@ impl<'a> Parser<'a> {
             let place = self.previous;
             return self.fault(place, "something is missing here; a number, `r`, a field or `(` must follow");
         };
-        if let TokenTree::Punct(point) = token {
-            match rest.first() {
-                Some(TokenTree::Literal(digits))
-                    if point.as_char() == '.' && literal::may_follow_point(&digits.to_string()) =>
-                {
-                    let place = Extent::between(point.span().into(), digits.span().into());
-                    let digits = digits.to_string();
-                    let meant = literal::with_name(&digits).map_or(digits.clone(), |(digits, name)| {
-                        format!("{digits} * {}", literal::factor(name))
-                    });
-                    let message = format!("a decimal begins with a digit; write `0.{meant}`");
-                    self.diagnostics.report(place, message);
-                }
-                _ => self.stray(token),
-            }
-            self.skip_term();
-            return Expression { kind: Kind::Faulty, extent: token.span().into() };
+        if !matches!(token, TokenTree::Punct(_)) {
+            self.take_token();
         }
-        self.rest = rest;
-        self.previous = token.span().into();
         match token {
             TokenTree::Literal(literal) => self.literal(literal),
             TokenTree::Ident(name) => self.name(name),
             TokenTree::Group(group) => self.group(group),
-            TokenTree::Punct(_) => Expression { kind: Kind::Faulty, extent: self.previous },
+            TokenTree::Punct(_) => {
+                self.no_operand(token, rest);
+                self.skip_term();
+                Expression { kind: Kind::Faulty, extent: token.span().into() }
+            }
         }
+    }
+
+    /// Reports a sign in place of an operand; it may be the point of a decimal.
+    fn no_operand(&mut self, sign: &TokenTree, behind: &[TokenTree]) {
+        let [TokenTree::Literal(literal), ..] = behind else { return self.stray(sign) };
+        let digits = literal.to_string();
+        if !is_punct(sign, '.') || !literal::may_follow_point(&digits) {
+            return self.stray(sign);
+        }
+        let meant = match literal::with_name(&digits) {
+            Some((digits, name)) => format!("{digits} * {}", literal::factor(name)),
+            None => digits,
+        };
+        let place = Extent::between(sign.span().into(), literal.span().into());
+        self.diagnostics.report(place, format!("a decimal begins with a digit; write `0.{meant}`"));
     }
 
     fn literal(&mut self, literal: &Literal) -> Expression {
