@@ -209,10 +209,12 @@ impl<'a> Coefficients<'a> {
     /// The coefficients whose sign depends on the values of the fields; none if a constant is negative.
     pub(super) fn of_uncertain_sign(&self) -> Option<Vec<TokenStream>> {
         let terms = &self.geometry.gap.terms;
-        let constants = || terms.iter().filter_map(|term| term.coefficient.as_constant());
+        let mut constants = terms.iter().filter_map(|term| term.coefficient.as_constant());
+        if constants.any(|value| value.is_negative()) {
+            return None;
+        }
         let uncertain = self.symbolic().filter(|(_, value)| value.certain_sign() != Some(Sign::NotNegative));
-        (!constants().any(|value| value.is_negative()))
-            .then(|| uncertain.map(|(index, _)| variable(index).into_token_stream()).collect())
+        Some(uncertain.map(|(index, _)| variable(index).into_token_stream()).collect())
     }
 
     /// An array of the coefficients that are not constants, and their number.

@@ -89,11 +89,9 @@ impl FirstRoot {
     /// Whether the root to the power `denominator` equals `power`.
     fn satisfies(&self, power: &Rational, denominator: u32) -> bool {
         let RootPlace::Between { lower, upper, exponent } = &self.place else { return false };
-        let mut coefficients = vec![BigInt::zero(); denominator as usize];
-        coefficients.push(power.denom().clone());
-        if let Some(constant) = coefficients.first_mut() {
-            *constant = -power.numer();
-        }
+        let mut coefficients = vec![BigInt::zero(); denominator as usize + 1];
+        coefficients[0] = -power.numer();
+        coefficients[denominator as usize] = power.denom().clone();
         let shared = common_divisor(&self.polynomial, &IntegerPolynomial::new(coefficients));
         shared.degree() > 0 && shared.sign_at(lower, *exponent) != shared.sign_at(upper, *exponent)
     }

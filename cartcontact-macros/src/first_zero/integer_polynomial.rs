@@ -94,7 +94,7 @@ impl IntegerPolynomial {
             .filter(|coefficient| !coefficient.is_zero())
             .map(Signed::is_negative)
             .collect();
-        signs.windows(2).filter(|pair| pair.first() != pair.last()).count()
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
     }
 
     /// x^n p(1/x), for a p that is not zero at 0.
@@ -151,11 +151,8 @@ pub(crate) fn from_terms(terms: &[(usize, &Rational)]) -> IntegerPolynomial {
     let degree = terms.iter().map(|(power, _)| *power).max().unwrap_or(0);
     let mut coefficients = vec![BigInt::zero(); degree + 1];
     for &(power, coefficient) in terms {
-        if let Some(slot) = coefficients.get_mut(power) {
-            let numerator = quotient(coefficient.numer(), &content);
-            let denominator = quotient(&denominator, coefficient.denom());
-            *slot = numerator * denominator;
-        }
+        coefficients[power] =
+            quotient(coefficient.numer(), &content) * quotient(&denominator, coefficient.denom());
     }
     IntegerPolynomial::new(coefficients)
 }

@@ -191,7 +191,7 @@ impl Steps {
         let curvature = (second - 2.0 * self.unit - power).max(0.0);
         let powers = [self.largest_coefficient, self.highest_formed * a, y, y - power];
         let products = [slope, log_slope, log_slope + slope, step, step + y, curvature, curvature + y];
-        powers.into_iter().chain(products).fold(0.0, largest_size)
+        powers.into_iter().chain(products).map(f64::abs).fold(0.0, f64::max)
     }
 
     /// The cubic for the row between two radii, if it passes the check.
@@ -217,10 +217,6 @@ impl Steps {
         let is_single = largest < LARGEST_SINGLE && unit.log2().abs() <= self.largest_single;
         (is_near && largest < LARGEST_DOUBLE).then_some((row, is_single))
     }
-}
-
-fn largest_size(largest: f64, size: f64) -> f64 {
-    largest.max(size.abs())
 }
 
 /// The cubic as the solver evaluates it at y, whose fraction is cut off after 23 bits.
