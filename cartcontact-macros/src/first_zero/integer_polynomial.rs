@@ -103,10 +103,11 @@ impl IntegerPolynomial {
         self
     }
 
-    /// The exponent of a power of two above every positive root, for a positive leading coefficient.
+    /// The exponent of a power of two above every positive root.
     ///
-    /// With B = 2 max (|c_i|/c_n)^(1/(n-i)) over the negative c_i, x >= B gives |c_i| x^i <= c_n x^n 2^(i-n), and the
-    /// sum of these stays below c_n x^n (J. B. Kioustelidis, J. Comput. Appl. Math. 16 (1986) 241-244).
+    /// With B = 2 max |c_i/c_n|^(1/(n-i)) over the c_i of the other sign than c_n, x >= B gives |c_i| x^i <= |c_n| x^n
+    /// 2^(i-n), and the sum of these stays below |c_n| x^n (J. B. Kioustelidis, J. Comput. Appl. Math. 16 (1986)
+    /// 241-244).
     pub(crate) fn root_bound(&self) -> i64 {
         let negative = self.leading().is_negative();
         let leading = self.leading().bits() as i64;

@@ -3,9 +3,9 @@
 //! | what | modules |
 //! |---|---|
 //! | the attribute | `attribute`, `entry` by entry: options, `bodies`, `positive` |
-//! | an expression | `parse` by the grammar in `syntax`; `literal`, `call`, `divisor` |
+//! | an expression | `parse` by the grammar in `syntax`; `literal`, `call` |
 //! | the annotated struct | `item`: `declaration`, `field`, `generics`, `name` |
-//! | what was meant by what is wrong | `slips`, `comparison`, `similar`, `unit`, `unknown`, `wrong_arguments` |
+//! | what was meant by what is wrong | `slips`, `divisor`, `comparison`, `similar`, `unit`, `unknown`, `wrong_arguments` |
 
 pub(crate) mod attribute;
 mod bodies;
