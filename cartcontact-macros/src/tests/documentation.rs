@@ -35,3 +35,24 @@ fn signs_and_fractions_are_those_of_the_formula() {
     let text = documented("a * r - x * r^4 + 1/1296 * K^4 * r^18");
     assert!(text.contains("Φ(r)   = a r − x r⁴ + ((1/1296)·K^4) r¹⁸"), "{text}");
 }
+
+#[test]
+fn documentation_is_in_the_language() {
+    for (text, line) in [
+        ("r^(7/3) - 1e-7*r^12, max_radius = 1/3", "Φ(r)   = r^(7/3) − 1e-7 r¹²"),
+        ("r^2.5 + radius^(1/3) * r^(8/3)", "Φ(r)   = r^2.5 + (radius^(1/3)) r^(8/3)"),
+        (
+            "sphere(radius), order = 4, max_radius = 6, positive",
+            "up to 6 mm, if the series of all surfaces go",
+        ),
+        ("sphere(radius), order = 4, max_radius = radius/2, positive", "used up to `radius/2` mm."),
+    ] {
+        let item = quote!(
+            struct Ball {
+                radius: f64,
+            }
+        );
+        let expansion = expand(text.parse().unwrap(), item).to_string();
+        assert!(expansion.contains(line), "{text}: {expansion}");
+    }
+}

@@ -111,27 +111,6 @@ fn fields_are_symbols() {
     );
 }
 
-#[test]
-fn documentation_is_in_the_language() {
-    for (text, line) in [
-        ("r^(7/3) - 1e-7*r^12, max_radius = 1/3", "Φ(r)   = r^(7/3) − 1e-7 r¹²"),
-        ("r^2.5 + radius^(1/3) * r^(8/3)", "Φ(r)   = r^2.5 + (radius^(1/3)) r^(8/3)"),
-        (
-            "sphere(radius), order = 4, max_radius = 6, positive",
-            "up to 6 mm, if the series of all surfaces go",
-        ),
-        ("sphere(radius), order = 4, max_radius = radius/2, positive", "used up to `radius/2` mm."),
-    ] {
-        let item = quote!(
-            struct Ball {
-                radius: f64,
-            }
-        );
-        let expansion = crate::expand(text.parse().unwrap(), item).to_string();
-        assert!(expansion.contains(line), "{text}: {expansion}");
-    }
-}
-
 /// 0.9338592 and 0.1 are larger in single precision, 0.7 is not; for `r^2` every range is proved.
 #[test]
 fn ends_of_proofs_are_rounded_down_where_a_format_may_round_them_up() {
