@@ -204,8 +204,9 @@ impl Attribute {
         if let Some(number) = number {
             number.kind = Kind::Faulty;
         }
-        let meant = literal::across_comma(&whole, &decimals).join("` or `");
-        Some(format!("a decimal is written with a point, not a comma; write `{meant}`"))
+        let meant = literal::across_comma(&whole, &decimals);
+        let meant: Vec<String> = meant.iter().map(|text| literal::as_product(text)).collect();
+        Some(format!("a decimal is written with a point, not a comma; write `{}`", meant.join("` or `")))
     }
 
     /// What to say about a gap with a name: `gap(r) = r^2`, `gap: r^2`, `r => r^2`, `r -> r^2`, `|r| r^2`.

@@ -76,6 +76,11 @@ pub(super) fn with_name(text: &str) -> Option<(&str, &str)> {
         .then(|| (without_suffix(text, suffix), suffix))
 }
 
+/// The product that a literal such as `2R` may be meant as, or the literal itself.
+pub(super) fn as_product(text: &str) -> String {
+    with_name(text).map_or_else(|| text.to_owned(), |(number, name)| format!("{number} * {}", factor(name)))
+}
+
 /// What a name right after a number stands for: that of `1.5x10` is the 10 of a power of ten.
 pub(super) fn factor(name: &str) -> String {
     if is_times_ten(name) { "10".to_owned() } else { with_stars(name) }

@@ -124,12 +124,9 @@ impl<'a> Parser<'a> {
         if !is_punct(sign, '.') || !literal::may_follow_point(&digits) {
             return self.stray(sign);
         }
-        let meant = match literal::with_name(&digits) {
-            Some((digits, name)) => format!("{digits} * {}", literal::factor(name)),
-            None => digits,
-        };
+        let meant = literal::as_product(&format!("0.{digits}"));
         let place = Extent::between(sign.span().into(), literal.span().into());
-        self.diagnostics.report(place, format!("a decimal begins with a digit; write `0.{meant}`"));
+        self.diagnostics.report(place, format!("a decimal begins with a digit; write `{meant}`"));
     }
 
     fn literal(&mut self, literal: &Literal) -> Expression {

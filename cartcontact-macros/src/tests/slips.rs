@@ -9,6 +9,7 @@ fn likely_slips_are_understood() {
         ("0,025*r^2", "write `0.025`"),
         ("r^2,5", "write `2.5`"),
         ("r^2,5 + r^4", "write `2.5`"),
+        ("0,025r^2", "write `0.025 * r`"),
         ("gap = r^2", "remove `gap =`"),
         ("0.025mm*r^2", "numbers have no units"),
         ("pi*r^2", "`3.141592653589793`"),
