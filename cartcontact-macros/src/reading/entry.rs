@@ -118,7 +118,10 @@ impl Entry {
             ] => OPTIONS.into_iter().find(|option| name == option).map(|option| (option, value)),
             _ => None,
         });
-        if let Some((option, value)) = without_equals {
+        if let Some((option, value)) = without_equals
+            && literal::number(&value.to_string()).is_ok()
+            && option != "positive"
+        {
             return Some(format!("a comma is missing before `{option}`; write `, {option} = {value}`"));
         }
         let assigned = self.tokens.windows(2).skip(1).find_map(|pair| match pair {
@@ -130,6 +133,7 @@ impl Entry {
             }
             _ => None,
         });
+        let assigned = assigned.or(without_equals.map(|(option, _)| option));
         let option = assigned.or_else(|| match self.tokens.as_slice() {
             [
                 ..,

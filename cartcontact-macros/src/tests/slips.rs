@@ -17,6 +17,7 @@ fn likely_slips_are_understood() {
         ("r^2, max_radius: 6", "write it as in `max_radius = 6.0`"),
         ("r^2 max_radius: 6", "a comma is missing before `max_radius`"),
         ("r^2 max_radius 6", "a comma is missing before `max_radius`; write `, max_radius = 6`"),
+        ("radius * r^2 positive 3", "a comma is missing before `positive`; all parts"),
         ("sphere(10), max_radius = 6 order 4", "write `, order = 4`"),
         ("r^2, max_radius 6", "write it as in `max_radius = 6.0`"),
         ("r^2, max_radius < 6", "write it as in `max_radius = 6.0`"),
