@@ -9,7 +9,15 @@ pub(crate) fn common_factor(left: &BigInt, right: &BigInt) -> BigInt {
     if left.magnitude().is_one() || right.magnitude().is_one() {
         return BigInt::one();
     }
-    let (mut left, mut right) = (left.abs(), right.abs());
+    // Numbers that were rounded may have many more zeros than other digits.
+    let (Some(left_zeros), Some(right_zeros)) = (left.trailing_zeros(), right.trailing_zeros()) else {
+        return (left + right).abs();
+    };
+    odd_common_factor(left.abs() >> left_zeros, right.abs() >> right_zeros) << left_zeros.min(right_zeros)
+}
+
+/// The greatest common divisor of two positive odd numbers.
+fn odd_common_factor(mut left: BigInt, mut right: BigInt) -> BigInt {
     if left < right {
         core::mem::swap(&mut left, &mut right);
     }
@@ -68,6 +76,7 @@ mod tests {
         assert_eq!(common_factor(&BigInt::zero(), &-&a), a);
         assert_eq!(common_factor(&a, &BigInt::zero()), a);
         assert_eq!(common_factor(&(&a * 12_u32), &18.into()), 6.into());
+        assert_eq!(common_factor(&(&a << 300), &((&a * &b) << 70)), &a << 70);
         let mut fibonacci = [BigInt::one(), BigInt::one()];
         for _ in 0..400 {
             let [older, newer] = &fibonacci;
