@@ -232,8 +232,8 @@ impl Neglected {
     fn estimate(&self, order: u32) -> f64 {
         let (first, last) = ((order / 2) as usize, (order / 2 + TERMS_AHEAD) as usize);
         let scale = self.sums.get(last).map_or_else(Rational::zero, |next| next.scale.clone());
-        let at_scale = |value: Rational| (value * &scale).to_f64().unwrap_or(f64::NAN);
-        let rests = self.rest(last).map(|rest| [at_scale(rest.at_centre), at_scale(rest.rise)]);
+        let rests =
+            self.rest(last).map(|rest| [rest.at_centre, rest.rise].map(|part| product(&part, &scale)));
         let ratio = |sample: u32| {
             let x = f64::from(sample) / f64::from(SAMPLES);
             let mut gap: f64 = self.others_at_end.iter().map(|(n, term)| term * x.powf(*n)).sum();
@@ -276,15 +276,20 @@ impl Sum {
         let (below, above) = (floor(&sum, DIGITS), ceil(&sum, DIGITS));
         let with_own = own.as_ref().map_or_else(|| below.clone(), |own| floor(&(own + sum), DIGITS));
         let own = own.unwrap_or_else(Rational::zero);
-        let at_end = |value: &Rational| (value * scale).to_f64().unwrap_or(f64::NAN);
         let at_end = AtEnd {
-            below: at_end(&below),
-            above: at_end(&above),
-            own: at_end(&own),
-            with_own: at_end(&with_own),
+            below: product(&below, scale),
+            above: product(&above, scale),
+            own: product(&own, scale),
+            with_own: product(&with_own, scale),
         };
         Sum { below, above, own, with_own, scale: scale.clone(), at_end }
     }
+}
+
+/// Without reducing, as numbers beside lengths such as 1e-300 have thousands of digits.
+fn product(value: &Rational, scale: &Rational) -> f64 {
+    let product = Rational::new_raw(value.numer() * scale.numer(), value.denom() * scale.denom());
+    product.to_f64().unwrap_or(f64::NAN)
 }
 
 /// Without reducing by greatest common divisors, which take most of the time of such a sum.
