@@ -4,6 +4,9 @@ use crate::measure::Exact;
 use crate::oracle::decimal;
 use crate::profiles::{Case, case};
 
+/// How much smaller the radius of one layer on a rigid body is than in the model, in thicknesses, see `thin_layers`.
+pub const SHIFT_OF_EDGE: f64 = 1.46;
+
 /// The results of `kernels.csv` for one contact radius `a` and one distance `r` from the axis.
 #[derive(Clone, Copy, Debug)]
 pub struct KernelRow {

@@ -8,7 +8,7 @@ use tests::kernel::{self, Kernel};
 use tests::loads::through;
 use tests::measure::Errors;
 use tests::profiles::{Case, cases};
-use tests::reference::{self, ContactRow};
+use tests::reference::{self, ContactRow, SHIFT_OF_EDGE};
 
 /// The form of a geometry that is compared.
 type Form = fn(Case, &mut dyn FnMut(&dyn GapProfile<f64>));
@@ -97,9 +97,6 @@ fn solved(profile: &dyn GapProfile<f64>, row: &ContactRow) -> (f64, f64, f64, f6
 /// The gap of the finite-element run.
 #[gap_profile(r^2 + 0.01 * r^4)]
 struct FiniteElement;
-
-/// How much smaller the radius of one layer is than in the model, in thicknesses, see `thin_layers`.
-const SHIFT_OF_EDGE: f64 = 1.46;
 
 /// While the load is held, the model follows the full poroelastic solution as far as a thin-layer model can: approach
 /// and peak pressure relative to their first values within 1.1 % and 1.6 %, and the radius less the shift of the edge
