@@ -6,9 +6,7 @@ use tests::measure::{Errors, Exact};
 use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
-use super::checks::{
-    assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
-};
+use super::checks::{assert_same_in_other_units, assert_slices_are_right};
 
 macro_rules! powers {
     ($($name:ident $constant:ident: $decimal:literal, $gap:expr, $constant_gap:expr;)*) => {
@@ -126,12 +124,8 @@ fn slices_have_the_same_radii() {
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
         load_integrals[72] = f64::MAX;
-        for profile in [&*profile, kind.constant.0] {
-            assert_same_one_by_one(profile, &load_integrals, &kind.decimal);
-            assert_one_fault_is_named(profile, &load_integrals, &kind.decimal);
-        }
-        for profile in [&*single, kind.constant.1] {
-            assert_same_in_single(profile, &load_integrals, &kind.decimal);
+        for profiles in [(&*profile, &*single), kind.constant] {
+            assert_slices_are_right(profiles, &load_integrals, &kind.decimal);
         }
     }
 }

@@ -34,13 +34,16 @@ pub(super) fn assert_same_one_by_one<T: Scalar>(
     }
 }
 
-/// [`assert_same_one_by_one`] in single precision, of the load integrals that have a radius there.
-pub(super) fn assert_same_in_single(
-    profile: &dyn GapProfile<f32>,
+/// Asserts that slices have the radii that their load integrals have one by one, in both formats, and are refused for
+/// one fault.
+pub(super) fn assert_slices_are_right(
+    (profile, single): (&dyn GapProfile<f64>, &dyn GapProfile<f32>),
     load_integrals: &[f64],
     place: &dyn Debug,
 ) {
-    assert_same_one_by_one(profile, &in_single(profile, load_integrals), place);
+    assert_same_one_by_one(profile, load_integrals, place);
+    assert_same_one_by_one(single, &in_single(single, load_integrals), place);
+    assert_one_fault_is_named(profile, load_integrals, place);
 }
 
 /// The load integrals in single precision that have a radius there.
@@ -50,11 +53,7 @@ pub(super) fn in_single(profile: &dyn GapProfile<f32>, load_integrals: &[f64]) -
 }
 
 /// Asserts that a slice is refused for the one load integral in it that is negative or infinite, and with its value.
-pub(super) fn assert_one_fault_is_named(
-    profile: &dyn GapProfile<f64>,
-    load_integrals: &[f64],
-    place: &dyn Debug,
-) {
+fn assert_one_fault_is_named(profile: &dyn GapProfile<f64>, load_integrals: &[f64], place: &dyn Debug) {
     for bad in [-1.0, f64::INFINITY] {
         let mut load_integrals = load_integrals.to_vec();
         let middle = load_integrals.len() / 2;
@@ -123,12 +122,11 @@ pub(super) fn assert_exact(kinds: &[Kind], condition: impl Fn(&Kind, f64) -> f64
     errors_of_single.check();
 }
 
-/// Asserts that slices of random load integrals have the radii that these have one by one.
-pub(super) fn assert_slices_are_the_same(kinds: &[Kind]) {
+/// [`assert_slices_are_right`] for random load integrals.
+pub(super) fn assert_random_slices_are_right(kinds: &[Kind]) {
     for (index, kind) in (0..).zip(kinds) {
         let mut stream = Stream::of_case(2, index);
         let load_integrals: Vec<f64> = (0..500).map(|_| kind.load_integral(&mut stream)).collect();
-        assert_same_one_by_one(kind.double, &load_integrals, &kind.terms);
-        assert_same_in_single(kind.single, &load_integrals, &kind.terms);
+        assert_slices_are_right((kind.double, kind.single), &load_integrals, &kind.terms);
     }
 }

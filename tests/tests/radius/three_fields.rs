@@ -10,8 +10,7 @@ use tests::oracle::{Profile, double};
 use tests::random::Stream;
 
 use super::checks::{
-    assert_one_fault_is_named, assert_same_in_other_units, assert_same_in_single, assert_same_one_by_one,
-    exact_radius,
+    assert_same_in_other_units, assert_same_one_by_one, assert_slices_are_right, exact_radius,
 };
 
 #[gap_profile(b * r^2 + c * r^3 + d * r^4)]
@@ -265,9 +264,7 @@ fn slices_have_the_same_radii() {
         // Load integrals to which the leading term does not lead.
         load_integrals[70] = 0.0;
         load_integrals[71] = f64::MIN_POSITIVE / 4.0;
-        assert_same_one_by_one(&*profile, &load_integrals, &kind.exponents);
-        assert_same_in_single(&*single, &load_integrals, &kind.exponents);
-        assert_one_fault_is_named(&*profile, &load_integrals, &kind.exponents);
+        assert_slices_are_right((&*profile, &*single), &load_integrals, &kind.exponents);
     }
 }
 
