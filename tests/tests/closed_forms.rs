@@ -159,13 +159,17 @@ fn a_paraboloid_creeps_as_tabulated() -> Result<(), ContactError> {
     let contact = problem.contact(Paraboloid)?;
     let first = contact.at(0.0)?;
     let a = first.radius();
-    assert!((first.peak_pressure() / (3.0 * problem.force / (PI * a * a)) - 1.0).abs() < 1e-14);
+    // The square of the radius is off by twice as much as the radius.
+    let allowed = (budget::PEAK_PRESSURE.double + 2.0 * budget::CONTACT_RADIUS.double) * f64::EPSILON;
+    assert!((first.peak_pressure() / (3.0 * problem.force / (PI * a * a)) - 1.0).abs() <= allowed);
+    // Half a unit of the last digit, and a hundredth for all other roundings.
+    let [last_of_radius, last_of_pressure] = [0.51e-11, 0.51e-12];
     for (x, radius, pressures) in rows {
         let now = contact.at(x / problem.chi)?;
-        assert!((now.radius() / a - radius).abs() < 1e-11, "χ t = {x}");
+        assert!((now.radius() / a - radius).abs() < last_of_radius, "χ t = {x}");
         for (q, expected) in [0.0, 0.5, 0.9, 1.05].into_iter().zip(pressures) {
             let found = now.pressure(q * a) / first.peak_pressure();
-            assert!((found - expected).abs() < 1e-12, "χ t = {x}, r = {q} a₀: {found} {expected}");
+            assert!((found - expected).abs() < last_of_pressure, "χ t = {x}, r = {q} a₀: {found} {expected}");
         }
     }
     Ok(())

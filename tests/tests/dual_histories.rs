@@ -3,6 +3,7 @@
 use cartcontact::load::{Constant, Load};
 use cartcontact::{ContactError, GapProfile, Polynomial, Scalar};
 use num_dual::{Dual2_64, Dual32, Dual64};
+use tests::budget;
 use tests::differences::{curvature, slope};
 use tests::joint::{joint, pressures_each_way};
 use tests::loads::{Announced, Knots, through};
@@ -160,8 +161,11 @@ fn slopes_without_drainage_are_those_of_the_closed_form() -> Result<(), Failure>
     let a = contact.at(Dual64::from(200.0))?.radius().re;
     for found in pressures(gap, 0.0, load, 200.0)?.chunks(RADII.len()) {
         for (found, r) in found.iter().zip(RADII) {
-            let expected = 0.375 * 0.025 / 4.0 * (a * a - r * r) * a * a / 600.0;
-            assert!((found.eps - expected).abs() <= 1e-14 * a, "{r}: {found} instead of {expected}");
+            let slope = |r: f64| 0.375 * 0.025 / 4.0 * (a * a - r * r) * a * a / 600.0;
+            let expected = slope(r);
+            // The rounding of a⁴ counts with the slope on the axis; the worst is 2 ε.
+            let allowed = budget::PRESSURE.double * f64::EPSILON * slope(0.0);
+            assert!((found.eps - expected).abs() <= allowed, "{r}: {found} instead of {expected}");
         }
     }
     Ok(())
@@ -219,7 +223,8 @@ fn slopes_are_continuous_where_the_edge_was() -> Result<(), Failure> {
         let [.., there, beside] = rows;
         for (there, beside) in [(there, beside), (now.pressure(radii[0]), now.pressure(radii[1]))] {
             let error = relative_error(there.eps, beside.eps, f64::EPSILON);
-            assert!(error <= 1000.0, "{there} and {beside} differ by {error:.2} ε from {first} on");
+            // Where the edge was is near the edge, which magnifies the rounding of radii; the worst is 22 ε.
+            assert!(error <= 90.0, "{there} and {beside} differ by {error:.2} ε from {first} on");
         }
     }
     Ok(())

@@ -14,7 +14,8 @@ fn powers_need_not_be_in_range() -> Result<(), Box<dyn core::error::Error>> {
     let expected = (1e20_f64.ln() + 300.0 * core::f64::consts::LN_10
         - (core::f64::consts::FRAC_PI_4 * 64.0 / (66.0 * 68.0)).ln())
         / 68.0;
-    assert!((a.ln() / expected - 1.0).abs() < 1e-15, "{a:e}");
+    // Both logarithms are rounded, of which that of the radius, near 11, hardly depends on the rounding of the radius.
+    assert!((a.ln() / expected - 1.0).abs() <= 2.0 * f64::EPSILON, "{a:e}");
     assert!(a.powi(68).is_infinite(), "{a:e}");
     let single = Contact::new(
         Polynomial::new([(1e-33_f32, 64.0)])?,

@@ -66,8 +66,9 @@ fn equal_layers_have_the_rate_of_one() -> Result<(), MediumError> {
 fn layers_of_any_size_make_a_medium() -> Result<(), MediumError> {
     let layer = Layer { thickness: 1e-100_f64, shear_modulus: 1e-10, permeability: 1e-230 };
     for (medium, share) in [(Medium::against_rigid(layer)?, 1.0), (Medium::between(layer, layer)?, 0.5)] {
-        assert!((medium.m() / (3e290 * share) - 1.0).abs() < 1e-14, "{medium:?}");
-        assert!((medium.chi() / 3e-40 - 1.0).abs() < 1e-14, "{medium:?}");
+        // As documented.
+        assert!((medium.m() / (3e290 * share) - 1.0).abs() <= 3.0 * f64::EPSILON, "{medium:?}");
+        assert!((medium.chi() / 3e-40 - 1.0).abs() <= 5.0 * f64::EPSILON, "{medium:?}");
     }
     Ok(())
 }
