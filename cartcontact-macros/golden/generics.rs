@@ -51,7 +51,7 @@ const _: () = {
             __field_c,
             __cartcontact::real_power(
                 __field_c,
-                <S as __cartcontact::Scalar>::constant(-0.5f64),
+                __cartcontact::Exponent::in_parts(-1, 0.5, 0.0),
             ),
         ]
     }
@@ -648,7 +648,7 @@ const _: () = {
                         (__c1, <S as __cartcontact::Scalar>::constant(2.5f64)),
                         || __cartcontact::real_power(
                             __field_c,
-                            <S as __cartcontact::Scalar>::constant(-0.5f64),
+                            __cartcontact::Exponent::in_parts(-1, 0.5, 0.0),
                         ),
                         [],
                         [__field_c],

@@ -92,16 +92,13 @@ impl<'a> Coefficients<'a> {
 
     /// A power whose exponent is not an integer.
     fn power(&self, base: &TokenStream, exponent_of_base: &Rational) -> TokenStream {
+        let exponent = exponent(exponent_of_base, self.names);
         match self.digits {
             Digits::OfAWord => {
-                let (power, number) =
-                    (self.names.generated("real_power"), self.names.number(exponent_of_base));
-                quote!(#power(#base, #number))
+                let power = self.names.generated("real_power");
+                quote!(#power(#base, #exponent))
             }
-            Digits::OfTwo => {
-                let exponent = exponent(exponent_of_base, self.names);
-                quote!(#base.power(#exponent))
-            }
+            Digits::OfTwo => quote!(#base.power(#exponent)),
         }
     }
 

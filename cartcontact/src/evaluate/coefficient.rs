@@ -100,7 +100,7 @@ impl<T: Scalar, const FUSED: bool> Precise<T, FUSED> {
         let (high, n) = (self.0.high(), exponent.value());
         let power = double_term(DoubleWord::of(T::one()), high, exponent);
         let lacking = power.high() * (n * (self.0.low() / high));
-        Self::checked(power.plus_word(lacking), real_power(high, n))
+        Self::checked(power.plus_word(lacking), real_power(high, exponent))
     }
 
     /// The product with a power of two, which rounds nothing.

@@ -33,10 +33,13 @@ pub fn power_of_half_digits<T: Scalar>(x: T, k: u32) -> (T, T) {
     (slope * fourth, -(T::constant(f64::from(k / 4)) * slope * lost))
 }
 
-/// x^n for a parameter x of the geometry.
+/// x^n for a parameter x of the geometry, to first order in what a word of n lacks: that puts b^5.8 off by 22 ε in single
+/// precision where b is 1e6, and all radii of a geometry alike.
 #[inline]
-pub fn real_power<T: Scalar>(x: T, n: T) -> T {
-    x.powf(n)
+pub fn real_power<T: Scalar>(x: T, n: Exponent<T>) -> T {
+    let (power, lacking) = (x.powf(n.value()), n.lacking());
+    let lost = power * (lacking * rough_ln(x));
+    if lacking.is_zero() || !lost.is_finite() { power } else { power + lost }
 }
 
 /// Σ c x^n over the terms (c, n), each term within 4 ε of its value: for sums that are only integrated.
@@ -255,6 +258,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn powers_of_parameters_have_an_exponent_with_all_its_digits() {
+        let n = Exponent::<f32>::in_parts(-4, 0.3, -1.110_223_024_625_156_6e-17);
+        for x in [f32::MIN_POSITIVE, 1.3e-6, 0.7, 1.0, 9.1e8] {
+            let (found, expected) = (real_power(x, n), f64::from(x).powf(-3.7));
+            let error = (f64::from(found) / expected - 1.0) / f64::from(f32::EPSILON);
+            assert!(found.is_infinite() || error.abs() < 1.0, "{x:e}: {error} ε");
+        }
+        let n = Exponent::<f64>::in_parts(2, 0.3, 1.110_223_024_625_156_6e-17);
+        assert_eq!([0.0, f64::INFINITY].map(|x| real_power(x, n)), [0.0, f64::INFINITY]);
     }
 
     #[test]

@@ -52,6 +52,12 @@ impl<T: Scalar> Exponent<T> {
         self.value
     }
 
+    /// What n rounded lacks.
+    #[inline]
+    pub(crate) fn lacking(self) -> T {
+        (self.fraction - (self.value - T::constant(f64::from(self.whole)))) + self.rest
+    }
+
     /// n in twice the working precision.
     #[inline(always)]
     pub(crate) fn double<const FUSED: bool>(self) -> DoubleWord<T, FUSED> {
@@ -77,8 +83,10 @@ mod tests {
         let decimal = Exponent::<f64>::in_parts(2, 0.3, 1.110_223_024_625_156_6e-17);
         let number = Exponent::of(2.3_f64);
         assert_eq!(decimal.value(), number.value());
-        let lacking = decimal.double::<false>().plus(-number.double()).rounded();
-        assert!((lacking - 1.776_356_839_400_250_5e-16).abs() < 1e-31, "{lacking:e}");
+        for lacking in [decimal.double::<false>().plus(-number.double()).rounded(), decimal.lacking()] {
+            assert!((lacking - 1.776_356_839_400_250_5e-16).abs() < 1e-31, "{lacking:e}");
+        }
+        assert_eq!(number.lacking(), 0.0);
         let single = Exponent::<f32>::in_parts(2, 0.3, 1.110_223_024_625_156_6e-17);
         let lacking = 0.3 - (f64::from(single.fraction) + f64::from(single.rest));
         assert!(lacking.abs() < f64::from(f32::EPSILON).powi(2) * 0.3, "{lacking:e}");

@@ -48,6 +48,13 @@ struct LongProduct {
     d: f32,
 }
 
+/// No format has the exponent of the field, which may be far from 1.
+#[gap_profile(c * b^5.8 * r^3)]
+struct RoundedExponent {
+    b: f32,
+    c: f32,
+}
+
 /// A geometry, its terms (C, n), and the powers of ten between which its load integrals lie.
 struct Case {
     profile: Box<dyn GapProfile<f32>>,
@@ -107,6 +114,24 @@ fn radii_are_exact_where_coefficients_are_long_products() {
             let found = LongProduct { b, c, d }.radius(load_integral).unwrap_or(f32::NAN);
             let expected = Exact::from(&exact.radius(&double(load_integral.into())));
             errors.add(found.into(), expected, 1.0, &(fields, load_integral));
+        }
+    }
+    errors.check();
+}
+
+#[test]
+fn radii_are_exact_where_exponents_of_fields_are_not_in_the_format() {
+    let mut errors = Errors::of_single(budget::RADIUS);
+    for index in 0..100 {
+        let mut stream = Stream::of_case(3, index);
+        let b = stream.magnitude(-6.0, 6.0) as f32;
+        let c = (stream.magnitude(-1.0, 1.0) * f64::from(b).powf(-5.8)) as f32;
+        let exact = Profile::of(&[(f64::from(c) * f64::from(b).powf(5.8), 3.0)]);
+        for _ in 0..20 {
+            let load_integral = stream.magnitude(-3.0, 3.0) as f32;
+            let found = RoundedExponent { b, c }.radius(load_integral).unwrap_or(f32::NAN);
+            let expected = Exact::from(&exact.radius(&double(load_integral.into())));
+            errors.add(found.into(), expected, 1.0, &(b, c, load_integral));
         }
     }
     errors.check();
