@@ -6,9 +6,9 @@
 //! their values.
 
 use super::block::Edge;
+use super::long_change::LongChange;
 use super::sweep::Change;
 use crate::Scalar;
-use crate::numbers::compensated_sum::CompensatedSum;
 
 /// How many blocks, or lengths of the next shorter kind, an anchor lasts.
 const RATIO: usize = 4;
@@ -27,14 +27,6 @@ struct Anchor<T> {
     /// How many lengths of the next shorter kind ago it was.
     age: usize,
     since: LongChange<T>,
-}
-
-/// Many changes one after the other, see [`Change`]; `gain` is the decay minus 1.
-#[derive(Clone, Copy)]
-struct LongChange<T> {
-    gain: CompensatedSum<T>,
-    on_axis: CompensatedSum<T>,
-    slope: CompensatedSum<T>,
 }
 
 impl<T: Scalar> Anchors<T> {
@@ -78,8 +70,7 @@ impl<T: Scalar> Anchors<T> {
 
 impl<T: Scalar> Anchor<T> {
     fn at(row: usize, edge: Edge<T>) -> Self {
-        let none = CompensatedSum::from(T::zero());
-        Self { row, edge, age: 0, since: LongChange { gain: none, on_axis: none, slope: none } }
+        Self { row, edge, age: 0, since: LongChange::none() }
     }
 
     fn pass(&mut self, change: Change<T>) {
@@ -92,7 +83,7 @@ impl<T: Scalar> Anchor<T> {
     /// A row computed from them would be a difference of nearly equal numbers: under a load that falls for long, rounding
     /// alone.
     fn has_faded(&self) -> bool {
-        self.since.gain.value < T::constant(-0.5)
+        self.since.rounded().fades()
     }
 
     /// Computes a later row from this one, at the radii that were covered here.
@@ -104,19 +95,5 @@ impl<T: Scalar> Anchor<T> {
             let renewed = change.apply(before, r * r);
             *now = if r < self.edge.radius { renewed } else { *now };
         }
-    }
-}
-
-impl<T: Scalar> LongChange<T> {
-    fn pass(&mut self, change: Change<T>) {
-        let Self { gain, on_axis, slope } = self;
-        gain.add(change.gain + change.gain * gain.value);
-        on_axis.add(change.gain * on_axis.value + change.on_axis);
-        slope.add(change.gain * slope.value + change.slope);
-    }
-
-    fn rounded(&self) -> Change<T> {
-        let [gain, on_axis, slope] = [self.gain, self.on_axis, self.slope].map(|sum| sum.value);
-        Change { kept: T::one(), gain, on_axis, slope }
     }
 }

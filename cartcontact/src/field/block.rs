@@ -1,5 +1,6 @@
 //! Rows that are taken from the same earlier row.
 
+use super::long_change::LongChange;
 use super::panel::Panel;
 use super::runs::{Run, Runs};
 use super::sweep::{Change, Changes, TILE, set_beyond_to_zero, take_rows_from};
@@ -103,6 +104,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
     fn march(&mut self, contact: &Contact<T, P, L>, times: &[T]) -> Result<(), ContactError> {
         let chi = contact.medium().chi();
         let most = if contact.load().is_linear_between_knots() { 1 } else { times.len() };
+        let mut since_base = LongChange::none();
         for &time in &times[..most] {
             let before = self.last();
             if self.count > 0 && may_be_apart(contact, before.time, time) {
@@ -112,16 +114,20 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Block<'a, T, P, L> {
             let start = contact.stage(before.time, before.radius);
             let transition = march(contact, start, (time, radius), before.radius);
             let change = Change::of(transition, chi * (time - before.time));
-            let since_base = match self.count.checked_sub(1) {
-                Some(previous) => self.since_base.get(previous).then(change),
-                None => change,
+            let is_slow = change.is_slow();
+            let until_now = if is_slow {
+                since_base.pass(change);
+                since_base.rounded()
+            } else {
+                since_base.rounded().then(change)
             };
             self.times[self.count] = time;
             self.radii[self.count] = radius;
             self.since_previous.set(self.count, change);
-            self.since_base.set(self.count, since_base);
+            self.since_base.set(self.count, until_now);
             self.count += 1;
-            if since_base.fades() {
+            // Only slow changes can be added up.
+            if until_now.fades() || !is_slow {
                 break;
             }
         }

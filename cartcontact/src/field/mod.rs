@@ -15,6 +15,7 @@
 
 mod anchors;
 mod block;
+mod long_change;
 #[cfg(feature = "nalgebra")]
 mod matrix;
 mod panel;

@@ -23,7 +23,7 @@ fn compare<T: Scalar, L: Load<T>>(load: L, span: f64, rows: u32) -> Result<(), C
     let times: Vec<T> = (0..rows).map(|k| T::constant(span * f64::from(k) / f64::from(rows))).collect();
     let contact = joint(Patellofemoral, 0.5, load);
     let last = contact.at(times[times.len() - 1])?.radius();
-    let radii = [0.0, 0.3, 0.6].map(|share| last * T::constant(share));
+    let radii = [0.0, 0.3, 0.6, 0.9].map(|share| last * T::constant(share));
     for Value { row, r, found, expected, edge, .. } in values(&contact, &times, &radii, 37)? {
         let error = ulps(found.value(), expected.value().into(), T::default_epsilon().value());
         assert!(error <= ALLOWED * edge, "{span:e}, row {row}, r = {r}: {error} ulp");
@@ -59,4 +59,22 @@ fn roundings_do_not_add_up_over_a_quarter_of_a_million_rows() -> Result<(), Cont
         compare(Constant(50.0), span, 270_000)?;
     }
     Ok(())
+}
+
+/// The load rises from one of its forces to three times that between two rows, and is then nearly held.
+fn check_behind_a_rise<T: Scalar>() -> Result<(), Failure> {
+    for span in [1e-5, 1e-4, 1e-3, 1e-2] {
+        let knots = [(0.0, 10.0), (0.08, 10.0), (0.09, 30.0), (1.0, 30.0002)];
+        let knots = knots.map(|(share, force)| (T::constant(share * span), T::constant(force)));
+        for rows in [90, 200, 1500] {
+            compare(Announced::curved(PiecewiseLinear::new(knots)?), span, rows)?;
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn roundings_do_not_add_up_behind_a_steep_rise() -> Result<(), Failure> {
+    check_behind_a_rise::<f64>()?;
+    check_behind_a_rise::<f32>()
 }
