@@ -34,9 +34,9 @@ fn slope(f: impl Fn(f64) -> f64, x: f64, h: f64) -> f64 {
 
 /// In ε: a derivative has no entry in the table, and is allowed as much as two pressures; the worst here is 2.8 ε off.
 const SLOPE: f64 = 2.0 * budget::PRESSURE.double;
-/// In ε: how much differences over steps of a thousandth of x are off if results are off by a few ε; the worst here is
-/// 3e-12.
-const DIFFERENCES: f64 = 1e-10 / f64::EPSILON;
+/// In ε: how much differences over steps of a thousandth of x are off, whose 3/2 over the step multiplies results off by
+/// a few ε each; the worst here is 4.5e-12, twenty thousand.
+const DIFFERENCES: f64 = 1e-11 / f64::EPSILON;
 /// The share of P/F by which such differences may miss the derivative of a pressure under a load from nothing; the
 /// worst here is 4e-13.
 const DIFFERENCES_FROM_NOTHING: f64 = 1e-12;

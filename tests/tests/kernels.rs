@@ -208,8 +208,9 @@ fn quick_values_are_right_next_to_powers_of_two_and_their_roots() {
                     ),
                 ];
                 for (quick, precise) in pairs {
-                    let error = (quick / precise - 1.0).abs() / f64::EPSILON;
-                    assert!(error <= 8.0, "{error} ε at {a:e}: {quick:e} instead of {precise:e}");
+                    // Either may be off by what the table allows for the pressure kernel; the worst here is 2 ε.
+                    let (error, allowed) = ((quick / precise - 1.0).abs() / f64::EPSILON, 4.0);
+                    assert!(error <= allowed, "{error} ε at {a:e}: {quick:e} instead of {precise:e}");
                 }
             }
         }

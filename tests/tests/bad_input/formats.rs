@@ -63,10 +63,10 @@ fn pressures_without_digits_are_refused() -> Result<(), Box<dyn core::error::Err
         let found = contact.radii(&[1.0; 2], &mut radii);
         assert!(matches!(found, Err(ContactError::Unrepresentable { .. })), "{size:e}");
     }
-    // After many e-foldings P is a paraboloid.
+    // After many e-foldings P is a paraboloid, but for 1/(3 χ t) of it, 3e-11.
     let contact = contact(1e300, 1e10, 1e-5)?;
     let now = contact.at(1.0)?;
     let exact = 2.0 * now.force() / (core::f64::consts::PI * now.radius() * now.radius());
-    assert!((now.peak_pressure() / exact - 1.0).abs() < 1e-9);
+    assert!((now.peak_pressure() / exact - 1.0).abs() < 1e-10);
     Ok(())
 }

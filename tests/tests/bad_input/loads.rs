@@ -298,6 +298,7 @@ fn times_of_no_common_size_have_the_radius_of_their_load() -> Result<(), Contact
     contact.radii(&times, &mut radii)?;
     for (time, radius) in times.into_iter().zip(radii) {
         let growth = (1.0 + 1e-60 * time).powf(1.0 / 6.0);
+        // Two radii of 2 ε each, and the growth.
         assert!((radius / (radii[0] * growth) - 1.0).abs() < 1e-15, "{time}: {radius}");
         assert_eq!(radius, contact.at(time)?.radius());
     }

@@ -112,7 +112,7 @@ fn a_contact_that_leaves_its_range_says_when() {
         unreachable!("the range is not left");
     };
     assert_eq!(max_radius, 8.0);
-    assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-12));
+    assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-14));
     refused(contact.at(1e5), |e| matches!(e, ContactError::BeyondRange { .. }), "radius reaches 8");
 }
 
@@ -134,7 +134,8 @@ fn a_contact_that_jumps_out_of_its_range_leaves_it_at_the_jump() -> Result<(), C
     let Err(ContactError::BeyondRange { leaves_at, .. }) = contact.at(6.0) else {
         unreachable!("the range is not left");
     };
-    assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-9));
+    // A rounding of the time is 4e-10 N, which moves the edge by 4e-12 mm.
+    assert!(contact.at(leaves_at).is_ok_and(|now| (now.radius() - 8.0).abs() < 1e-11));
     assert!(contact.at(leaves_at.next_up()).is_err());
     Ok(())
 }
