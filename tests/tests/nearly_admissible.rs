@@ -5,7 +5,7 @@
 use core::f64::consts::PI;
 
 use cartcontact::load::PiecewiseLinear;
-use cartcontact::{Contact, ContactError, GapProfile, Medium, gap_profile};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, gap_profile};
 use tests::budget;
 use tests::condition::{edge, of_radius, of_sizes};
 use tests::loads::{CountingForces, Unannounced};
@@ -46,4 +46,15 @@ fn pressures_are_those_of_a_straight_load_and_take_few_forces() -> Result<(), Co
     }
     errors.check();
     Ok(())
+}
+
+/// Where the last term first exceeds either of two negative ones, the first term still hides that both together exceed
+/// it.
+#[test]
+fn the_last_term_has_to_outweigh_all_negative_ones() {
+    // 2 C n/(n+2) is 3/2, −1, −1 and 1: δ₀′ vanishes near 1.08.
+    let negative = (-11.9 / 19.8, 9.9);
+    let terms = [(1.5, 2.0), negative, negative, (0.6, 10.0)];
+    let end = Polynomial::new(terms).map_or(f64::NAN, |gap| gap.max_radius());
+    assert!(1.0 < end && end < 1.3, "{end}");
 }
