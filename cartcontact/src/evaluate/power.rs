@@ -37,9 +37,9 @@ pub fn power_of_half_digits<T: Scalar>(x: T, k: u32) -> (T, T) {
 /// precision where b is 1e6, and all radii of a geometry alike.
 #[inline]
 pub fn real_power<T: Scalar>(x: T, n: Exponent<T>) -> T {
-    let (power, lacking) = (x.powf(n.value()), n.lacking());
-    let lost = power * (lacking * rough_ln(x));
-    if lacking.is_zero() || !lost.is_finite() { power } else { power + lost }
+    let power = x.powf(n.value());
+    // An infinite one stays so.
+    if power.is_finite() { with_rest(power, x, n.lacking()) } else { power }
 }
 
 /// Σ c x^n over the terms (c, n), each term within 4 ε of its value: for sums that are only integrated.
@@ -130,8 +130,13 @@ pub(crate) fn plain_whole_term<T: Scalar>(c: T, x: T, degree: u32) -> T {
 /// x^(n − ⌊n⌋): what the fraction of n lacks, up to ε/4, moves a power of 1e-50 by 29 ε.
 #[inline]
 fn power_below_one<T: Scalar>(x: T, n: Exponent<T>) -> T {
-    let power = fractional_power(x, n.fraction);
-    if n.rest.is_zero() { power } else { power + power * (n.rest * rough_ln(x)) }
+    with_rest(fractional_power(x, n.fraction), x, n.rest)
+}
+
+/// A power of x with a `rest` added to its exponent, to first order.
+#[inline(always)]
+fn with_rest<T: Scalar>(power: T, x: T, rest: T) -> T {
+    if rest.is_zero() { power } else { power + power * (rest * rough_ln(x)) }
 }
 
 /// x^φ for 0 ≤ φ < 1: multiples of 1/4 by square roots, which round better than `powf` and cost less.
