@@ -25,8 +25,12 @@ pub(crate) fn expression(tokens: &[TokenTree], place: Span, diagnostics: &mut Di
 
 /// Whether some tokens can be read as they are.
 pub(super) fn is_expression(tokens: &[TokenTree]) -> bool {
+    has_no_fault(|faults| expression(tokens, Span::call_site(), faults))
+}
+
+fn has_no_fault(read: impl FnOnce(&mut Diagnostics) -> Expression) -> bool {
     let mut faults = Diagnostics::default();
-    drop(expression(tokens, Span::call_site(), &mut faults));
+    drop(read(&mut faults));
     faults.is_empty()
 }
 
@@ -212,11 +216,10 @@ impl<'a> Parser<'a> {
     /// Whether some tokens can be read as they are. Only for a message, after which they are skipped: where they are read
     /// again, every level of nested calls doubles the time.
     pub(super) fn is_expression(&self, tokens: &[TokenTree]) -> bool {
-        let mut faults = Diagnostics::default();
-        let (previous, depth) = (self.previous, self.depth);
-        let mut parser = Parser { rest: &[], previous, depth, diagnostics: &mut faults };
-        drop(parser.inside(tokens, Span::call_site()));
-        faults.is_empty()
+        has_no_fault(|faults| {
+            let (previous, depth) = (self.previous, self.depth);
+            Parser { rest: &[], previous, depth, diagnostics: faults }.inside(tokens, Span::call_site())
+        })
     }
 
     pub(super) fn deeper(&mut self, read: impl FnOnce(&mut Self) -> Expression) -> Expression {
