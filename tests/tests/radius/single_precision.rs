@@ -1,10 +1,13 @@
 //! Contact radii in single precision, where the products in a step may leave the format long before the radius does.
 
+use core::fmt::Debug;
+
 use cartcontact::{GapProfile, RadiusError, gap_profile};
 use tests::budget;
-use tests::measure::{Errors, Exact};
-use tests::oracle::{Profile, double};
+use tests::measure::Errors;
 use tests::random::Stream;
+
+use super::checks::exact_radius;
 
 /// The square of the ratio of the coefficients leaves the format.
 #[gap_profile(r^2 + 1e-20 * r^4)]
@@ -85,18 +88,24 @@ fn cases() -> Vec<Case> {
     cases
 }
 
+impl Case {
+    /// Adds the errors of the radii of `count` random load integrals.
+    fn add_errors(&self, errors: &mut Errors, stream: &mut Stream, count: u32, place: &dyn Debug) {
+        let [low, high] = self.range;
+        for _ in 0..count {
+            let load_integral = stream.magnitude(low, high) as f32;
+            let found = self.profile.radius(load_integral).unwrap_or(f32::NAN);
+            let expected = exact_radius(&self.terms, load_integral.into());
+            errors.add(found.into(), expected, 1.0, &(place, load_integral));
+        }
+    }
+}
+
 #[test]
 fn radii_are_exact_for_load_integrals_of_any_size() {
     let mut errors = Errors::of_single(budget::RADIUS);
-    for (index, Case { profile, terms, range: [low, high] }) in (0..).zip(cases()) {
-        let exact = Profile::of(&terms);
-        let mut stream = Stream::of_case(1, index);
-        for _ in 0..100 {
-            let load_integral = stream.magnitude(low, high) as f32;
-            let found = profile.radius(load_integral).unwrap_or(f32::NAN);
-            let expected = Exact::from(&exact.radius(&double(load_integral.into())));
-            errors.add(found.into(), expected, 1.0, &(&terms, load_integral));
-        }
+    for (index, case) in (0..).zip(cases()) {
+        case.add_errors(&mut errors, &mut Stream::of_case(1, index), 100, &case.terms);
     }
     errors.check();
 }
@@ -108,13 +117,9 @@ fn radii_are_exact_where_coefficients_are_long_products() {
         let mut stream = Stream::of_case(2, index);
         let fields = [(); 3].map(|()| stream.magnitude(-1.0, 1.0) as f32);
         let ([b, c, d], exact) = (fields, fields.map(f64::from));
-        let exact = Profile::of(&[(exact[1] * exact[0].powi(3) / (7.0 * exact[2].powi(3)), 1.0)]);
-        for _ in 0..20 {
-            let load_integral = stream.magnitude(-3.0, 3.0) as f32;
-            let found = LongProduct { b, c, d }.radius(load_integral).unwrap_or(f32::NAN);
-            let expected = Exact::from(&exact.radius(&double(load_integral.into())));
-            errors.add(found.into(), expected, 1.0, &(fields, load_integral));
-        }
+        let coefficient = exact[1] * exact[0].powi(3) / (7.0 * exact[2].powi(3));
+        let case = case(LongProduct { b, c, d }, &[(coefficient, 1.0)], [-3.0, 3.0]);
+        case.add_errors(&mut errors, &mut stream, 20, &fields);
     }
     errors.check();
 }
@@ -126,13 +131,9 @@ fn radii_are_exact_where_exponents_of_fields_are_not_in_the_format() {
         let mut stream = Stream::of_case(3, index);
         let b = stream.magnitude(-6.0, 6.0) as f32;
         let c = (stream.magnitude(-1.0, 1.0) * f64::from(b).powf(-5.8)) as f32;
-        let exact = Profile::of(&[(f64::from(c) * f64::from(b).powf(5.8), 3.0)]);
-        for _ in 0..20 {
-            let load_integral = stream.magnitude(-3.0, 3.0) as f32;
-            let found = RoundedExponent { b, c }.radius(load_integral).unwrap_or(f32::NAN);
-            let expected = Exact::from(&exact.radius(&double(load_integral.into())));
-            errors.add(found.into(), expected, 1.0, &(b, c, load_integral));
-        }
+        let coefficient = f64::from(c) * f64::from(b).powf(5.8);
+        let case = case(RoundedExponent { b, c }, &[(coefficient, 3.0)], [-3.0, 3.0]);
+        case.add_errors(&mut errors, &mut stream, 20, &(b, c));
     }
     errors.check();
 }
