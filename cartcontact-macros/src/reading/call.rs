@@ -49,6 +49,7 @@ impl Parser<'_> {
                 Some(format!("{}^{}", operand(base), operand(exponent)))
             }
             ("sq" | "sqr" | "square", [base]) => Some(format!("{}^2", operand(base))),
+            ("cbrt", [base]) => Some(format!("{}^(1/3)", operand(base))),
             ("pow" | "powi" | "powf" | "power", _) => None,
             _ => return None,
         };

@@ -120,6 +120,7 @@ fn likely_slips_are_understood() {
         ("1.5 2.5 * r^2", "an operator is missing"),
         ("r^2, max_radius = 6 000", "write `6000`"),
         ("0.025 * square(r)", "write `r^2`"),
+        ("0.025 * cbrt(r)", "write `r^(1/3)`"),
         ("f64::sin(r)", "functions such as `sin`"),
         ("20 - sqrt(400 - r^2)", "write `sphere(R)`"),
         ("0.025 * x^2", "is called `r`"),
