@@ -21,14 +21,14 @@ struct Ball<T> {
     radius: T,
 }
 
-/// The parameters with their values, in units of mm, N, MPa and s.
-const PARAMETERS: [(&str, f64); 6] = [
-    ("ball radius", 20.0),
-    ("thickness", 1.0),
-    ("shear modulus", 0.25),
-    ("permeability", 2e-3),
-    ("force", 100.0),
-    ("time", 200.0),
+/// The parameters with their values and units.
+const PARAMETERS: [(&str, f64, &str); 6] = [
+    ("ball radius", 20.0, "mm"),
+    ("thickness", 1.0, "mm"),
+    ("shear modulus", 0.25, "MPa"),
+    ("permeability", 2e-3, "mm⁴/(N s)"),
+    ("force", 100.0, "N"),
+    ("time", 200.0, "s"),
 ];
 
 /// Contact radius, approach and peak pressure for such parameters.
@@ -45,20 +45,20 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Box<dyn Error>> {
-    let values = PARAMETERS.map(|(_, value)| value);
+    let values = PARAMETERS.map(|(_, value, _)| value);
     let [radius, approach, peak_pressure] = contact(values)?;
     let mut out = io::stdout().lock();
     writeln!(
         out,
         "radius {radius:.3} mm, approach {approach:.4} mm, peak pressure {peak_pressure:.4} MPa\n"
     )?;
-    writeln!(out, "1 % more          changes in %:  radius  approach  peak pressure")?;
-    for (index, (name, _)) in PARAMETERS.into_iter().enumerate() {
+    writeln!(out, "1 % more of                      changes by %:  radius  approach  peak pressure")?;
+    for (index, (name, value, unit)) in PARAMETERS.into_iter().enumerate() {
         let mut duals = values.map(Dual64::from);
         duals[index] = duals[index].derivative();
-        let [radius, approach, peak_pressure] =
-            contact(duals)?.map(|result| values[index] * result.eps / result.re);
-        writeln!(out, "{name:<30} {radius:>7.3}  {approach:>8.3}  {peak_pressure:>13.3}")?;
+        let [radius, approach, peak_pressure] = contact(duals)?.map(|result| value * result.eps / result.re);
+        let amount = format!("{value} {unit}");
+        writeln!(out, "{name:<14} {amount:<31} {radius:>7.3}  {approach:>8.3}  {peak_pressure:>13.3}")?;
     }
     Ok(())
 }
