@@ -66,7 +66,7 @@ fn assert_solved<P, T: Scalar>((_, _, radii): Given<P, T>) {
 #[bench::three_terms_with_a_field(RoundBall { radius: 20.0 })]
 #[bench::three_terms_with_three_fields(ThreeFields { b: 0.02, c: 1e-4, d: 2e-6 })]
 #[bench::three_halves_with_three_fields(ThreeFieldsOfHalves { b: 0.02, c: 1e-4, d: 2e-6 })]
-#[bench::polynomial(run_time::<f64>())]
+#[bench::polynomial(run_time())]
 fn radius<P: GapProfile<f64>>(given: Given<P, f64>) -> Given<P, f64> {
     each(given, |profile, target| profile.radius(target).unwrap_or(0.0))
 }

@@ -28,7 +28,7 @@ fn pressure(criterion: &mut Criterion) {
     cold(&mut group, "two terms with a field", &contact(Ball { radius: 20.0 }), 200.0);
     cold(&mut group, "fractional powers", &contact(Blunt), 200.0);
     cold(&mut group, "powers such as r^2.37", &contact(Fitted), 200.0);
-    cold(&mut group, "Polynomial, constant load", &contact(run_time::<f64>()), 200.0);
+    cold(&mut group, "Polynomial, constant load", &contact(run_time()), 200.0);
     cold(&mut group, "generated, 100 knots that count", &hundred_knots(RATE), 200.0);
     cold(&mut group, "generated, 100 knots, 10 that count", &hundred_knots(2.0), 190.0);
     let printed = as_printed(NODES);

@@ -69,11 +69,8 @@ pub(crate) struct Blunt;
 #[gap_profile(0.02 * r^2.37 + 1e-4 * r^4.11)]
 pub(crate) struct Fitted;
 
-/// The terms of [`Patellofemoral`].
-pub(crate) const TERMS: [(f64, f64); 2] = [(0.025, 2.0), (1.09375e-4, 4.0)];
-
 /// The profile of [`Patellofemoral`], known at run time only.
-pub(crate) type RunTime<T = f64> = Polynomial<T, [(T, T); 2]>;
+pub(crate) type RunTime = Polynomial<f64, [(f64, f64); 2]>;
 
 /// Why benchmarks check the results that they measure.
 pub(crate) const NO_RESULT: &str = "the time that an error takes is no result";
@@ -86,8 +83,8 @@ pub(crate) const STIFFNESS: f64 = 0.375;
 ///
 /// Never: the constants are valid.
 #[expect(clippy::expect_used, reason = "a benchmark has no use for an error")]
-pub(crate) fn run_time<T: Scalar>() -> RunTime<T> {
-    Polynomial::new(TERMS.map(|(c, n)| (T::constant(c), T::constant(n)))).expect("a valid profile")
+pub(crate) fn run_time() -> RunTime {
+    Polynomial::new([(0.025, 2.0), (1.09375e-4, 4.0)]).expect("a valid profile")
 }
 
 /// The paper's scene: 100 N on the patellofemoral joint.
