@@ -11,13 +11,15 @@ use tests::random::Stream;
 
 const CHI: f64 = 0.02;
 
+type Curve = Box<dyn Fn(f64) -> f64>;
+
 /// A force and its alleged impulse.
-struct Told<F, I> {
-    force: F,
-    impulse: I,
+struct Told {
+    force: Curve,
+    impulse: Curve,
 }
 
-impl<F: Fn(f64) -> f64, I: Fn(f64) -> f64> Load<f64> for Told<F, I> {
+impl Load<f64> for Told {
     fn force(&self, t: f64) -> f64 {
         (self.force)(t)
     }
@@ -27,9 +29,7 @@ impl<F: Fn(f64) -> f64, I: Fn(f64) -> f64> Load<f64> for Told<F, I> {
     }
 }
 
-type Curve = Box<dyn Fn(f64) -> f64>;
-
-fn told(force: impl Fn(f64) -> f64 + 'static, impulse: impl Fn(f64) -> f64 + 'static) -> Told<Curve, Curve> {
+fn told(force: impl Fn(f64) -> f64 + 'static, impulse: impl Fn(f64) -> f64 + 'static) -> Told {
     Told { force: Box::new(force), impulse: Box::new(impulse) }
 }
 
@@ -50,7 +50,7 @@ fn rise(t: f64) -> f64 {
 }
 
 /// Loads with the impulse of another load, up to a time.
-fn contradictions(t: f64) -> Vec<(&'static str, Told<Curve, Curve>)> {
+fn contradictions(t: f64) -> Vec<(&'static str, Told)> {
     let held = |_| 100.0;
     let swing = |t: f64| 100.0 + 5.0 * (0.3 * t).sin();
     vec![
@@ -212,7 +212,7 @@ struct About {
 }
 
 /// A random load that recedes nowhere in a medium with the rate χ, for times up to about `t`.
-fn honest(stream: &mut Stream, chi: f64, t: f64) -> (&'static str, Told<Curve, Curve>) {
+fn honest(stream: &mut Stream, chi: f64, t: f64) -> (&'static str, Told) {
     let mean = stream.magnitude(-2.0, 4.0);
     let (place, width) = (stream.between(0.0, 1.0) * t, stream.magnitude(-9.0, 0.0) * t);
     let about = About { mean, chi, t, place, width };
@@ -226,7 +226,7 @@ fn honest(stream: &mut Stream, chi: f64, t: f64) -> (&'static str, Told<Curve, C
     }
 }
 
-fn steep_rise(About { mean, place, width, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+fn steep_rise(About { mean, place, width, .. }: About, stream: &mut Stream) -> Told {
     let height = mean * stream.magnitude(-6.0, 6.0);
     let ln_cosh = |x: f64| x.abs() + (-2.0 * x.abs()).exp().ln_1p() - LN_2;
     let force = move |t: f64| mean + height * (0.5 + 0.5 * ((t - place) / width).tanh());
@@ -234,7 +234,7 @@ fn steep_rise(About { mean, place, width, .. }: About, stream: &mut Stream) -> T
     told(force, move |t| mean * t + 0.5 * height * (t + width * gained(t)))
 }
 
-fn swing(About { mean, chi, t, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+fn swing(About { mean, chi, t, .. }: About, stream: &mut Stream) -> Told {
     let frequency = stream.magnitude(0.0, 5.0) / t;
     // A swing recedes where A √(ω² + χ²) > F χ.
     let amplitude = 0.99 * mean * chi / frequency.hypot(chi);
@@ -243,7 +243,7 @@ fn swing(About { mean, chi, t, .. }: About, stream: &mut Stream) -> Told<Curve, 
     told(move |t| mean + amplitude * (frequency * t).sin(), impulse)
 }
 
-fn dip(About { mean, chi, place, width, .. }: About) -> Told<Curve, Curve> {
+fn dip(About { mean, chi, place, width, .. }: About) -> Told {
     // F′ is at most 0.77 D over the width.
     let depth = mean * chi * width / (1.0 + chi * width);
     let force = move |t: f64| mean - depth / ((t - place) / width).cosh().powi(2);
@@ -251,20 +251,20 @@ fn dip(About { mean, chi, place, width, .. }: About) -> Told<Curve, Curve> {
     told(force, move |t| mean * t - lost(t))
 }
 
-fn kink(About { mean, t, place, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+fn kink(About { mean, t, place, .. }: About, stream: &mut Stream) -> Told {
     let slope = mean * stream.magnitude(-3.0, 3.0) / t;
     let since = move |t: f64| (t - place).max(0.0);
     let impulse = move |t: f64| mean * t + 0.5 * slope * since(t) * since(t);
     told(move |t| mean + slope * since(t), impulse)
 }
 
-fn decay(About { mean, chi, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+fn decay(About { mean, chi, .. }: About, stream: &mut Stream) -> Told {
     let rate = chi * (1.0 - stream.magnitude(-9.0, 0.0));
     let impulse = move |t: f64| if rate > 0.0 { -mean * (-rate * t).exp_m1() / rate } else { mean * t };
     told(move |t| mean * (-rate * t).exp(), impulse)
 }
 
-fn staircase(About { mean, t, .. }: About, stream: &mut Stream) -> Told<Curve, Curve> {
+fn staircase(About { mean, t, .. }: About, stream: &mut Stream) -> Told {
     let (mut time, mut force, mut impulse) = (0.0, mean, 0.0);
     let mut steps = vec![(time, force, impulse)];
     for _ in 0..stream.below(300) {
@@ -288,7 +288,7 @@ fn noise(t: f64) -> f64 {
 }
 
 /// Adds an error that an honest impulse may have.
-fn inexact(stream: &mut Stream, Told { force, impulse }: Told<Curve, Curve>, t: f64) -> Told<Curve, Curve> {
+fn inexact(stream: &mut Stream, Told { force, impulse }: Told, t: f64) -> Told {
     let last = impulse(t);
     let impulse: Curve = match stream.below(5) {
         0 => impulse,
@@ -319,7 +319,7 @@ fn no_impulse_that_is_meant_well_is_refused() {
 }
 
 /// A load that is not searched.
-struct Unsearched(CountingForces<Told<Curve, Curve>>);
+struct Unsearched(CountingForces<Told>);
 
 impl Load<f64> for Unsearched {
     fn force(&self, t: f64) -> f64 {
@@ -336,7 +336,7 @@ impl Load<f64> for Unsearched {
 }
 
 /// The pressure on the axis under a load that is not searched, and how many forces it took.
-fn unsearched_pressure(load: Told<Curve, Curve>, t: f64) -> (f64, usize) {
+fn unsearched_pressure(load: Told, t: f64) -> (f64, usize) {
     let contact = contact(CHI, Unsearched(CountingForces::new(load)));
     let pressure = contact.at(t).map_or(f64::NAN, |now| now.peak_pressure());
     (pressure, contact.load().0.forces())
