@@ -5,6 +5,8 @@ use cartcontact::load::Constant;
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, gap_profile};
 use tests::budget::{self, Allowance};
 use tests::condition::edge;
+use tests::kernel::{self, Kernel};
+use tests::measure::relative_error;
 
 /// Even powers up to the 24th.
 #[gap_profile(sphere(10) + sphere(20), order = 24, max_radius = 5)]
@@ -37,26 +39,22 @@ struct HighOdd;
 fn compare<P: GapProfile<f64>>(profile: P, terms: &[(f64, f64)]) {
     let polynomial = Polynomial::with_max_radius(terms, 5.0).unwrap_or_else(|error| unreachable!("{error}"));
     let assert_near = |found: f64, expected: f64, allowance: Allowance, condition: f64| {
-        let error = (found / expected - 1.0).abs() / f64::EPSILON;
+        let error = relative_error(found, expected, f64::EPSILON);
         let Allowance { quantity, double, .. } = allowance;
         assert!(error <= 2.0 * double * condition, "{quantity}: {found:e} is off by {error} ε");
     };
     let close = |found, expected, allowance| assert_near(found, expected, allowance, 1.0);
     let mut targets = Vec::new();
     for a in (1..=48).map(|k| 0.1 * f64::from(k)) {
-        close(profile.gap(a), polynomial.gap(a), budget::GAP);
-        close(profile.approach(a), polynomial.approach(a), budget::APPROACH);
-        close(profile.approach_slope(a), polynomial.approach_slope(a), budget::APPROACH_SLOPE);
-        close(profile.load_integral(a), polynomial.load_integral(a), budget::LOAD_INTEGRAL);
-        close(profile.log_kernel(a), polynomial.log_kernel(a), budget::LOG_KERNEL);
-        let r = 0.6 * a;
-        close(profile.pressure_kernel(a, r), polynomial.pressure_kernel(a, r), budget::PRESSURE_KERNEL);
+        for Kernel { allowance, double, .. } in kernel::ALL {
+            close(double(&profile, a, 0.6 * a), double(&polynomial, a, 0.6 * a), allowance);
+        }
         targets.push(polynomial.load_integral(a));
     }
     let mut radii = vec![0.0; targets.len()];
     profile.radii(&targets, &mut radii).unwrap_or_else(|error| unreachable!("{error}"));
     for (&radius, &target) in radii.iter().zip(&targets) {
-        close(radius, polynomial.radius(target).unwrap_or(0.0), budget::RADIUS);
+        close(radius, polynomial.radius(target).unwrap_or(f64::NAN), budget::RADIUS);
     }
     let medium = Medium::from_constants(2.0, 1e-2).unwrap_or_else(|error| unreachable!("{error}"));
     // The pressure includes a memory integral.
