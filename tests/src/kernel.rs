@@ -22,6 +22,15 @@ pub struct Kernel {
     pub reference: fn(&KernelRow) -> Exact,
 }
 
+impl Kernel {
+    /// Σ|terms|/|sum| at a contact radius and a distance from the axis, but at least 1; `sizes` is the geometry
+    /// [`of_sizes`](crate::condition::of_sizes) of the same terms. 1 where all of them vanish.
+    #[must_use]
+    pub fn condition(self, sizes: &dyn GapProfile<f64>, (a, r): (f64, f64), sum: f64) -> f64 {
+        if sum == 0.0 { 1.0 } else { ((self.double)(sizes, a, r) / sum).max(1.0) }
+    }
+}
+
 macro_rules! function_of_radius {
     ($name:ident, $allowance:expr) => {
         Kernel {

@@ -7,15 +7,9 @@ use tests::condition::degree;
 use tests::kernel::{self, Kernel};
 use tests::measure::{Errors, Exact, relative_error};
 use tests::oracle::{Profile, double as exact};
-use tests::profiles::{Case, cases};
+use tests::profiles::cases;
 use tests::quadrature::Graded;
 use tests::random::{self, magnitude};
-
-/// Σ|terms|/|sum| of a kernel.
-fn condition(case: Case, kernel: Kernel, a: f64, r: f64) -> f64 {
-    let sum = (kernel.double)(case.double, a, r);
-    if sum == 0.0 { 1.0 } else { (kernel.double)(&case.of_sizes(), a, r) / sum }
-}
 
 proptest! {
     #![proptest_config(random::cases(400))]
@@ -27,7 +21,7 @@ proptest! {
         for kernel @ Kernel { allowance, double, .. } in kernel::ALL {
             let (generated, polynomial) = (double(case.double, a, q * a), double(&case.polynomial(), a, q * a));
             let error = relative_error(generated, polynomial, f64::EPSILON);
-            let allowed = 2.0 * allowance.double * condition(case, kernel, a, q * a);
+            let allowed = 2.0 * allowance.double * kernel.condition(&case.of_sizes(), (a, q * a), generated);
             prop_assert!(error <= allowed, "{} of {case:?} at {a}, {q}: {error}", allowance.quantity);
         }
     }
@@ -48,7 +42,7 @@ proptest! {
             case.double.approach_slope(r + h) * h * (r + (r + h)) / 4.0
         });
         let error = relative_error(case.double.pressure_kernel(a, r), integral, f64::EPSILON);
-        let condition = condition(case, kernel::PRESSURE, a, r).max(1.0);
+        let condition = kernel::PRESSURE.condition(&case.of_sizes(), (a, r), integral);
         let allowed = budget::PRESSURE_KERNEL_BY_QUADRATURE.double * condition;
         prop_assert!(error <= allowed, "{case:?} at {a}, {depth:e}: {error}");
     }
@@ -208,8 +202,9 @@ fn quick_values_are_right_next_to_powers_of_two_and_their_roots() {
                     ),
                 ];
                 for (quick, precise) in pairs {
-                    // Either may be off by what the table allows for the pressure kernel; the worst here is 2 ε.
-                    let (error, allowed) = ((quick / precise - 1.0).abs() / f64::EPSILON, 4.0);
+                    // Either may be off by that; the worst here is 2 ε.
+                    let allowed = 2.0 * budget::PRESSURE_KERNEL.double;
+                    let error = relative_error(quick, precise, f64::EPSILON);
                     assert!(error <= allowed, "{error} ε at {a:e}: {quick:e} instead of {precise:e}");
                 }
             }

@@ -6,7 +6,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use tests::budget;
 use tests::condition::{self, of_sizes};
-use tests::kernel::{self, Kernel};
+use tests::kernel;
 use tests::loads::{Knots, through};
 use tests::measure::{Errors, Exact};
 use tests::oracle::{Oracle, Profile, double, rounded};
@@ -57,13 +57,11 @@ fn compare_kernels(
 ) {
     for &(a, depth) in places {
         let r = a * (1.0 - depth);
-        for (Kernel { double: compute, oracle: define, .. }, errors) in
-            kernel::ALL.into_iter().zip(errors.iter_mut())
-        {
-            let expected = Exact::from(&define(oracle, &double(a), &double(r)));
+        for (kernel, errors) in kernel::ALL.into_iter().zip(errors.iter_mut()) {
+            let expected = Exact::from(&(kernel.oracle)(oracle, &double(a), &double(r)));
             if expected.nearest != 0.0 {
-                let condition = (compute(sizes, a, r) / expected.nearest).max(1.0);
-                errors.add(compute(profile, a, r), expected, condition, &(name, a, r));
+                let condition = kernel.condition(sizes, (a, r), expected.nearest);
+                errors.add((kernel.double)(profile, a, r), expected, condition, &(name, a, r));
             }
         }
     }

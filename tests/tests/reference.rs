@@ -22,14 +22,11 @@ const FORMS: [(&str, Form); 2] = [
 fn kernels_are_those_of_the_reference() {
     let rows = reference::kernels();
     for (form, visit) in FORMS {
-        for Kernel { allowance, double, reference, .. } in kernel::ALL {
+        for kernel @ Kernel { allowance, double, reference, .. } in kernel::ALL {
             let mut errors = Errors::of(allowance);
             for row in &rows {
                 let expected = reference(row);
-                let condition = match double(&row.case.of_sizes(), row.a, row.r) {
-                    0.0 => 1.0,
-                    sizes => sizes / expected.nearest,
-                };
+                let condition = kernel.condition(&row.case.of_sizes(), (row.a, row.r), expected.nearest);
                 visit(row.case, &mut |profile| {
                     let place = (form, row.case, row.a, row.r);
                     errors.add(double(profile, row.a, row.r), expected, condition, &place);
@@ -107,7 +104,8 @@ fn creep_is_that_of_finite_elements() -> Result<(), Box<dyn core::error::Error>>
     let start = rows.first().ok_or("no rows")?;
     let contact = Contact::new(FiniteElement, Medium::from_constants(3.0, 1.0)?, Constant(start.load))?;
     let first = contact.at(0.0)?;
-    let held = rows.iter().filter(|row| row.t <= 0.4);
+    let held: Vec<_> = rows.iter().filter(|row| row.t <= 0.4).collect();
+    assert_eq!(held.len(), 10);
     for row in held {
         let now = contact.at(row.t)?;
         let growth = now.approach() / first.approach() / (row.approach / start.approach);
