@@ -204,7 +204,7 @@ impl<T: Precision> Examination<'_, T> {
 
     /// A distance from the axis by its distance from the edge.
     pub(super) fn place(&self, radius: T, inset: f64) -> T {
-        T::rounded(radius.value() * (1.0 - inset)).min(radius)
+        T::constant(radius.value() * (1.0 - inset)).min(radius)
     }
 
     fn kernels(&mut self, now: &Now<'_, '_, T>) {
@@ -282,7 +282,7 @@ impl<T: Precision> Examination<'_, T> {
 
     /// A field at two times agrees with the snapshot at the second.
     fn field(&mut self, now: &Now<'_, '_, T>, condition: f64) {
-        let third = self.scene.time * T::rounded(1.0 / 3.0);
+        let third = self.scene.time * T::constant(1.0 / 3.0);
         let times = [third, self.scene.time];
         let radii = [T::zero(), self.place(now.radius(), 0.4), self.place(now.radius(), self.scene.inset)];
         let mut values = [T::zero(); 6];
@@ -325,7 +325,7 @@ impl<T: Precision> Examination<'_, T> {
         borders.sort_by(f64::total_cmp);
         let rule = Graded::new(10, 24);
         let shares = borders.windows(2).filter(|ends| ends[0] < ends[1]).map(|ends| {
-            rule.integrate(ends[0], ends[1], |q| now.pressure(T::rounded(q * a.value())).value() * q)
+            rule.integrate(ends[0], ends[1], |q| now.pressure(T::constant(q * a.value())).value() * q)
         });
         let carried = core::f64::consts::TAU * shares.sum::<f64>();
         // In two factors, because a² may be out of range.
@@ -335,7 +335,7 @@ impl<T: Precision> Examination<'_, T> {
 
     /// The radii just before and at a time, as shares of the radius `a`.
     fn radii_at(&self, time: T, a: T) -> [f64; 2] {
-        let before = time * (T::one() - T::rounded(T::EPSILON * 4.0));
+        let before = time * (T::one() - T::constant(T::EPSILON * 4.0));
         [before, time]
             .map(|time| self.contact.at(time).map_or(0.0, |then| (then.radius() / a).value().min(1.0)))
     }

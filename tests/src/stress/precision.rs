@@ -16,12 +16,9 @@ pub trait Precision: Scalar {
     /// Decades that loads, moduli and lengths may span on either side of 1.
     const DECADES: f64;
 
-    /// The nearest number of the format.
-    fn rounded(x: f64) -> Self;
-
     /// The exact number 2^k.
     fn power_of_two(k: i32) -> Self {
-        Self::rounded(2_f64.powi(k))
+        Self::constant(2_f64.powi(k))
     }
 
     /// The generated solver of a geometry.
@@ -37,10 +34,6 @@ impl Precision for f64 {
     const MOST: f64 = f64::MAX;
     const DECADES: f64 = 150.0;
 
-    fn rounded(x: f64) -> Self {
-        x
-    }
-
     fn solver(case: &Case) -> &'static dyn GapProfile<Self> {
         case.double
     }
@@ -55,10 +48,6 @@ impl Precision for f32 {
     const LEAST: f64 = f32::MIN_POSITIVE as f64;
     const MOST: f64 = f32::MAX as f64;
     const DECADES: f64 = 18.0;
-
-    fn rounded(x: f64) -> Self {
-        x as f32
-    }
 
     fn solver(case: &Case) -> &'static dyn GapProfile<Self> {
         case.single

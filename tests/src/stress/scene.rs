@@ -40,15 +40,15 @@ impl Scene<f64> {
     /// The scene in another format; loads that would recede there because of rounding are held instead.
     pub(super) fn rounded<T: Precision>(&self) -> Scene<T> {
         let pairs =
-            |pairs: &[(f64, f64)]| pairs.iter().map(|&(x, y)| (T::rounded(x), T::rounded(y))).collect();
+            |pairs: &[(f64, f64)]| pairs.iter().map(|&(x, y)| (T::constant(x), T::constant(y))).collect();
         let mut scene = Scene {
             form: self.form,
             terms: pairs(&self.terms),
-            max_radius: self.max_radius.map(T::rounded),
-            m: T::rounded(self.m),
-            chi: T::rounded(self.chi),
+            max_radius: self.max_radius.map(T::constant),
+            m: T::constant(self.m),
+            chi: T::constant(self.chi),
             knots: pairs(&self.knots),
-            time: T::rounded(self.time),
+            time: T::constant(self.time),
             inset: self.inset,
         };
         scene.hold_where_it_recedes();
