@@ -9,20 +9,19 @@ use tests::loads::{Announced, Fall};
 use tests::measure::ulps;
 use tests::profiles::Paraboloid;
 use tests::random::Stream;
+use tests::stress::precision::Precision;
 
 use super::{Value, values};
 
 type Failure = Box<dyn core::error::Error>;
 
 /// Compares every 16th row, and the last, with what the time has alone.
-fn compare<T: Scalar, L: Load<T>>(chi: f64, load: L, times: &[T]) -> Result<(), Failure> {
+fn compare<T: Precision, L: Load<T>>(chi: f64, load: L, times: &[T]) -> Result<(), Failure> {
     let contact = joint(Paraboloid, chi, load);
     let radii = [T::zero(), contact.at(T::zero())?.radius() * T::constant(0.5)];
-    let epsilon = T::default_epsilon().value();
-    let allowed = if epsilon == f64::EPSILON { budget::FIELD.double } else { budget::FIELD.single };
     for Value { row, r, found, expected, edge, .. } in values(&contact, times, &radii, 16)? {
-        let error = ulps(found.value(), expected.value().into(), epsilon);
-        assert!(error <= allowed * edge, "row {row}, r = {r}: {error} ulp");
+        let error = ulps(found.value(), expected.value().into(), T::EPSILON);
+        assert!(error <= T::allowed(budget::FIELD) * edge, "row {row}, r = {r}: {error} ulp");
     }
     Ok(())
 }
