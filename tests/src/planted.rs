@@ -3,18 +3,18 @@
 use core::f64::consts::FRAC_PI_4;
 
 use cartcontact::load::Load;
-use cartcontact::{Contact, ContactError, GapProfile, Medium};
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Scalar};
 
 /// The stiffness m with which the contact radius at `t` is `a`.
 #[must_use]
-pub fn stiffness(
-    profile: &(impl GapProfile<f64> + ?Sized),
-    load: &(impl Load<f64> + ?Sized),
-    chi: f64,
-    a: f64,
-    t: f64,
-) -> f64 {
-    (load.force(t) + chi * load.impulse(t)) / profile.load_integral(a) / FRAC_PI_4
+pub fn stiffness<T: Scalar>(
+    profile: &(impl GapProfile<T> + ?Sized),
+    load: &(impl Load<T> + ?Sized),
+    chi: T,
+    a: T,
+    t: T,
+) -> T {
+    (load.force(t) + chi * load.impulse(t)) / profile.load_integral(a) / T::constant(FRAC_PI_4)
 }
 
 /// The contact whose radius at `t` is `a`.
@@ -26,13 +26,13 @@ pub fn stiffness(
 /// # Panics
 ///
 /// If no stiffness gives that radius.
-pub fn contact<P: GapProfile<f64>, L: Load<f64>>(
+pub fn contact<T: Scalar, P: GapProfile<T>, L: Load<T>>(
     profile: P,
     load: L,
-    chi: f64,
-    a: f64,
-    t: f64,
-) -> Result<Contact<f64, P, L>, ContactError> {
+    chi: T,
+    a: T,
+    t: T,
+) -> Result<Contact<T, P, L>, ContactError> {
     let medium = Medium::from_constants(stiffness(&profile, &load, chi, a, t), chi);
     Contact::new(profile, medium.unwrap_or_else(|error| unreachable!("{error}")), load)
 }

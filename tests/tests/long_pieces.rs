@@ -1,13 +1,12 @@
 //! A knot on a straight piece of a load changes no pressure, also under terms of both signs, where the edge may spread
 //! faster in the middle of a piece than at both ends.
 
-use core::error::Error;
-use core::f64::consts::PI;
-
-use cartcontact::{Contact, GapProfile, Medium, Polynomial};
+use cartcontact::{ContactError, Polynomial};
 use tests::budget;
 use tests::condition::edge;
 use tests::loads::through;
+use tests::measure::relative_error;
+use tests::planted;
 
 /// One straight piece of a load.
 struct Piece {
@@ -39,17 +38,14 @@ const SHARES: [f64; 5] = [0.0, 0.3, 0.6, 0.9, 0.99];
 
 impl Piece {
     /// The contact radius at its end, and the pressures at some shares of that, if the piece has knots that divide it
-    /// into so many parts. Nothing but shares counts, so that χ and m are 1.
-    fn pressures(&self, parts: u32) -> Result<(f64, [f64; 5]), Box<dyn Error>> {
-        let gap = Polynomial::new(self.terms)?;
-        let force = PI / 4.0 * gap.load_integral(self.start);
+    /// into so many parts. Nothing but shares counts, so that χ and the first force are 1.
+    fn pressures(&self, parts: u32) -> Result<(f64, [f64; 5]), ContactError> {
         let along = |part: u32| {
             let share = f64::from(part) / f64::from(parts);
-            (self.folds * share, force * (1.0 + (self.growth - 1.0) * share))
+            (self.folds * share, 1.0 + (self.growth - 1.0) * share)
         };
         let load = through(&(0..=parts).map(along).collect::<Vec<_>>());
-        let medium = Medium::from_constants(1.0, 1.0)?;
-        let contact = Contact::new(gap, medium, load)?;
+        let contact = planted::contact(Polynomial::new(self.terms)?, load, 1.0, self.start, 0.0)?;
         let now = contact.at(self.folds)?;
         Ok((now.radius(), SHARES.map(|share| now.pressure(share * now.radius()))))
     }
@@ -58,13 +54,13 @@ impl Piece {
 /// Both results may be off by as much as documented, without the condition number that the bound has under terms of
 /// both signs.
 #[test]
-fn a_piece_is_the_sum_of_its_parts() -> Result<(), Box<dyn Error>> {
+fn a_piece_is_the_sum_of_its_parts() -> Result<(), ContactError> {
     for piece in &PIECES {
         let (a, whole) = piece.pressures(1)?;
         for parts in [2, 8, 64] {
             let (_, in_parts) = piece.pressures(parts)?;
             for ((share, whole), in_parts) in SHARES.into_iter().zip(whole).zip(in_parts) {
-                let error = (whole / in_parts - 1.0).abs() / f64::EPSILON;
+                let error = relative_error(whole, in_parts, f64::EPSILON);
                 let allowed = 2.0 * budget::PRESSURE.double * edge(a, share * a);
                 assert!(error < allowed, "{:?}, {parts} parts, {share}: {error} ε", piece.terms);
             }

@@ -2,14 +2,12 @@
 //! load integral moves the radius by a hundred thousand of its own roundings, and this must not shorten the steps of
 //! the load.
 
-use core::f64::consts::PI;
-
-use cartcontact::load::PiecewiseLinear;
-use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, gap_profile};
+use cartcontact::{ContactError, GapProfile, Polynomial, gap_profile};
 use tests::budget;
 use tests::condition::{edge, of_radius, of_sizes};
-use tests::loads::{CountingForces, Unannounced};
+use tests::loads::{CountingForces, Unannounced, through};
 use tests::measure::Errors;
+use tests::planted;
 
 /// δ₀′ = a (1 − 2 (a/7) + 1.000001 (a/7)²).
 #[gap_profile(r^2 - 5/21 * r^3 + 0.75 * 1.000001 / 49 * r^4)]
@@ -18,20 +16,20 @@ struct NearlyFlat;
 /// Where δ₀′/a is least.
 const FLATTEST: f64 = 7.0;
 
+const CHI: f64 = 0.0015;
+
 /// The time at which the last force is reached and the pressure is taken.
 const END: f64 = 200.0;
 
 #[test]
 fn pressures_are_those_of_a_straight_load_and_take_few_forces() -> Result<(), ContactError> {
-    let medium = Medium::from_constants(0.375, 0.0015).unwrap_or_else(|error| unreachable!("{error}"));
+    let load = through(&[(0.0, 50.0), (END, 100.0)]);
     let mut errors = Errors::of(budget::PRESSURE);
     for end in [6.5, 6.9, 6.99, 6.998, 6.999, 7.0, 7.001, 7.01, 7.5] {
-        // Y at the end is 1.225 times the force.
-        let last = PI * medium.m() / 4.0 * NearlyFlat.load_integral(end) / 1.225;
-        let load = PiecewiseLinear::new([(0.0, 0.5 * last), (END, last)])?;
-        let straight = Contact::new(NearlyFlat, medium, &load)?;
+        let straight = planted::contact(NearlyFlat, &load, CHI, end, END)?;
         // Followed like a load that is not straight.
-        let curved = Contact::new(NearlyFlat, medium, CountingForces::new(Unannounced(&load)))?;
+        let curved = CountingForces::new(Unannounced(&load));
+        let curved = planted::contact(NearlyFlat, curved, CHI, end, END)?;
         let (expected, found) = (straight.at(END)?, curved.at(END)?);
         let a = expected.radius();
         // Radii that the contact has passed count too: the condition is that at the flattest of them.
