@@ -1,4 +1,5 @@
-//! Load histories of every kind that the solution covers.
+//! Load histories of every kind that the solution covers, and loads that tell less of another one or count what it is
+//! asked.
 
 use core::cell::Cell;
 use core::f64::consts::PI;

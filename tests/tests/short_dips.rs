@@ -3,7 +3,7 @@
 use cartcontact::load::Load;
 use cartcontact::{ContactError, Polynomial};
 use tests::budget;
-use tests::condition::edge_at;
+use tests::condition::edge;
 use tests::joint::joint;
 use tests::measure::Errors;
 
@@ -55,9 +55,8 @@ fn a_short_dip_counts_whether_or_not_its_time_is_told() -> Result<(), ContactErr
                 let dip = |has_knots| Dip { depth, time: (folds - age) / CHI, width: width / CHI, has_knots };
                 let (found, expected) =
                     (pressures(&dip(false), folds / CHI)?, pressures(&dip(true), folds / CHI)?);
-                for (place, (found, expected)) in found.into_iter().zip(expected).enumerate() {
-                    let at = (folds, age, width, SHARES[place]);
-                    errors.add(found, expected, edge_at(1.0, 1.0 - SHARES[place]), &at);
+                for ((share, found), expected) in SHARES.into_iter().zip(found).zip(expected) {
+                    errors.add(found, expected, edge(1.0, share), &(folds, age, width, share));
                 }
             }
         }

@@ -21,7 +21,7 @@ fn record(stream: &mut Stream, count: usize, end: f64) -> Knots {
     for _ in 0..count {
         let duration = stream.between(0.1, 1.9) * end / count as f64;
         t += duration;
-        force = match stream.between(0.0, 5.0) as u32 {
+        force = match stream.below(5) {
             0 => force,
             1 => force / (1.0 + CHI * duration),
             2 => {
