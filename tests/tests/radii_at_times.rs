@@ -74,8 +74,18 @@ fn many_times_have_the_radii_of_single_ones_under_loads_of_every_size() {
 
 #[test]
 fn no_load_makes_no_contact_at_any_time() {
-    assert_same(&joint(Patellofemoral, CHI, Constant(0.0_f64)), "f64");
-    assert_same(&joint(Patellofemoral, CHI, Constant(0.0_f32)), "f32");
+    fn check<T: Scalar>(name: &str)
+    where
+        Patellofemoral: GapProfile<T>,
+    {
+        let contact = joint(Patellofemoral, CHI, Constant(T::zero()));
+        assert_same(&contact, name);
+        let mut radii = [T::infinity(); 2];
+        assert_eq!(contact.radii(&[T::zero(), T::constant(200.0)], &mut radii), Ok(()), "{name}");
+        assert_eq!(radii, [T::zero(); 2], "{name}");
+    }
+    check::<f64>("f64");
+    check::<f32>("f32");
 }
 
 /// The first fault among many times is the one of that time alone.
