@@ -55,8 +55,8 @@ const KINDS: [OfTwoFields; 6] = [
 #[test]
 fn radii_are_exact_for_fields_of_any_size() {
     let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
-    for (index, kind) in KINDS.iter().enumerate() {
-        let mut stream = Stream::of_case(1, index as u64);
+    for (index, kind) in (0..).zip(&KINDS) {
+        let mut stream = Stream::of_case(1, index);
         for _ in 0..300 {
             // The sizes reach both ends of the table and beyond.
             let (k, radius) = (stream.magnitude(-4.0, 4.0), stream.magnitude(-2.0, 2.0));
@@ -95,8 +95,8 @@ fn other_units_change_no_digit() {
 
 #[test]
 fn slices_have_the_same_radii() {
-    for (index, kind) in KINDS.iter().enumerate() {
-        let mut stream = Stream::of_case(3, index as u64);
+    for (index, kind) in (0..).zip(&KINDS) {
+        let mut stream = Stream::of_case(3, index);
         let (_, profile) = (kind.double)(0.3, 20.0);
         let sizes = (0..500).map(|_| 20.0 * stream.magnitude(-3.5, 1.0));
         let load_integrals: Vec<f64> = sizes.map(|size| profile.load_integral(size)).collect();

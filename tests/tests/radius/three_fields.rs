@@ -13,26 +13,37 @@ use super::checks::{
     assert_same_in_other_units, assert_same_one_by_one, assert_slices_are_right, exact_radius,
 };
 
-#[gap_profile(b * r^2 + c * r^3 + d * r^4)]
-struct Dense<T> {
-    b: T,
-    c: T,
-    d: T,
+/// Structs of three fields and the kinds that they are.
+macro_rules! kinds {
+    ($($(#[$attribute:meta])* $name:ident: $exponents:expr, $gap:expr;)*) => {
+        $(
+            $(#[$attribute])*
+            #[gap_profile($gap)]
+            struct $name<T> {
+                b: T,
+                c: T,
+                d: T,
+            }
+        )*
+
+        const KINDS: &[Kind] = &[$(Kind {
+            exponents: $exponents,
+            double: |[b, c, d]| Box::new($name { b, c, d }),
+            single: |[b, c, d]| Box::new($name { b, c, d }),
+        }),*];
+    };
 }
 
-#[gap_profile(b * r^2 + c * r^4 + d * r^6)]
-struct Even<T> {
-    b: T,
-    c: T,
-    d: T,
-}
-
-/// Powers so far apart that the steps may not come near the root.
-#[gap_profile(b * r + c * r^4 + d * r^40)]
-struct Wide<T> {
-    b: T,
-    c: T,
-    d: T,
+kinds! {
+    Dense: [2.0, 3.0, 4.0], b * r^2 + c * r^3 + d * r^4;
+    Even: [2.0, 4.0, 6.0], b * r^2 + c * r^4 + d * r^6;
+    /// Powers so far apart that the steps may not come near the root.
+    Wide: [1.0, 4.0, 40.0], b * r + c * r^4 + d * r^40;
+    Quarters: [1.5, 2.25, 4.0], b * r^1.5 + c * r^2.25 + d * r^4;
+    Halves: [2.5, 4.0, 5.0], b * r^2.5 + c * r^4 + d * r^5;
+    Eighths: [0.375, 2.125, 4.0], b * r^0.375 + c * r^2.125 + d * r^4;
+    /// The common fraction is too small for a root.
+    SixtyFourths: [99.0 / 64.0, 2.25, 4.0], b * r^(99/64) + c * r^2.25 + d * r^4;
 }
 
 #[gap_profile(c * r + d * r^30 + k * r^60, positive)]
@@ -40,35 +51,6 @@ struct Steep {
     c: f64,
     d: f64,
     k: f64,
-}
-
-#[gap_profile(b * r^2.5 + c * r^4 + d * r^5)]
-struct Halves<T> {
-    b: T,
-    c: T,
-    d: T,
-}
-
-#[gap_profile(b * r^1.5 + c * r^2.25 + d * r^4)]
-struct Quarters<T> {
-    b: T,
-    c: T,
-    d: T,
-}
-
-#[gap_profile(b * r^0.375 + c * r^2.125 + d * r^4)]
-struct Eighths<T> {
-    b: T,
-    c: T,
-    d: T,
-}
-
-/// The common fraction is too small for a root.
-#[gap_profile(b * r^(99/64) + c * r^2.25 + d * r^4)]
-struct SixtyFourths<T> {
-    b: T,
-    c: T,
-    d: T,
 }
 
 /// A joint of two spheres with nearly the same radius.
@@ -100,44 +82,6 @@ struct Kind {
     single: fn([f32; 3]) -> Box<dyn GapProfile<f32>>,
 }
 
-const KINDS: [Kind; 7] = [
-    Kind {
-        exponents: [2.0, 3.0, 4.0],
-        double: |[b, c, d]| Box::new(Dense { b, c, d }),
-        single: |[b, c, d]| Box::new(Dense { b, c, d }),
-    },
-    Kind {
-        exponents: [2.0, 4.0, 6.0],
-        double: |[b, c, d]| Box::new(Even { b, c, d }),
-        single: |[b, c, d]| Box::new(Even { b, c, d }),
-    },
-    Kind {
-        exponents: [1.0, 4.0, 40.0],
-        double: |[b, c, d]| Box::new(Wide { b, c, d }),
-        single: |[b, c, d]| Box::new(Wide { b, c, d }),
-    },
-    Kind {
-        exponents: [1.5, 2.25, 4.0],
-        double: |[b, c, d]| Box::new(Quarters { b, c, d }),
-        single: |[b, c, d]| Box::new(Quarters { b, c, d }),
-    },
-    Kind {
-        exponents: [2.5, 4.0, 5.0],
-        double: |[b, c, d]| Box::new(Halves { b, c, d }),
-        single: |[b, c, d]| Box::new(Halves { b, c, d }),
-    },
-    Kind {
-        exponents: [0.375, 2.125, 4.0],
-        double: |[b, c, d]| Box::new(Eighths { b, c, d }),
-        single: |[b, c, d]| Box::new(Eighths { b, c, d }),
-    },
-    Kind {
-        exponents: [99.0 / 64.0, 2.25, 4.0],
-        double: |[b, c, d]| Box::new(SixtyFourths { b, c, d }),
-        single: |[b, c, d]| Box::new(SixtyFourths { b, c, d }),
-    },
-];
-
 impl Kind {
     /// Coefficients with which all terms contribute to J within some decades of the radius `unit`.
     fn coefficients(&self, stream: &mut Stream, unit: f64) -> [f64; 3] {
@@ -153,8 +97,8 @@ impl Kind {
 #[test]
 fn radii_are_exact_for_coefficients_of_any_size() {
     let (mut errors, mut errors_of_single) = (Errors::of(budget::RADIUS), Errors::of_single(budget::RADIUS));
-    for (index, kind) in KINDS.iter().enumerate() {
-        let mut stream = Stream::of_case(1, index as u64);
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(1, index);
         for _ in 0..200 {
             // Powers up to 44 do not fit into f64 far beyond these units, nor into f32 beyond metres for a millimetre.
             let unit = stream.magnitude(-3.0, 3.0);
@@ -234,8 +178,8 @@ fn a_plane_is_a_sphere_of_infinite_radius() {
 fn other_units_change_no_digit() {
     let is_of_eighths = |kind: &Kind| kind.exponents.iter().all(|n| (8.0 * n).fract() == 0.0);
     let is_low = |kind: &Kind| kind.exponents[2] <= 6.0;
-    for (index, kind) in KINDS.iter().enumerate().filter(|(_, kind)| is_low(kind) && is_of_eighths(kind)) {
-        let mut stream = Stream::of_case(2, index as u64);
+    for (index, kind) in (0..).zip(KINDS).filter(|(_, kind)| is_low(kind) && is_of_eighths(kind)) {
+        let mut stream = Stream::of_case(2, index);
         for _ in 0..2000 {
             let coefficients = kind.coefficients(&mut stream, 1.0);
             let load_integral = stream.magnitude(-6.0, 6.0);
@@ -255,8 +199,8 @@ fn other_units_change_no_digit() {
 
 #[test]
 fn slices_have_the_same_radii() {
-    for (index, kind) in KINDS.iter().enumerate() {
-        let mut stream = Stream::of_case(3, index as u64);
+    for (index, kind) in (0..).zip(KINDS) {
+        let mut stream = Stream::of_case(3, index);
         let coefficients = kind.coefficients(&mut stream, 1.0);
         let profile = (kind.double)(coefficients);
         let single = (kind.single)(coefficients.map(|c| c as f32));
