@@ -126,6 +126,23 @@ struct Two {
     d: f64,
 }
 
+#[gap_profile(c * r^2)]
+struct One {
+    c: f64,
+}
+
+/// Before anything is computed by the closed form.
+#[test]
+fn the_coefficient_of_a_single_term_is_checked() {
+    let contact = |c| Contact::new(One { c }, *paraboloid().medium(), Constant(100.0));
+    let is_coefficient =
+        |e: &ContactError| matches!(e, ContactError::Profile(ProfileError::InvalidCoefficient { .. }));
+    refused(contact(f64::INFINITY), is_coefficient, "inf");
+    let is_closing = |e: &ContactError| matches!(e, ContactError::Profile(ProfileError::NotOpening { .. }));
+    refused(contact(-1.0), is_closing, "-1");
+    assert!(contact(1.0).is_ok());
+}
+
 #[gap_profile(c * r^2 + d * r^3.3)]
 struct Fractional {
     c: f64,
