@@ -6,7 +6,7 @@
 
 use cartcontact::{GapProfile, gap_profile};
 
-use super::{OF_BALL, radius};
+use super::assert_ball;
 
 /// A ball of radius 20 whose other fields are 1.
 macro_rules! ball {
@@ -139,8 +139,7 @@ fn names_of_fields_are_free() {
     let positive = ball!(Positive: TABLE FAULTS FUSED gap max_radius check r#type cartcontact core);
     let named_like_the_scalar = NamedLikeTheScalar { T: 20.0 };
     for profile in [&one as &dyn GapProfile<f64>, &two, &many, &positive, &named_like_the_scalar, &T] {
-        let radius = radius(&profile);
-        assert!((radius / OF_BALL - 1.0).abs() < 1e-12, "{radius}");
+        assert_ball(&profile);
         assert_eq!(profile.check(), Ok(()));
     }
     assert_eq!(GapProfile::<f64>::max_radius(&many), 20.0);

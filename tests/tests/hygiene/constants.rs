@@ -2,7 +2,7 @@
 
 #![allow(dead_code, non_upper_case_globals, non_snake_case, reason = "what is here is in the way on purpose")]
 
-use super::{OF_BALL, radius};
+use super::{assert_ball, radius};
 
 macro_rules! constants {
     ($($name:ident)*) => { $(const $name: f64 = 7.0;)* };
@@ -37,9 +37,8 @@ struct Declared {
 
 #[test]
 fn constants_in_scope_are_not_used() {
-    let ball = Ball { R: 20.0, k: 1.0 };
-    assert!((radius::<f64>(&ball) / OF_BALL - 1.0).abs() < 1e-12);
-    assert!((radius::<f64>(&Declared { R: 20.0, k: 1.0 }) / OF_BALL - 1.0).abs() < 1e-12);
+    assert_ball::<f64>(&Ball { R: 20.0, k: 1.0 });
+    assert_ball::<f64>(&Declared { R: 20.0, k: 1.0 });
     // The sphere of radius 20 up to the sixth order.
     let sphere = cartcontact::Polynomial::new([(1.0 / 40.0, 2.0), (1.0 / 64e3, 4.0), (1.0 / 51.2e6, 6.0)]);
     let expected = sphere.map_or(f64::NAN, |sphere| radius::<f64>(&sphere));

@@ -2,7 +2,7 @@
 
 use cartcontact::gap_profile;
 
-use super::{OF_BALL, radius};
+use super::assert_ball;
 
 #[allow(dead_code, reason = "its methods are in the way on purpose")]
 trait Extension: Sized {
@@ -43,13 +43,9 @@ struct RealPowers {
 #[test]
 fn methods_in_scope_are_not_called() {
     let (ball, curvature) = (20.0, 1e-30);
-    for radius in [
-        radius::<f64>(&OneTerm),
-        radius::<f64>(&Constants),
-        radius::<f64>(&OneField { radius: ball }),
-        radius::<f64>(&Fields { radius: ball, curvature }),
-        radius::<f64>(&RealPowers { radius: ball, curvature }),
-    ] {
-        assert!((radius / OF_BALL - 1.0).abs() < 1e-12, "{radius}");
-    }
+    assert_ball::<f64>(&OneTerm);
+    assert_ball::<f64>(&Constants);
+    assert_ball::<f64>(&OneField { radius: ball });
+    assert_ball::<f64>(&Fields { radius: ball, curvature });
+    assert_ball::<f64>(&RealPowers { radius: ball, curvature });
 }

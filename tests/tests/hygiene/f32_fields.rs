@@ -2,7 +2,7 @@
 
 use cartcontact::gap_profile;
 
-use super::{OF_BALL, radius};
+use super::assert_ball;
 
 /// A measured radius, and one from a data sheet.
 #[gap_profile(r^2 / (4 * measured) + r^2 / (4 * nominal))]
@@ -21,8 +21,8 @@ struct Scaled<T> {
 #[test]
 fn fields_of_both_precisions_mix() {
     let mixed = Mixed { measured: 20.0, nominal: 20.0 };
-    assert!((radius::<f64>(&mixed) / OF_BALL - 1.0).abs() < 1e-14);
-    assert!((radius::<f32>(&mixed) / OF_BALL - 1.0).abs() < 1e-6);
-    assert!((radius(&Scaled { height: 0.5, radius: 20.0_f64 }) / OF_BALL - 1.0).abs() < 1e-14);
-    assert!((radius(&Scaled { height: 0.5, radius: 20.0_f32 }) / OF_BALL - 1.0).abs() < 1e-6);
+    assert_ball::<f64>(&mixed);
+    assert_ball::<f32>(&mixed);
+    assert_ball(&Scaled { height: 0.5, radius: 20.0_f64 });
+    assert_ball(&Scaled { height: 0.5, radius: 20.0_f32 });
 }

@@ -6,7 +6,7 @@ use core::ops::Add;
 
 use cartcontact::gap_profile;
 
-use super::{OF_BALL, radius};
+use super::{assert_ball, radius};
 
 /// A ball over any scalar.
 #[gap_profile(r^2 / (2 * radius))]
@@ -130,5 +130,5 @@ fn parameters_of_all_kinds_are_kept() {
     let marked: Marked<u8> = Marked::default();
     assert_eq!(marked.marker, PhantomData);
     assert_eq!(radius::<f64>(&marked), radius::<f64>(&labelled));
-    assert!((radius::<f64>(&labelled) / OF_BALL - 1.0).abs() < 1e-14);
+    assert_ball::<f64>(&labelled);
 }

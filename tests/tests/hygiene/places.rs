@@ -1,6 +1,6 @@
 //! Structs in modules, functions, blocks and macros; visibilities, attributes and paths of the crate.
 
-use super::{OF_BALL, radius};
+use super::{assert_ball, radius};
 
 /// At the top of a module.
 #[cartcontact::gap_profile(r^2 / 40)]
@@ -53,14 +53,14 @@ fn a_profile_may_stand_in_a_function() {
         Innermost { radius: 20.0 }
     };
     assert_eq!(radius::<f64>(&Local), radius::<f64>(&Plain));
-    assert!((radius::<f64>(&inner) / OF_BALL - 1.0).abs() < 1e-14);
+    assert_ball::<f64>(&inner);
 }
 
 #[test]
 fn a_profile_may_stand_among_other_attributes() {
     let outer = inner::Outer { radius: 20.0 };
     assert_eq!(outer.clone(), outer);
-    assert!((radius::<f64>(&outer) / OF_BALL - 1.0).abs() < 1e-14);
+    assert_ball::<f64>(&outer);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use cartcontact::gap_profile;
 
-use super::{OF_BALL, radius};
+use super::assert_ball;
 
 #[allow(dead_code, non_camel_case_types, reason = "it is in the way on purpose")]
 struct f32;
@@ -35,10 +35,10 @@ struct Mixed {
 #[test]
 fn types_in_scope_are_not_used() {
     let (one, mixed) = (OneTerm { radius: 20.0 }, Mixed { radius: 20.0, depth: 1.0 });
-    for radius in [radius::<Double>(&Constant), radius::<Double>(&one), radius::<Double>(&mixed)] {
-        assert!((radius / OF_BALL - 1.0).abs() < 1e-12, "{radius}");
-    }
-    for radius in [radius::<Single>(&Constant), radius::<Single>(&one), radius::<Single>(&mixed)] {
-        assert!((radius / OF_BALL - 1.0).abs() < 1e-6, "{radius}");
-    }
+    assert_ball::<Double>(&Constant);
+    assert_ball::<Double>(&one);
+    assert_ball::<Double>(&mixed);
+    assert_ball::<Single>(&Constant);
+    assert_ball::<Single>(&one);
+    assert_ball::<Single>(&mixed);
 }

@@ -2,7 +2,7 @@
 
 #![allow(dead_code, non_upper_case_globals, unused_macros, reason = "what is here is in the way on purpose")]
 
-use super::{OF_BALL, radius};
+use super::assert_ball;
 
 struct Some;
 struct None;
@@ -71,12 +71,8 @@ struct Computed<const coefficients: usize, const steepness: usize> {
 #[test]
 fn names_in_scope_are_not_used() {
     let converted: Converted<f64, f32> = Converted { of: ::core::marker::PhantomData };
-    for radius in [
-        radius::<f64>(&Ball { radius: 20.0 }),
-        radius::<f64>(&converted),
-        radius::<f64>(&Counted::<1, 2>),
-        radius::<f64>(&Computed::<1, 2> { radius: 20.0 }),
-    ] {
-        assert!((radius / OF_BALL - 1.0).abs() < 1e-12, "{radius}");
-    }
+    assert_ball::<f64>(&Ball { radius: 20.0 });
+    assert_ball::<f64>(&converted);
+    assert_ball::<f64>(&Counted::<1, 2>);
+    assert_ball::<f64>(&Computed::<1, 2> { radius: 20.0 });
 }
