@@ -2,7 +2,7 @@
 //!
 //! For the gap C r², similarity gives a ∝ F^(1/6), δ₀ ∝ F^(1/3) and P(0, t) ∝ F^(2/3) under a held load F.
 
-use cartcontact::load::Constant;
+use cartcontact::load::{Constant, PiecewiseLinear};
 use cartcontact::{Contact, GapProfile, Medium, Polynomial, Scalar, gap_profile};
 use num_dual::{Dual2_32, Dual2_64, Dual32, Dual64};
 use tests::budget;
@@ -169,6 +169,41 @@ fn derivatives_are_there_where_products_of_load_integrals_are_not() -> Result<()
     for octaves in [0, 70, 95] {
         let (peak, m) = peak_by_stiffness(octaves, |m| Dual64::from(m).derivative())?;
         assert_close(peak.eps, peak.re / (3.0 * m), &octaves);
+    }
+    Ok(())
+}
+
+/// The peak pressure of the gap C r² + D r⁴ under a record that falls, for [C, D, m, F].
+fn peak_after_a_fall<T: Scalar>([c, d, m, force]: [T; 4]) -> Result<T, Failure> {
+    let profile = Polynomial::new([(c, T::constant(2.0)), (d, T::constant(4.0))])?;
+    let knots = [(0.0, 0.2), (7.0, 1.0), (100.0, 0.9), (150.0, 1.1)];
+    let load = PiecewiseLinear::new(knots.map(|(t, share)| (T::constant(t), force * T::constant(share))))?;
+    let contact = Contact::new(profile, Medium::from_constants(m, T::constant(0.0015))?, load)?;
+    Ok(contact.at(T::constant(200.0))?.peak_pressure())
+}
+
+/// The derivative of a quotient by a⁴ is a difference of products with a⁴: in m⁴ they are too small for f32, in µm⁴ too
+/// large.
+#[test]
+fn derivatives_are_there_where_products_with_a_power_of_the_radius_are_not() -> Result<(), Failure> {
+    for (values, variable) in [
+        ([25.0, 109_375.0, 3.75e14, 0.01], 2),
+        ([25.0, 109_375.0, 3e15, 1.0], 2),
+        ([25.0, 109_375.0, 3e16, 100.0], 2),
+        ([2.5e-5, 1.093_75e-13, 3.75e-10, 1e8], 1),
+        ([2.5e-5, 1.093_75e-13, 3.75e-16, 100.0], 1),
+    ] {
+        let mut single = values.map(|x| Dual32::from(x as f32));
+        single[variable] = single[variable].derivative();
+        let mut double = single.map(|x| Dual64::from(f64::from(x.re)));
+        double[variable] = double[variable].derivative();
+        let (found, expected) = (peak_after_a_fall(single)?, peak_after_a_fall(double)?);
+        // The derivative is a difference of shares of the pressure, and that is off by its rounding.
+        let share = expected.re / double[variable].re;
+        let rounding = 2.0 * budget::PRESSURE.single * f64::from(f32::EPSILON);
+        let error = (f64::from(found.eps) - expected.eps).abs();
+        let allowed = rounding * (expected.eps.abs() + share);
+        assert!(error <= allowed, "{found} instead of {expected} for {values:?}");
     }
     Ok(())
 }

@@ -58,7 +58,7 @@ impl<T: Scalar> Increment<T> {
     pub(super) fn over_time(radii: &[T], weights: &mut [T], low: T) -> Self {
         for (weight, &s) in weights.iter_mut().zip(radii) {
             let square = s * s;
-            *weight /= square * square;
+            *weight = ratio(*weight, square * square);
         }
         Self::of(radii, weights, low)
     }

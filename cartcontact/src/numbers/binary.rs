@@ -43,8 +43,8 @@ fn clamped_power_of_two<T: Scalar>(e: i32) -> T {
     }
 }
 
-/// A quotient of numbers of similar size. The derivative of one is a difference of products over a square, which leave
-/// the format long before the numbers do.
+/// A quotient, such as that of numbers of similar size, or by a power of a radius. The derivative of one is a difference
+/// of products over a square, which leave the format long before the numbers do.
 #[inline(always)]
 pub(crate) fn ratio<T: Scalar>(x: T, y: T) -> T {
     if has_no_derivatives::<T>() || !is_finite_and_positive(y) {
