@@ -27,6 +27,8 @@ use crate::numbers::bits::nearest_integer;
 /// - with respect to m, also those of radius and approach, where m is outside 1e-150 to 1e150, or 1e-17 to 1e18 in
 ///   `f32`, and second ones in `f64` outside 1e-75 to 1e75: powers of 1/m leave the format, and the derivatives may be
 ///   zero or off by a factor as well as NaN. In SI units m is 1e14 to 1e17;
+/// - with respect to the coefficient of rⁿ, also those of radius and approach, where aⁿ⁺⁴ comes near the end of the
+///   format, as in `f32` in µm for r⁶ and higher powers: NaN;
 /// - those with respect to a parameter that changes a user-defined force strongly while the force itself hardly varies,
 ///   such as b in F (1 − b e^(−t/τ)) at b = 0 with a short τ, or bends a force whose value is straight, such as p in
 ///   F t^p at p = 1 (off by 3e-5), because the values alone decide how closely a force is followed. A knot where the
