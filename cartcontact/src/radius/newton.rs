@@ -29,7 +29,7 @@ use super::{beyond, needs_search};
 use crate::Scalar;
 use crate::numbers::binary::{estimated_root_of_quotient, scale, split};
 use crate::profile::RadiusError;
-use crate::scalar::{has_no_derivatives, is_same, lesser};
+use crate::scalar::{has_no_derivatives, lesser};
 
 /// Solves J(a) = `target` on (0, `limit`] for a gap of the terms (C, n), in any order.
 ///
@@ -51,7 +51,7 @@ pub fn invert<T: Scalar>(
     if !needs_search(target, limit)? {
         return Ok(T::zero());
     }
-    let Seed { radius: start, mut bracket, highest_power } = Seed::of(target, terms);
+    let Seed { radius: start, mut bracket } = Seed::of(target, terms);
     // J(`limit`) as it is known to a caller who asks for the end of the range. Plain arithmetic may give less; with
     // fields, whose coefficients are rounded here, even this may be less by some roundings.
     let is_end_near = limit.is_finite() && (has_negative_terms || limit <= bracket.high);
@@ -68,7 +68,7 @@ pub fn invert<T: Scalar>(
         bracket.high = high.ok_or_else(|| beyond(target, -T::infinity(), limit))?.min(limit);
     }
     bracket.low = bracket.low.min(bracket.high);
-    let close = close_enough(has_negative_terms, highest_power);
+    let close = close_enough(has_negative_terms);
     let (_, exponent) = split(target);
     // The derivative of 1/y has a factor 1/y², which a small y makes leave the format: all is divided by a power of two
     // near y.
@@ -106,19 +106,17 @@ struct Seed<T> {
     radius: T,
     /// Its upper end holds without negative terms only.
     bracket: Bracket<T>,
-    highest_power: T,
 }
 
 impl<T: Scalar> Seed<T> {
     fn of(target: T, terms: impl IntoIterator<Item = (T, T)>) -> Self {
         let (two, four) = (T::constant(2.0), T::constant(4.0));
-        let (mut radius, mut count) = (T::infinity(), T::zero());
-        let (mut least_power, mut highest_power) = (T::infinity(), T::zero());
+        let (mut radius, mut count, mut least_power) = (T::infinity(), T::zero(), T::infinity());
         for (c, n) in terms.into_iter().filter(|&(c, _)| c > T::zero()) {
             // j a^p = y for p = n + 4 and 1/j = (n+2)(n+4)/(C n).
             let p = n + four;
             radius = radius.min(estimated_root_of_quotient(target, (n + two) * (p / n), c, p));
-            (least_power, highest_power) = (least_power.min(p), highest_power.max(p));
+            least_power = least_power.min(p);
             count += T::one();
         }
         // N^(−1/p) ≥ 1 − (ln N)/p ≥ 1 − (N−1)/p, but never below N^(−1/4) ≥ 1/N.
@@ -126,7 +124,7 @@ impl<T: Scalar> Seed<T> {
         // Both ends are widened by the error of the estimates.
         let margin = T::constant(0.02);
         let (low, high) = (radius * shrink * (T::one() - margin), radius * (T::one() + margin));
-        Self { radius, bracket: Bracket { low, high }, highest_power }
+        Self { radius, bracket: Bracket { low, high } }
     }
 }
 
@@ -209,27 +207,18 @@ fn iterate<T: Scalar>(
 /// Half the relative change, B/A, below which one more step of each kind ends the iteration.
 ///
 /// A step on logarithms leaves v/(2 p) times the square of the error, where v is the variance of the powers weighted by
-/// their terms; a Newton step leaves p/2 times its square. With powers between 4 and 68 that is below ε/4 for the
-/// limits of f64 and f32. For higher powers limits that fall with 1/p₂ suffice, because v/p is below the highest power
-/// p₂ and the remaining error below p₂³/8 times the fourth power. The derivatives of dual numbers lag one step behind.
+/// their terms; a Newton step leaves p/2 times its square. Without negative terms v/p is below the highest power p₂, so
+/// that both leave less than p₂³/8 times the fourth power of the error: below √ε/8 that is less than ε/8 for powers up
+/// to 1028, also in single precision. The derivatives of dual numbers lag one step behind.
 ///
 /// With negative terms v and p, then a J″/J′, have no bound: next to a double zero of δ₀′ the slope doubles within a
 /// share w of the radius, and both are of the size of 1/w. Steps below ε^(3/4) leave ε while w is above √ε. If the
 /// condition number is above ε^(−1/4), rounding of J keeps steps from becoming that short, and the bracket is halved to
 /// its end instead. The point found is then off by some ε times the condition number, which the last step takes away:
 /// it leaves the square of that, times up to the condition number, and so is of use while it is below √ε.
-fn close_enough<T: Scalar>(has_negative_terms: bool, highest_power: T) -> T {
-    let share = (T::constant(68.0) / highest_power).min(T::one());
-    if has_negative_terms {
-        let root = T::default_epsilon().sqrt();
-        root * root.sqrt()
-    } else if is_same::<T, f64>() {
-        T::constant(4e-6) * share
-    } else if is_same::<T, f32>() {
-        T::constant(3e-4) * share
-    } else {
-        T::default_epsilon().sqrt() * T::constant(0.5)
-    }
+fn close_enough<T: Scalar>(has_negative_terms: bool) -> T {
+    let root = T::default_epsilon().sqrt();
+    root * if has_negative_terms { root.sqrt() } else { T::constant(0.125) }
 }
 
 #[cfg(test)]

@@ -51,3 +51,32 @@ fn radii_of_sums_are_next_to_the_exact_ones() {
     errors.check();
     errors_of_single.check();
 }
+
+/// Powers above those for which a fixed number of steps is enough, up to the highest one, beside a low one.
+#[test]
+fn radii_of_the_highest_powers_are_next_to_the_exact_ones() {
+    let mut errors = Errors::of(budget::RADIUS_OF_SUMS);
+    let mut errors_of_single = Errors::of_single(budget::RADIUS_OF_SUMS);
+    for highest in [100.0, 300.0, 700.0, 1024.0] {
+        for low in [0.25, 2.0, 30.0] {
+            // Both terms are as large as each other at 1.
+            let terms = [low, highest].map(|n| ((n + 2.0) * (n + 4.0) / n, n));
+            let single = terms.map(|(c, n)| (c as f32, n as f32));
+            for k in 0..100 {
+                let load_integral = 10f64.powf(f64::from(k) / 50.0 - 1.5);
+                let found = radius(&terms, load_integral);
+                errors.add(found, exact_radius(&terms, load_integral), 1.0, &(terms, load_integral));
+                let load_integral = load_integral as f32;
+                let expected = exact_radius(&single.map(|(c, n)| (c.into(), n.into())), load_integral.into());
+                errors_of_single.add(
+                    radius(&single, load_integral).into(),
+                    expected,
+                    1.0,
+                    &(single, load_integral),
+                );
+            }
+        }
+    }
+    errors.check();
+    errors_of_single.check();
+}
