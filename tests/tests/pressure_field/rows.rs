@@ -74,6 +74,22 @@ fn the_edge_carries_nothing() -> Result<(), ContactError> {
     Ok(())
 }
 
+/// Next to the edge, what rows add is the difference of nearly equal numbers.
+#[test]
+fn pressures_at_the_edge_of_the_first_row_are_not_negative() -> Result<(), ContactError> {
+    for case in 0..2000 {
+        let start = 1.0 + f64::from(case) / 100.0;
+        let times: Vec<f64> = (0..20).map(|row| start * (1.0 + f64::EPSILON * f64::from(1 << row))).collect();
+        let contact = joint(Patellofemoral, CHI, Constant(100.0));
+        let edge = contact.at(times[0])?.radius();
+        let radii: Vec<f64> = (1..40).map(|k| edge * (1.0 - 0.5 * f64::EPSILON * f64::from(k))).collect();
+        let mut values = vec![f64::NAN; times.len() * radii.len()];
+        contact.pressure_field(&times, &radii, &mut values)?;
+        assert!(values.iter().all(|&pressure| pressure >= 0.0), "{start} s");
+    }
+    Ok(())
+}
+
 /// Once for the first row, and once for all.
 #[test]
 fn a_history_is_searched_twice_for_any_number_of_rows() -> Result<(), ContactError> {
@@ -208,6 +224,26 @@ fn a_step_of_the_field_may_begin_within_the_fastest_fall() -> Result<(), Contact
     for case in cases() {
         for last in [12.5, 12.6, 13.0, 15.0, 40.0] {
             compare(&mut errors, case, &fall, &[11.0, 12.0, last], &[0.0, 3.0])?;
+        }
+    }
+    errors.check();
+    Ok(())
+}
+
+/// What the edge passes last has a pressure in proportion to a rate that vanishes.
+#[test]
+fn rows_may_end_just_before_the_end_of_the_fastest_fall() -> Result<(), ContactError> {
+    let mut errors = Errors::of(budget::FIELD);
+    for folds in [0.003, 0.01, 0.03] {
+        let end = folds / CHI;
+        let fall = through(&[(0.0, 100.0), (end, 100.0 / (1.0 + folds))]);
+        for case in cases() {
+            for rest in [1e-3, 1e-4, 3e-5] {
+                let times = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0 - rest, 1.0 - 0.1 * rest].map(|share| end * share);
+                let before = contact(case, &fall, &times)?.at(times[5])?.radius();
+                let radii = [0.1, 0.5].map(|share| before + (LAST_RADIUS - before) * share);
+                compare(&mut errors, case, &fall, &times, &radii)?;
+            }
         }
     }
     errors.check();

@@ -53,6 +53,12 @@ fn roundings_do_not_add_up_where_hardly_anything_drains() -> Result<(), Failure>
     check::<f32>()
 }
 
+/// The reciprocal of such an interval is out of range.
+#[test]
+fn rows_may_be_closer_than_any_normal_number() -> Result<(), ContactError> {
+    compare(Constant(50.0), 2e-309, 20)
+}
+
 #[test]
 fn roundings_do_not_add_up_over_a_quarter_of_a_million_rows() -> Result<(), ContactError> {
     for span in [1e-12, 1e-11, 1e-10, 2.5e-10, 1e-9] {
