@@ -4,8 +4,8 @@
 use cartcontact::{ContactError, Polynomial};
 use tests::budget;
 use tests::condition::edge;
-use tests::loads::through;
-use tests::measure::relative_error;
+use tests::loads::{Knots, through};
+use tests::measure::{relative_error, ulps};
 use tests::planted;
 
 /// One straight piece of a load.
@@ -64,6 +64,34 @@ fn a_piece_is_the_sum_of_its_parts() -> Result<(), ContactError> {
                 let allowed = 2.0 * budget::PRESSURE.double * edge(a, share * a);
                 assert!(error < allowed, "{:?}, {parts} parts, {share}: {error} ε", piece.terms);
             }
+        }
+    }
+    Ok(())
+}
+
+/// A load that falls to nearly nothing and then rises along a line, with knots that divide the rise into so many parts.
+fn fall_and_rise(folds: f64, parts: u32) -> Knots {
+    let (end, last) = (24.0, 1e-4_f64);
+    let fall = (0..12).map(|k| (2.0 * f64::from(k), last.powf(f64::from(k) / 12.0)));
+    let rise = (0..=parts).map(|part| {
+        let share = f64::from(part) / f64::from(parts);
+        (end + folds * share, last + (0.3 - last) * share)
+    });
+    through(&fall.chain(rise).collect::<Vec<_>>())
+}
+
+/// Continued backwards, Y stands still just before such a rise: there ages are a square root of the radius.
+#[test]
+fn a_rise_from_next_to_nothing_is_the_sum_of_its_parts() -> Result<(), ContactError> {
+    for exponent in [0.5, 2.0, 4.0, 24.75] {
+        for folds in [0.5, 1.0, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0] {
+            let peak = |parts| -> Result<f64, ContactError> {
+                let (gap, load) = (Polynomial::new([(1.0, exponent)])?, fall_and_rise(folds, parts));
+                let end = 24.0 + folds;
+                Ok(planted::contact(gap, load, 1.0, 1.0, end)?.at(end)?.peak_pressure())
+            };
+            let error = ulps(peak(1)?, peak(64)?.into(), f64::EPSILON);
+            assert!(error <= 2.0 * budget::PEAK_PRESSURE.double, "r^{exponent}, {folds}: {error} ulp");
         }
     }
     Ok(())

@@ -1,12 +1,16 @@
-//! User-defined loads on a gap that is admissible only by a millionth: where δ₀′ nearly vanishes, the rounding of a
-//! load integral moves the radius by a hundred thousand of its own roundings, and this must not shorten the steps of
-//! the load.
+//! Gaps whose δ₀′ nearly vanishes, where the contact spreads fast.
+//!
+//! On one that is admissible only by a millionth, the rounding of a load integral moves the radius by a hundred thousand
+//! of its own roundings, and this must not shorten the steps of a user-defined load.
 
-use cartcontact::{ContactError, GapProfile, Polynomial, gap_profile};
+use core::error::Error;
+
+use cartcontact::load::Constant;
+use cartcontact::{Contact, ContactError, GapProfile, Medium, Polynomial, gap_profile};
 use tests::budget;
 use tests::condition::{edge, of_radius, of_sizes};
 use tests::loads::{CountingForces, Unannounced, through};
-use tests::measure::Errors;
+use tests::measure::{Errors, relative_error};
 use tests::planted;
 
 /// δ₀′ = a (1 − 2 (a/7) + 1.000001 (a/7)²).
@@ -43,6 +47,50 @@ fn pressures_are_those_of_a_straight_load_and_take_few_forces() -> Result<(), Co
         }
     }
     errors.check();
+    Ok(())
+}
+
+/// δ₀′ ∝ a² (1 − 1.996 a² + a⁴). Along one piece s δ₀′ falls outwards between some of the outer nodes, and between none
+/// of the inner ones.
+#[test]
+fn a_rise_from_nothing_is_the_sum_of_its_parts() -> Result<(), Box<dyn Error>> {
+    let terms = [(5.0 / 6.0, 3.0), (-1.3972, 5.0), (9.0 / 14.0, 7.0)];
+    let gap = Polynomial::new(terms)?;
+    for end in [0.98, 0.99, 1.0, 1.01, 1.02] {
+        for folds in [0.2, 0.3, 0.4, 0.5] {
+            let peak = |parts: u32| -> Result<f64, ContactError> {
+                let shares = (0..=parts).map(|part| f64::from(part) / f64::from(parts));
+                let load = through(&shares.map(|share| (folds * share, share)).collect::<Vec<_>>());
+                Ok(planted::contact(&gap, load, 1.0, end, folds)?.at(folds)?.peak_pressure())
+            };
+            let error = relative_error(peak(1)?, peak(64)?, f64::EPSILON);
+            let condition = of_radius(&gap, &of_sizes(&terms), end.min(1.0));
+            let allowed = 2.0 * budget::PEAK_PRESSURE.double * condition;
+            assert!(error <= allowed, "{end}, {folds}: {error} of {allowed} ε");
+        }
+    }
+    Ok(())
+}
+
+/// The last coefficient of the radii at the nodes of a piece is next to nothing, and only the one before it shows that
+/// the rule is too short.
+#[test]
+fn knots_of_a_held_load_change_nothing() -> Result<(), Box<dyn Error>> {
+    let terms = [(0.05, 2.0), (-0.08303262, 3.0), (0.0375, 4.0)];
+    let (gap, force, end) = (Polynomial::new(terms)?, 4.1668348667e-5, 0.135763956);
+    let medium = Medium::from_constants(0.375, 1.0)?;
+    let knots = [0.0, 0.009762355860, 0.017406099543].map(|t| (t, force));
+    let constant = Contact::new(&gap, medium, Constant(force))?;
+    let record = Contact::new(&gap, medium, through(&knots))?;
+    let (expected, found) = (constant.at(end)?, record.at(end)?);
+    let a = expected.radius();
+    let condition = of_radius(&gap, &of_sizes(&terms), a);
+    for share in [0.0, 0.5, 0.9] {
+        let r = share * a;
+        let error = relative_error(found.pressure(r), expected.pressure(r), f64::EPSILON);
+        let allowed = 2.0 * budget::PRESSURE.double * condition * edge(a, r);
+        assert!(error <= allowed, "{share}: {error} of {allowed} ε");
+    }
     Ok(())
 }
 
