@@ -24,9 +24,8 @@
 //! # How the data flows
 //!
 //! A geometry ([`GapProfile`]: an item with [`#[gap_profile]`](macro@gap_profile), or a [`Polynomial`] known at run
-//! time only), a [`Medium`] made of [`Layer`]s and a [`load`] make a [`Contact`]. At a time it gives a [`Snapshot`],
-//! whose radius is solved once and whose approach and pressures are computed when they are asked for; for many times
-//! it fills slices.
+//! time only), a [`Medium`] made of [`Layer`]s and a [`load`] make a [`Contact`]. For one time it gives a [`Snapshot`],
+//! which has the radius and computes approach and pressures when they are asked for; for many times it fills slices.
 //!
 //! | symbol | meaning | unit | name |
 //! |---|---|---|---|
@@ -42,30 +41,32 @@
 //! | m | stiffness of the layers | MPa/mm³ | [`Medium::m`] |
 //! | χ | rate of drainage | 1/s | [`Medium::chi`] |
 //!
-//! Any consistent system of units does. As fluid drains, pressures depend on the whole history of the load: the layers'
-//! *memory*, which fades as e^(−χ t). A *knot* is a time at which a load jumps or has a kink.
+//! Any consistent system of units will do. As fluid drains, pressures depend on the whole history of the load, by a
+//! *memory integral*. This memory fades as e^(−χ t), by a factor of e in each *e-folding*, a time of 1/χ. A *knot* is a
+//! time at which a load jumps or has a kink; a load is *straight* where it is linear in time.
 //!
 //! # What it assumes
 //!
-//! Layers that are thin (a ≫ h) and isotropic on rigid bones, small strains, no friction, axial symmetry, times short
-//! against the diffusion of fluid through a layer's thickness, and loads that do not fall faster than e^(−χ t), so that
-//! the contact never shrinks. Against the exact solution for an incompressible elastic layer, as which a biphasic one
-//! responds at t = 0⁺ (a paraboloid on one bonded layer), under the loads for which the model has a/h = 4, 8, 16 and
-//! 32, the radius is 48, 21, 10 and 5 % too large, the approach 30, 9, 2.5 and 0.7 % too large, and the peak pressure
-//! 29, 10, 3 and 0.7 % too small. To see where a result lies, compare [`Snapshot::radius`] with the thickness h, and
-//! the time with [`Layer::diffusion_time`].
+//! Layers that are thin (a ≫ h) and isotropic on rigid bones, small strains, no friction, axial symmetry, times that
+//! are short compared with the diffusion of fluid through a layer's thickness, and loads that do not fall faster than
+//! e^(−χ t), so that the contact never shrinks. At t = 0⁺ a biphasic layer responds like an incompressible elastic one.
+//! Compared with the exact solution for that (a paraboloid on one bonded layer), at loads for which the model gives a/h
+//! = 4, 8, 16 and 32, the radius is 48, 21, 10 and 5 % too large, the approach 30, 9, 2.5 and 0.7 % too large, and the
+//! peak pressure 29, 10, 3 and 0.7 % too small. To judge a result, compare [`Snapshot::radius`] with the thickness h,
+//! and the time with [`Layer::diffusion_time`].
 //!
 //! # Numbers
 //!
 //! All numbers of a contact have one type, a [`Scalar`]: f64, f32, or dual numbers, with which every result carries its
-//! derivatives with respect to any parameter, for fits and sensitivities.
+//! derivatives with respect to any parameter, for fits and sensitivities. ε is the distance from 1 to the next number,
+//! 2⁻⁵² in f64 and 2⁻²³ in f32.
 //!
 //! # Errors
 //!
-//! Every constructor and every time is checked, and each kind of fault has its type: [`MediumError`],
-//! [`load::LoadError`], [`ProfileError`], [`RadiusError`] and [`ContactError`], which may hold one of the others. A
-//! message says what is wrong, the value, and what to do. A `main` that returns an error prints its fields instead; to
-//! print the message, write the error with `{error}`.
+//! The arguments of every constructor and every time asked for are checked, and each kind of fault has its own type:
+//! [`MediumError`], [`load::LoadError`], [`ProfileError`], [`RadiusError`] and [`ContactError`], which may hold one of
+//! the others. A message says what is wrong, the value, and what to do. A `main` that returns an error prints its
+//! fields instead; to print the message, format the error with `{error}`.
 //!
 //! # Features
 //!
@@ -74,7 +75,7 @@
 //! | `std` | yes | mathematical functions of the standard library |
 //! | `libm` | no | mathematical functions of the `libm` crate, for targets without `std` |
 //! | `nalgebra` | yes | `Contact::pressure_matrix`, a pressure field as a `DMatrix` of `nalgebra` 0.35 |
-//! | `simd` | yes | the widest vectors and the fused instructions of an x86-64 processor, chosen at run time |
+//! | `simd` | yes | the widest vectors and the fused multiply-add of an x86-64 processor, chosen at run time |
 //!
 //! Without `std` the crate needs `libm`; it does not allocate. `nalgebra` and `simd` switch `std` on.
 #![cfg_attr(not(any(feature = "std", test)), no_std)]

@@ -12,11 +12,11 @@ use crate::numbers::bits::nearest_integer;
 /// its derivatives: write the joint as a function of `T: Scalar`, with `T::constant` for its constants, as the example
 /// `sensitivities` does; `num_dual::jacobian` takes such a function of an `SVector` as it is. Functions such as `exp`
 /// come with the bound, without an import. Dual numbers of dual numbers, and those such as `DualDVec64` whose number of
-/// variables is known at run time only, are no such types. A release of `num-dual` fits if it is made for the same
+/// variables is known only at run time, do not qualify. A release of `num-dual` fits if it is made for the same
 /// `simba`: 0.15 for 0.10, with `nalgebra` 0.35. Under a load of a hundred knots a pressure with one derivative takes
 /// some twenty times as long as without, as its pieces are integrated one by one; under a held load 5 to 14 times.
 ///
-/// Exceptions are these derivatives, of pressures unless others are named:
+/// These derivatives, of pressures unless other results are named, may be wrong or NaN:
 ///
 /// - those with respect to time at a knot, and second ones at t = 0;
 /// - where χ = 0, under a load that is not straight between knots: second ones, and first ones with respect to χ unless

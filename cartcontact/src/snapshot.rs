@@ -54,8 +54,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// The approach δ₀(t) of the bones, in mm.
     ///
-    /// It belongs to the exact contact radius rather than to the rounded one, so that high powers do not multiply
-    /// the rounding.
+    /// It is that for the exact contact radius, not for the rounded one, so that high powers do not magnify the
+    /// rounding.
     ///
     /// # Formula
     ///
@@ -96,8 +96,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
 
     /// The contact pressure P(r, t) at the distance |r| from the axis, in MPa; zero outside the contact.
     ///
-    /// A radius that is not a number has no pressure: the result is not a number either.
-    /// [`Contact::pressure_field`] checks its radii instead.
+    /// If `r` is not a number, neither is the result. [`Contact::pressure_field`] checks its radii instead.
     ///
     /// # Formula
     ///
@@ -111,7 +110,7 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
     ///
     /// Within 8 units in the last place times 1 + 2a/(a − r), which is how far rounding the radius alone moves the
     /// result. Where terms of both signs cancel, that is multiplied by the largest Σ|terms of J|/(a J′) of the radii so
-    /// far, and after the load has fallen by Y/F as well.
+    /// far and, once the load has fallen, by Y/F as well.
     ///
     /// # Examples
     ///
@@ -143,8 +142,8 @@ impl<'a, T: Scalar, P: GapProfile<T>, L: Load<T>> Snapshot<'a, T, P, L> {
         change.apply(self.initial_pressure(start, r), r)
     }
 
-    /// The pressure P(0, t) on the axis, the largest one, in MPa, within 8 units in the last place, a third of the
-    /// bound of [`pressure`](Self::pressure) at r = 0, and where terms of both signs cancel with the same factors.
+    /// The pressure P(0, t) on the axis, the largest one, in MPa. It is within 8 units in the last place, a third of
+    /// the bound of [`pressure`](Self::pressure) at r = 0; where terms of both signs cancel, with the same factors.
     ///
     /// In single precision it is within 16 units under a user-defined load that falls for more than twenty e-foldings,
     /// step by step, because the decay over each step is rounded.

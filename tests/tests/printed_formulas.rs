@@ -79,7 +79,7 @@ fn page() -> String {
     let profile = case("Patellofemoral").oracle();
     let contact = Oracle::new(profile.clone(), M, CHI, &[(0.0, FORCE)]);
     let mut page = String::from(
-        "Where the printed formulas fail.\n\
+        "Where the printed formulas lose digits.\n\
          \n\
          Apart from χ, see [`Medium::between`](crate::Medium::between), the formulas of the paper are exact, but\n\
          evaluated as they are printed they subtract numbers that are nearly equal. The tables show how many of the\n\
@@ -89,7 +89,7 @@ fn page() -> String {
          # Near the edge of the contact\n\
          \n\
          The bracket of Eq. (26), Σ C/(2 (n+2)²) [n aⁿ⁺² − (n+2) aⁿ r² + 2 rⁿ⁺²], has a double zero at r = a. The crate\n\
-         has (a − r)² as a factor instead, times a sum of positive terms\n\
+         uses (a − r)² as a factor instead, times a sum of positive terms\n\
          ([`pressure_kernel`](crate::GapProfile::pressure_kernel)).\n\
          \n\
          | 1 − r/a | digits lost by Eq. (26) | by this crate |\n\
@@ -103,10 +103,10 @@ fn page() -> String {
          # At long times\n\
          \n\
          Eq. (25), m [G(a(t), r) − χ ∫ G(a(τ), r) e^(−χ (t−τ)) dτ], subtracts from the pressure before drainage what has\n\
-         drained since, which under a load that is held is all but a share of about 1/(χ t) of it. Radii, kernels and\n\
-         the integral are evaluated to the last digit here; what is lost is lost by the difference. The crate integrates by\n\
-         parts, which leaves positive terms only ([`pressure`](crate::Snapshot::pressure)). The radii reach up to half the\n\
-         first contact radius.\n\
+         drained since, which under a held load is all of it but a share of about 1/(χ t). For this table, radii,\n\
+         kernels and the integral are evaluated to the last digit, so that the only loss is that of the difference. The\n\
+         crate integrates by parts, which leaves positive terms only ([`pressure`](crate::Snapshot::pressure)).\n\
+         Pressures are compared up to half the first contact radius from the axis.\n\
          \n\
          | χ t | digits lost by Eq. (25) | by this crate |\n\
          |---|---|---|\n";

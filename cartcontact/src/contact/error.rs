@@ -15,7 +15,7 @@ pub enum ContactError {
     Profile(ProfileError),
     /// The load is not usable.
     Load(LoadError),
-    /// The layers make no medium. No contact reports it: a function that makes both has one type for its errors.
+    /// The layers make no medium. No contact reports it; it lets a function that makes both have one type of error.
     Medium(MediumError),
     /// A time is negative, infinite or not a number.
     InvalidTime {
@@ -53,7 +53,7 @@ pub enum ContactError {
         /// The force at that time, in N.
         force: f64,
     },
-    /// A [`GapProfile`](crate::GapProfile) that is none of this crate gave no contact radius.
+    /// A [`GapProfile`](crate::GapProfile) from outside this crate gave no contact radius.
     Radius {
         /// The time, in s.
         time: f64,

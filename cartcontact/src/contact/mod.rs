@@ -60,8 +60,8 @@ impl<T: fmt::Debug, P, L> fmt::Debug for Contact<T, P, L> {
 }
 
 impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
-    /// Checks a geometry, a medium and a load, and finds the end of the range of contact radii;
-    /// [`at`](Self::at) solves for them.
+    /// Checks a geometry, a medium and a load, and finds the largest admissible contact radius; [`at`](Self::at) solves
+    /// for the contact at a time.
     ///
     /// # Errors
     ///
@@ -113,15 +113,15 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
     /// The radius is within 2 ε for sums of positive terms. Where terms of both signs cancel, that is multiplied by
     /// Σ|terms of J|/(a J′).
     ///
-    /// This holds over the whole range of the format: as long as the input, 2 χ F, 4 F/(π m), ∫F, Y, J(a), a J′(a),
-    /// J(a)/a⁵, a⁴, F/a⁴ and the result are normal numbers, and with fractional exponents √(8/ε) δ₀′(a), too, powers and
-    /// products on the way to them need not be.
+    /// This holds as long as the input, 2 χ F, 4 F/(π m), ∫F, Y, J(a), a J′(a), J(a)/a⁵, a⁴, F/a⁴ and the result are
+    /// normal numbers, and with fractional exponents √(8/ε) δ₀′(a), too; powers and products on the way to them need
+    /// not be.
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the geometry, the
-    /// load has fallen so fast that the edge recedes, a force up to `t` is negative or not finite or an impulse is not
-    /// that of the force, or these numbers leave the range of the format.
+    /// [`ContactError`] if `t` is negative or not finite, the contact has left the admissible range of the geometry,
+    /// the load has fallen so fast that the edge recedes, a force up to `t` is negative or not finite, an impulse is
+    /// not that of the force, or one of the numbers above leaves the range of the format.
     ///
     /// # Examples
     ///
@@ -225,11 +225,11 @@ impl<T: Scalar, P: GapProfile<T>, L: Load<T>> Contact<T, P, L> {
 
     /// The pressures at many times and radii, in MPa.
     ///
-    /// `values` is row-major, times × radii: `values[i * radii.len() + j]` belongs to `times[i]` and
-    /// `radii[j]`. Times are in ascending order, equal ones allowed; radii may come in any order, which changes no bit
-    /// of the values. Descending ones, or those along a diameter, take as long as ascending ones, a square of pixels
-    /// up to 1.6 times as long, and shuffled ones up to three times. The number of quadratures grows like the number of
-    /// times plus that of radii, not like that of values.
+    /// `values` is row-major, times × radii: `values[i * radii.len() + j]` belongs to `times[i]` and `radii[j]`. Times
+    /// must be in ascending order, equal ones allowed; radii may be in any order, which changes no bit of the values.
+    /// Descending radii, or those along a diameter, take as long as ascending ones, those of a square of pixels up to
+    /// 1.6 times as long, and shuffled ones up to three times. The number of quadratures grows with the number of times
+    /// plus that of radii, not with that of values.
     ///
     /// # Accuracy
     ///

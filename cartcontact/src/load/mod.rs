@@ -6,8 +6,8 @@
 //! | a ramp, steps, or a measured record: pairs (time, force) | [`PiecewiseLinear`] |
 //! | a formula, or samples that come one by one | a type of your own that implements [`Load`] |
 //!
-//! Under none of them may the force fall faster than e^(−χ t): then the edge of the contact would recede, and a contact
-//! answers with [`ContactError::Receding`](crate::ContactError::Receding).
+//! No force may fall faster than e^(−χ t): otherwise the edge of the contact would recede, and a contact answers with
+//! [`ContactError::Receding`](crate::ContactError::Receding).
 
 // Loads: `constant`, `piecewise_linear` (through `knots`), and `pointers` to loads of a user; what can be wrong with
 // one is an `error`. A straight part of any of them is a `piece`; where a load is not straight, a `force_series` is its
@@ -36,23 +36,24 @@ pub(crate) use shortest::{Shortest, least_step};
 
 /// A load F(t) ≥ 0 from t = 0 on, in N, with its impulse.
 ///
-/// Two methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver what it can skip
-/// or must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the edge of the
-/// contact recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot) does not
-/// report are found too, at the cost of thousands of calls of [`force`](Self::force) each: forty jumps cost no digits,
-/// three thousand 1e-12 of a pressure, and ten thousand kinks 1e-10. Tens of thousands, at intervals below 2⁻¹⁶ of the
-/// time between knots, may be taken for noise, and cost some per cent. Sampled data and steps need `next_knot`, or a
-/// [`PiecewiseLinear`]. A pressure takes 20 to 200 forces for each wave of the last forty e-foldings that is more than
-/// rounding, up to a million; more may be stepped over, which costs as much as 1e-3.
+/// The two required methods are enough for a load that never falls faster than e^(−χ t). The others tell the solver
+/// what it can skip or must not step over: kinks, jumps, straight pieces, and the time at which a falling load lets the
+/// edge of the contact recede, which this solution does not cover. Jumps and kinks that [`next_knot`](Self::next_knot)
+/// does not report are found too, by thousands of calls of [`force`](Self::force) each: with forty jumps a pressure
+/// loses no digits, with three thousand it is off by 1e-12, and with ten thousand kinks by 1e-10. Tens of thousands, at
+/// intervals below 2⁻¹⁶ of the time between knots, may be taken for noise; a pressure is then off by some per cent.
+/// Sampled data and steps need `next_knot`, or a [`PiecewiseLinear`]. For each wave of the force within the last forty
+/// e-foldings that is more than rounding, a pressure takes 20 to 200 calls of `force`, up to a million in all; waves
+/// beyond that may be stepped over, and it is then off by as much as 1e-3.
 ///
-/// The impulse must be that of the force; both are used. It may come from a quadrature: an error of up to √ε Y/χ, with
-/// the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse that no force through
-/// the samples can have unless the edge recedes is refused with [`LoadError::ContradictoryImpulse`]. One that is off by
-/// up to a few per cent, or wrong only before the time asked for, may go unnoticed: the radius is then that of the
-/// impulse, and the pressure lies between the two.
+/// The impulse must be the integral of the force, as both are used. It may come from a quadrature: an error of up to √ε
+/// Y/χ, with the hereditary load Y and √ε = 1.5e-8 in f64, is never reported as a contradiction. An impulse is refused
+/// with [`LoadError::ContradictoryImpulse`] if no force through the samples can have it unless the edge recedes. One
+/// that is off by up to a few per cent, or wrong only before the time asked for, may go unnoticed: the radius is then
+/// that of the impulse, and the pressure lies between that of the impulse and that of the force.
 ///
-/// A force that is not a number for a short while, or infinite or negative, may go unnoticed; the pressures are then
-/// those of the load beside it, or not numbers.
+/// A force that is for a short while negative, infinite or not a number may go unnoticed; the pressures are then those
+/// of the load around it, or not numbers.
 ///
 /// A reference to a load is a load, too; with the feature `std` so are a `Box` and an `Arc`, also of a `dyn Load<T>`
 /// chosen at run time.
@@ -78,10 +79,10 @@ pub(crate) use shortest::{Shortest, least_step};
 /// }
 /// ```
 ///
-/// In a control loop forces come one by one. A load that clamps each of them, so that none falls too fast, need not be
-/// searched, and one that keeps its samples twice as far apart when there is no more room does not allocate. The time
-/// for a pressure grows with the number of samples, which bounds how often a loop can ask for one; that for a radius
-/// does not:
+/// In a control loop forces come one by one. The following load clamps each of them, so that none falls too fast and no
+/// search for one is needed, and does not allocate: when there is no more room, it keeps its samples twice as far
+/// apart. The time for a pressure grows with the number of samples, which limits how often a loop can ask for one; that
+/// for a radius does not:
 ///
 /// ```
 /// use cartcontact::load::{Load, PiecewiseLinear};
@@ -210,8 +211,8 @@ pub trait Load<T: Scalar> {
     }
 
     /// Whether the force is linear in time between knots; memory integrals are then explicit, and the solver looks for
-    /// nothing else between them. With ten thousand knots one pressure takes two forces for each of them if so, and sixty
-    /// otherwise.
+    /// nothing else between them. With ten thousand knots one pressure takes two calls of `force` for each of them if
+    /// so, and sixty otherwise.
     fn is_linear_between_knots(&self) -> bool {
         false
     }
@@ -245,18 +246,19 @@ pub trait Load<T: Scalar> {
     /// F + χ ∫F falls there, so that the edge recedes, or the force and the impulse are in
     /// [`contradiction`](Self::contradiction).
     ///
-    /// The provided method follows the force between knots as closely as it varies. It finds every fall of a load that
-    /// is smooth over its steps by more than rounding, 8 ε of the hereditary load, and falls by √ε of the force in
-    /// ripples that are too short for them; a pulse between two of its samples shows only if its impulse exceeds √ε Y/χ.
-    /// Of a wave that falls hardly faster than e^(−χ t) this holds up to 1e5 periods; then the answer may be one of the
-    /// later waves, and from 1e7 periods on there may be none. Between a thousand jumps or kinks that no knot reports,
-    /// in single precision a hundred, it finds falls by 1e-3 of the force. It needs some 17 forces for each panel of a
-    /// few radians of an oscillation, or a few e-foldings of a decay, some 200 for each such kink, and up to 1e6 where
-    /// forces are the rounding of something larger, as 1 − cos t is at first. A load that knows it should say so.
+    /// The provided method follows the force between knots in steps that are short enough for its variation. If the
+    /// load is smooth over these steps, it finds every fall by more than rounding, 8 ε of the hereditary load. In
+    /// ripples that are too short for them it finds falls by √ε of the force, and a pulse between two of its samples
+    /// only if the impulse of that exceeds √ε Y/χ. For a wave that falls hardly faster than e^(−χ t) this holds up to
+    /// 1e5 periods; with more, the answer may be one of the later waves, and from 1e7 periods on there may be none.
+    /// Between a thousand jumps or kinks that no knot reports, in single precision a hundred, it finds falls by 1e-3 of
+    /// the force. It calls `force` some 17 times for every few radians of an oscillation, or every few e-foldings of a
+    /// decay, some 200 times for each such kink, and up to 1e6 times where forces are the rounding of something larger,
+    /// as 1 − cos t is at first. A load that knows the answer should provide it.
     ///
-    /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two
-    /// forces for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them together
-    /// by √ε.
+    /// For a load that is [linear between knots](Self::is_linear_between_knots) it follows the pieces, with two calls
+    /// of `force` for each. As forces are rounded, a piece may fall too fast by 8 ε of its force, and all of them
+    /// together by √ε.
     fn recession(&self, chi: T, t: T) -> Option<T> {
         recession::first_fault(self, chi, t).map(|fault| fault.time())
     }

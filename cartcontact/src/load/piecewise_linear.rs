@@ -32,12 +32,13 @@ const CHECKPOINTS: usize = 64;
 /// ```
 ///
 /// The solution holds while the edge of the contact does not recede: from one knot to the next, Δt later, a force F may
-/// fall to F/(1 + χ Δt) and no lower. The noise of a measured record falls faster, however well it is smoothed, and must
-/// be clamped. The clamp follows the peaks: noise with a standard deviation σ of 1 % of a load that is held for a minute
-/// puts it too high, with χ = 0.0015/s by 1 σ at 1 Hz and by 3.4 σ at 1 kHz, and less where χ or the load is larger.
-/// Smooth such a record first, over as many samples as its ramps allow. If the joint is really unloaded, as in gait, the
-/// solution ends there, and a clamped record has the results of the higher load: see how far it lies above the measured
-/// one. A fit of permeabilities changes χ, and with it what is too fast: clamp with the lowest χ that it may try.
+/// fall to F/(1 + χ Δt) and no lower. The noise of a measured record falls faster, however well it is smoothed, and
+/// must be clamped. A clamped record follows the peaks of the noise and is too high: for a load held for a minute,
+/// noise with a standard deviation σ of 1 %, and χ = 0.0015/s, by 1 σ at 1 Hz and by 3.4 σ at 1 kHz, and less where χ
+/// or the load is larger. Smooth such a record first, over as many samples as its ramps allow. Once the joint is really
+/// unloaded, as in gait, the solution no longer holds, and a clamped record has the results of its higher load: check
+/// how far it lies above the measured one. A fit of permeabilities changes χ, and with it what is too fast: clamp with
+/// the lowest χ that it may try.
 ///
 /// ```
 /// # use cartcontact::{Contact, Medium, Polynomial, load::PiecewiseLinear};

@@ -10,9 +10,10 @@ use crate::scalar::is_normal_and_positive;
 
 /// What the layers contribute to the solution: the stiffness m and the rate of drainage χ.
 ///
-/// Nothing else of the layers enters a result, so that a creep test of any length has two constants to find. Thickness,
-/// shear modulus and permeability of a layer cannot be fitted together: (h, μ, k) and (2 h, 8 μ, k/2) are one medium.
-/// Measure the thickness; the matrix of normal equations is singular otherwise, though rounding may hide that.
+/// Nothing else of the layers enters a result, so that a creep test, however long, determines two constants only.
+/// Thickness, shear modulus and permeability of a layer cannot all be fitted: (h, μ, k) and (2 h, 8 μ, k/2) are the
+/// same medium. Measure the thickness; otherwise the matrix of the normal equations is singular, though rounding may
+/// hide that.
 ///
 /// # Examples
 ///
@@ -40,9 +41,9 @@ impl<T: Scalar> Medium<T> {
     /// χ = m (h₁ k₁ + h₂ k₂)
     /// ```
     ///
-    /// The paper prints another χ, see [`between_as_printed_2011`](Self::between_as_printed_2011). Two equal layers
-    /// mirror one [against a rigid body](Self::against_rigid) and must have its rate: this one does, the printed one is
-    /// twice that.
+    /// The paper prints another χ, see [`between_as_printed_2011`](Self::between_as_printed_2011). By symmetry two
+    /// equal layers behave like one [against a rigid body](Self::against_rigid) and must have its rate. With this χ
+    /// they do; the printed one is twice that.
     ///
     /// # Accuracy
     ///
@@ -141,8 +142,8 @@ impl<T: Scalar> Medium<T> {
     ///
     /// # Errors
     ///
-    /// [`MediumError`] unless m is positive, χ is 0 or positive and both are finite and have all their digits, from
-    /// 2⁻¹⁰²² in f64 and 2⁻¹²⁶ in f32.
+    /// [`MediumError`] unless m is positive, χ is 0 or positive, both are finite, and neither is so small that it loses
+    /// digits: positive but below 2⁻¹⁰²² in f64 or 2⁻¹²⁶ in f32.
     ///
     /// # Examples
     ///

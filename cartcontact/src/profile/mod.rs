@@ -21,15 +21,15 @@ use crate::quadrature::Rule;
 /// The functions of a radius are plain arithmetic and expect a finite radius ≥ 0; for others their results mean
 /// nothing. [`Contact`](crate::Contact) checks what it is given before it calls them.
 ///
-/// Results are [`gap`](Self::gap), [`approach`](Self::approach) and [its slope](Self::approach_slope),
+/// Programs call [`gap`](Self::gap), [`approach`](Self::approach) and [its slope](Self::approach_slope),
 /// [`load_integral`](Self::load_integral), [`log_kernel`](Self::log_kernel),
 /// [`pressure_kernel`](Self::pressure_kernel), [`radius`](Self::radius), [`radii`](Self::radii) and
 /// [`max_radius`](Self::max_radius). The methods after `max_radius` serve the solver, and
-/// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check); programs have little use for them. A profile of
-/// your own provides the six functions of a radius, [`radius_within`](Self::radius_within) and `max_radius`, and
-/// [`highest_exponent`](Self::highest_exponent) if it has powers above the 64th. Memory integrals take its gap to be
-/// smooth between r = 0 and `max_radius`: where its curvature jumps, as in a quadratic spline, pressures are off by some
-/// 1e-9, and where its slope jumps by some 1e-7.
+/// [`Contact::new`](crate::Contact::new) calls [`check`](Self::check). A profile of your own provides the six functions
+/// of a radius, from `gap` to `pressure_kernel`, [`radius_within`](Self::radius_within) and `max_radius`, and
+/// [`highest_exponent`](Self::highest_exponent) if it has powers above the 64th. Memory integrals rely on a gap that is
+/// smooth between r = 0 and `max_radius`: pressures are off by some 1e-9 where its curvature jumps, as in a quadratic
+/// spline, and by some 1e-7 where its slope jumps.
 ///
 /// A reference to a profile is a profile, too; with the feature `std` so are a `Box` and an `Arc`, also of a
 /// `dyn GapProfile<T>`.
@@ -38,15 +38,15 @@ use crate::quadrature::Rule;
 ///
 /// Sums of powers and the pressure kernel are rounded once, apart from their coefficients, and are within 2 units in
 /// the last place, whatever their exponents. Where terms of both signs cancel, this bound is multiplied by the
-/// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is left, within 8 ε:
+/// condition number Σ|terms|/|sum|. At the ends of the range of numbers only plain arithmetic is possible, within 8 ε:
 /// where a result is above 6e299, or 4e34 in f32, and where a result or a power on the way is hardly larger than the
 /// smallest normal number. If terms of both signs overflow, the result is NaN.
 ///
-/// Coefficients that depend on fields are not rounded, if `T` holds the fields: their products and quotients have twice
-/// the digits, and so have their powers, except those of dual numbers that are not whole. Powers such as a^-1.3 have 19
-/// digits, of which a difference of two that are nearly equal may lose some. Contact radii take such coefficients
-/// rounded. Products and quotients below the smallest normal number on the way, of fields near 1e-160 or 1e160, are
-/// refused only where a coefficient would be zero.
+/// Coefficients that depend on fields are not rounded, if `T` can hold the fields: their products, quotients and powers
+/// are computed with twice the digits, except fractional powers of dual numbers. Fractional powers such as a^-1.3 have
+/// 19 digits, some of which may be lost in the difference of two that are nearly equal. For contact radii such
+/// coefficients are rounded. Intermediate products and quotients below the smallest normal number, as of fields near
+/// 1e-160 or 1e160, are refused only where a coefficient would be zero.
 ///
 /// # Examples
 ///
@@ -228,10 +228,11 @@ pub trait GapProfile<T: Scalar> {
     /// # Accuracy
     ///
     /// About 1 unit in the last place, times 2 Σ|terms of J|/(a J′) where terms of both signs cancel. It is 4 units
-    /// where a J′, up to n + 4 times J, overflows and an interval is halved instead; a [`Contact`](crate::Contact)
-    /// refuses that. Where a positive term of J overflows although J does not, because others are negative, the radius
-    /// may be too small by some per cent: it is the one at which that term overflows. A `Contact` refuses that unless J
-    /// is nearly flat there. It also refuses subnormal load integrals, whose radius has no more digits than they have.
+    /// where a J′, up to n + 4 times J, overflows, and the radius is found by bisection instead; a
+    /// [`Contact`](crate::Contact) refuses that. Where a positive term of J overflows although J does not, because
+    /// others are negative, the radius may be too small by some per cent: it is the one at which that term overflows. A
+    /// `Contact` refuses that unless J is nearly flat there. It also refuses subnormal load integrals, whose radius has
+    /// no more digits than they have.
     ///
     /// # Examples
     ///
@@ -249,9 +250,9 @@ pub trait GapProfile<T: Scalar> {
     ///
     /// # Errors
     ///
-    /// [`RadiusError`] for a negative or non-finite argument, and beyond J of [`max_radius`](Self::max_radius); up to 30
-    /// roundings beyond, which coefficients that depend on fields may be off by, the radius is still that at the end.
-    /// What is wrong with a geometry that has no radii at all, [`check`](Self::check) tells.
+    /// [`RadiusError`] for an argument that is negative, not finite, or beyond J of [`max_radius`](Self::max_radius);
+    /// up to 30 roundings beyond, by which coefficients that depend on fields may be off, the result is still
+    /// `max_radius`. If a geometry has no radii at all, [`check`](Self::check) tells why.
     // Always inlined: otherwise it is a call with its result in memory in one program and not in the next.
     #[inline(always)]
     fn radius(&self, load_integral: T) -> Result<T, RadiusError> {
@@ -309,8 +310,8 @@ pub trait GapProfile<T: Scalar> {
         Ok(())
     }
 
-    /// The end of the admissible range of contact radii a, in mm, in which the gap at the edge exceeds its mean over the
-    /// contact disc; infinity if the range has no end, and 0 if there is none.
+    /// The end of the admissible range of contact radii a, in mm, in which the gap at the edge exceeds its mean over
+    /// the contact disc; infinity if it has no end, and 0 if there is no such range.
     ///
     /// # Formula
     ///
@@ -360,7 +361,7 @@ pub trait GapProfile<T: Scalar> {
     /// δ₀′(s), which has no dimension, and the drops J(a) − J(s), in mm⁵, at radii s = a − depth. For the solver: a
     /// memory integral takes them at its nodes.
     ///
-    /// The four slices have the same length. `radii` and `depths` say the same, each rounded to its own digits; the
+    /// The four slices have the same length. `radii` and `depths` give the same places, each rounded by itself; the
     /// drops, and slopes of high powers, keep the digits of the depths.
     #[inline(always)]
     fn fill_slopes_and_drops(
