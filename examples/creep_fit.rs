@@ -4,10 +4,10 @@
 //! cargo run --release --example creep_fit
 //! ```
 //!
-//! A rigid ball is pressed on one layer with a constant force, and its approach is measured in time: at first the
-//! shear modulus decides, later the permeability. The method is that of Gauss and Newton on the logarithms of both,
-//! which keeps them positive. The Jacobian comes from dual numbers, so that no step width of a difference has to be
-//! chosen, and gives the standard errors too.
+//! A rigid ball is pressed on one layer with a constant force, and its approach is measured over time: at first it
+//! depends on the shear modulus, later on the permeability too. The method is Gauss-Newton on the logarithms of both,
+//! which keeps them positive. The Jacobian comes from dual numbers, so that no step of a finite difference has to be
+//! chosen, and also gives the standard errors.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -161,13 +161,13 @@ fn report(
     let contact = Contact::new(Ball { radius: BALL_RADIUS }, medium, load::Constant(FORCE))?;
     let thicknesses = contact.at(0.0)?.radius() / THICKNESS;
     let share = last / layer.diffusion_time(POISSON_RATIO)?;
-    writeln!(out, "\nThese errors are those of the noise alone. The model is for thin layers: where")?;
+    writeln!(out, "\nThese errors come from the noise alone. The model is for thin layers: where")?;
     writeln!(out, "the contact radius is 8 thicknesses, a fitted shear modulus is 1.29 times the")?;
     writeln!(
         out,
         "true one, at 16 thicknesses 1.08 times (README). Here it is {thicknesses:.1} thicknesses."
     )?;
-    writeln!(out, "The last measurement is at {share:.2} of the diffusion time, against which times")?;
-    writeln!(out, "should be short; it is that for a Poisson's ratio of {POISSON_RATIO}.")?;
+    writeln!(out, "It is also for times that are short compared with the diffusion time; the last")?;
+    writeln!(out, "measurement is at {share:.2} of it, for a Poisson's ratio of {POISSON_RATIO}.")?;
     Ok(())
 }

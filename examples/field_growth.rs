@@ -5,9 +5,9 @@
 //! cargo run --release --example field_growth
 //! ```
 //!
-//! The figure compares fields with filling the same memory with a constant. Every point is the shortest of
-//! several runs, in which the two take turns. Both become slower per value where the memory no longer fits
-//! into the cache.
+//! The figure compares computing a field with filling the same memory with a constant. Every point is the shortest of
+//! several runs, in which the two take turns. Both take longer per value where the memory no longer fits into the
+//! cache.
 
 use std::error::Error;
 use std::hint::black_box;

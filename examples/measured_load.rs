@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Without an argument it reads `data/stair_loading.csv`: a made-up record, like that of a force sensor with a
-//! resolution of 0.1 N on a joint that is loaded in three steps and relaxes a little in each hold. The load may
-//! fall, as long as the contact does not become smaller; noise falls faster, and `--clamp` raises what does.
+//! resolution of 0.1 N on a joint that is loaded in three steps and relaxes a little in each hold. The load may fall,
+//! as long as the contact does not become smaller. Noise falls faster; `--clamp` raises the forces that fall too fast.
 
 use std::error::Error;
 use std::io::{self, Write};

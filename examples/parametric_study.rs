@@ -5,10 +5,10 @@
 //! cargo run --release --example parametric_study -- --scenes 100000 --threads 2 --seed 7
 //! ```
 //!
-//! A scene is a patient: a femoral condyle in the hollow of a tibial plateau, each with its own cartilage, under
-//! the patient's own load. The population is made up: its means are of the size of a knee's, and its spreads
-//! show the method. Blocks of scenes are drawn from random streams of their own, so that the results depend on
-//! the seed alone, not on the number of threads.
+//! A scene is a patient: a femoral condyle in the hollow of a tibial plateau, each with its own cartilage, under the
+//! patient's own load. The population is made up: its means are of the size of a knee's, and its spreads show the
+//! method. Each block of scenes has its own random stream, so that the results depend on the seed alone, not on the
+//! number of threads.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -56,10 +56,10 @@ struct Options {
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     #[arg(value_parser = value_parser!(u64).range(100..=100_000_000))]
     scenes: u64,
-    /// How many threads share them
+    /// How many threads share the scenes
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u16).range(1..=1024))]
     threads: u16,
-    /// Which random numbers
+    /// Seed of the random numbers
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
 }

@@ -4,10 +4,10 @@
 //! cargo run --release --example patellofemoral
 //! ```
 //!
-//! A ball of radius 10 mm in a socket of 20 mm is described by two gap profiles, to second and to fourth order.
-//! The example shows how much the fourth order matters, with the rate chi of drainage as it follows from the
-//! layers' displacements and as the paper prints it. The figure of pressures has the former alone; the
-//! README shows a copy of it, `figures/pressure.svg`.
+//! A ball of radius 10 mm in a socket of 20 mm is described by two gap profiles, to second and to fourth order. The
+//! example shows how much the fourth order matters, with the rate chi of drainage as it follows from the layers'
+//! displacements and as the paper prints it. The figure of pressures uses only the former; the README shows a copy of
+//! it, `figures/pressure.svg`.
 //!
 //! I. Argatov, Mech. Res. Commun. 38 (2011) 29–33, doi 10.1016/j.mechrescom.2010.11.006.
 
@@ -113,13 +113,10 @@ fn write_states(out: &mut impl Write, media: [Medium<f64>; 2]) -> Result<(), Box
     }
     let ratio = state(FourthOrder, media[0], FORCE, 0.0)?.radius / LAYER.thickness;
     let diffusion = LAYER.diffusion_time(POISSON_RATIO)?;
-    writeln!(out, "\nThe model is the limit of a contact that is wide against the layers, and of")?;
-    writeln!(out, "times short against the diffusion of fluid through them. Here the radius is")?;
-    writeln!(
-        out,
-        "{ratio:.1} thicknesses and more, and the time of diffusion {diffusion:.0} s for a Poisson's"
-    )?;
-    writeln!(out, "ratio of {POISSON_RATIO}.")?;
+    writeln!(out, "\nThe model is the limit of a contact that is wide compared with the thickness of")?;
+    writeln!(out, "the layers, and of times that are short compared with the diffusion of fluid")?;
+    writeln!(out, "through them. Here the radius is at least {ratio:.1} thicknesses, and the diffusion")?;
+    writeln!(out, "time is {diffusion:.0} s, for a Poisson's ratio of {POISSON_RATIO}.")?;
     Ok(())
 }
 

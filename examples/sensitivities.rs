@@ -4,9 +4,10 @@
 //! cargo run --release --example sensitivities
 //! ```
 //!
-//! A dual number carries its derivative with respect to one variable. The joint is written for any scalar, and solved
-//! once for each parameter, which is the variable then: derivatives have as many digits as the results. A fit of the
-//! parameters to measurements takes its Jacobian from such a function, see the example `creep_fit`.
+//! A dual number carries its derivative with respect to one variable. The joint is a function of any scalar type. It is
+//! solved once for each parameter, with that parameter as the variable, and the derivatives have as many digits as the
+//! results. A fit of the parameters to measurements can take its Jacobian from such a function, see the example
+//! `creep_fit`.
 
 use std::error::Error;
 use std::io::{self, Write};
